@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = ".vvr-";
 constexpr std::string_view ending = ".lock";
 
-/// With a hash, because the name itself may have the greatest length that a file system allows.
+/// The name has a hash, because `name` itself may already have the greatest length that a file system allows.
 fs::path file_for(const fs::path& folder, const std::string& name) {
     return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), ending);
 }
@@ -45,9 +45,10 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
-/// The name that a claim's file holds. Nothing when vvr did not write it: then the file's own name is not made from it.
+/// The name that a claim's file contains; nothing if vvr did not write it, because then the file's own name doesn't
+/// match.
 std::optional<std::string> name_in(int file, const fs::path& path) {
-    std::array<char, longest_name + 1> bytes{};  // one more than is possible, to notice longer ones
+    std::array<char, longest_name + 1> bytes{};  // one more than possible, to detect longer ones
     const ssize_t length = ::pread(file, bytes.data(), bytes.size(), 0);
     if (length <= 0) return std::nullopt;
     std::string name(bytes.data(), static_cast<std::size_t>(length));
@@ -78,13 +79,13 @@ std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& 
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);
         }
-        // The program that had it removes the file, so the file that is locked now may be deleted.
+        // The previous owner removes the file, so the locked one may be a deleted file.
         if (!is_same_file(file, path)) {
             ::close(file);
             continue;
         }
         struct stat status {};
-        // A program that takes a claim writes the name into it first.
+        // A program that takes a claim first writes the name into it.
         const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
         LockFile claim(path, file, left_behind);
         if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
@@ -99,8 +100,7 @@ std::optional<LockFile> LockFile::try_take(const fs::path& folder, const std::st
 }
 
 LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std::chrono::milliseconds patience) {
-    // Whoever has the lock may have stopped, or be nobody of ours: so it is asked for, and not waited for in the
-    // kernel.
+    // Polls instead of waiting in the kernel: the owner of the lock may be stopped or a foreign program.
     constexpr std::chrono::milliseconds pause{20};
     const fs::path path = file_for(folder, name);
     const auto end = std::chrono::steady_clock::now() + patience;
@@ -126,7 +126,7 @@ std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::pa
     if (open < 0) return std::nullopt;
     std::optional<std::string> name;
     if (lock_file(open, false) == 0 && is_same_file(open, file)) name = name_in(open, file);
-    // A file that is not ours stays as it is, so there must be no claim yet that would remove it.
+    // A foreign file stays unchanged: so no claim may exist yet that would remove it.
     if (!name) {
         ::close(open);
         return std::nullopt;

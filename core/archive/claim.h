@@ -8,23 +8,23 @@
 
 namespace vvr::archive {
 
-/// The right to write the files of one name in a folder, as long as this object lives. It is a lock (`flock`) on a
-/// hidden file: the kernel releases it however the program ends, and it holds between machines if the file system's
+/// The exclusive right to write the files of one name in a folder, for the life of this object. It is a lock (`flock`)
+/// on a hidden file: the kernel releases it however the program ends. It holds between machines if the file system's
 /// locks do.
 class LockFile {
   public:
-    /// Nothing when another program has it.
+    /// Takes the claim; nothing if another program has it.
     /// \throws Error io
     static std::optional<LockFile> try_take(const std::filesystem::path& folder, const std::string& name);
 
-    /// Waits until nobody else has it. A signal ends the wait, as it ends the program.
-    /// \throws Error io, also when another program has it for longer than `patience`
+    /// Waits for the claim. A signal ends the wait, as it ends the program.
+    /// \throws Error io, also if another program has it for longer than `patience`
     static LockFile wait_for(const std::filesystem::path& folder, const std::string& name,
                              std::chrono::milliseconds patience = std::chrono::minutes(5));
 
-    /// Takes over the claim of a killed program, and says the name that it is for. Nothing when another program has
-    /// it, or when the file is not a claim: not a regular file, or without the plain name from which its own name is
-    /// made. Such a file is left alone.
+    /// Takes over the claim of a killed program.
+    /// \returns the claim and the name it is for. Nothing if another program has it, or if the file is no claim: not a
+    ///        regular file, or without the plain name from which its own name is made. Such a file is left alone.
     static std::optional<std::pair<LockFile, std::string>> take_over(const std::filesystem::path& file);
 
     /// Whether `file` has the name of a claim's hidden file.
@@ -36,10 +36,10 @@ class LockFile {
     LockFile& operator=(const LockFile&) = delete;
     ~LockFile();
 
-    /// Whether the program that had it before was killed. Then there may be files that it was writing.
+    /// Whether its previous owner was killed. Then there may be unfinished files.
     bool is_stale() const { return stale_; }
 
-    /// A child process that inherits it holds the claim as long as it lives.
+    /// The lock's file descriptor. A child process that inherits it holds the claim for its own life.
     int descriptor() const { return file_; }
 
   private:

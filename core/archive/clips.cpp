@@ -80,8 +80,7 @@ Clip clip_of(const std::string& path, const struct stat& status) {
     return {path, status.st_size, written * second + status.st_mtim.tv_nsec};
 }
 
-/// Whether what lies in a folder is made by the kernel when it is looked at, and is no file: /proc, /sys and their
-/// like.
+/// Whether a folder is on a file system of the kernel, whose files aren't real: /proc, /sys and such.
 bool is_kernel_filesystem(const fs::path& folder) {
     constexpr std::array<long, 11> kinds{PROC_SUPER_MAGIC,   SYSFS_MAGIC,         DEBUGFS_MAGIC,      TRACEFS_MAGIC,
                                          CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC, DEVPTS_SUPER_MAGIC, SECURITYFS_MAGIC,
@@ -90,7 +89,7 @@ bool is_kernel_filesystem(const fs::path& folder) {
     return ::statfs(folder.c_str(), &status) == 0 && std::ranges::count(kinds, static_cast<long>(status.f_type)) > 0;
 }
 
-/// Reads folders; those that only links lead to come after all others.
+/// Reads folders; those reached only through links come last.
 class Walk {
   public:
     Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
@@ -108,7 +107,7 @@ class Walk {
                                     "is mounted",
                                     in.string(), reason_of(errno)));
         }
-        // A link to a folder that holds this one would bring in the whole machine.
+        // A link to a folder that contains this one could bring in the whole machine.
         std::error_code none;
         for (fs::path above = fs::canonical(in, none); above.has_relative_path();) {
             above = above.parent_path();
@@ -161,7 +160,7 @@ class Walk {
             std::error_code none;
             if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
         }
-        std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
+        std::ranges::sort(entries);  // deterministic: of several links to a folder, the same one is always taken
         for (const auto& [name, type] : entries) add(folder.empty() ? name : fmt::format("{}/{}", folder, name), type);
         if (error) scan_.problems.push_back({folder, error.message(), true});
     }
@@ -197,8 +196,8 @@ class Walk {
     Scan scan_;
 };
 
-/// Drops clips for which the name of an output file would be too long. All kinds of output files count, asked for or
-/// not, so that the options do not change which clips there are.
+/// Drops clips with too long a name for one of their output files. All kinds of output count, requested or not, so that
+/// options don't change the set of clips.
 void drop_long_names(Scan& scan) {
     std::erase_if(scan.clips, [&](const Clip& clip) {
         std::string longest = sidecar_path("", clip.path).filename().string();
@@ -214,7 +213,7 @@ void drop_long_names(Scan& scan) {
     });
 }
 
-/// Drops clips whose output files would replace those of others.
+/// Drops clips whose output files would replace those of other clips.
 void drop_conflicts(Scan& scan) {
     std::unordered_set<std::string> taken{std::string(index_name)};
     std::unordered_set<std::string> folders;
@@ -270,7 +269,7 @@ bool Shard::contains(std::string_view clip) const {
 
 namespace {
 
-/// When a clip begins, in seconds since 1970: as its name says, else when it was last written.
+/// The beginning of a clip, seconds since 1970: from its name, else when it was last written.
 std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
     const std::int64_t written = clip.modified / 1'000'000'000;
     const auto named = names.read(clip.path).begin;
@@ -278,7 +277,7 @@ std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
     return can_be_time(begin) ? begin : written;
 }
 
-/// Names come from anywhere: one that leads out of the folder, or is hidden there, is none for a folder.
+/// Names are untrusted: one that leads out of the folder or would be hidden can't be a folder.
 bool can_be_folder(const std::string& path) {
     return is_plain_path(path) && !path.starts_with('.') && path.find("/.") == std::string::npos;
 }
@@ -323,7 +322,7 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
         day.files.push_back(clip.path);
     }
     for (auto& [path, day] : days) {
-        // A time of the future is that of a wrong clock: where there are others, it does not tell when the newest came.
+        // A future time comes from a wrong clock: it counts only where the day has no other.
         if (day.clip.modified == 0) day.clip.modified = ahead[path];
         std::ranges::sort(day.files);
         grouped.days.push_back(std::move(day));

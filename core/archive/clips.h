@@ -12,47 +12,47 @@
 
 namespace vvr::archive {
 
-/// Which files of an archive are clips, by their names.
+/// Decides by its name whether a file of an archive is a clip.
 class ClipNames {
   public:
-    /// \param patterns for `fnmatch`: one with a `/` is for the path below the archive's folder, others are for the
-    ///        file's name; none = the endings of video files
-    /// \param excluded patterns of what is no clip all the same
+    /// Chooses clips by name.
+    /// \param patterns for `fnmatch`. One with a `/` matches the path below the archive's folder, others match the
+    ///        file's name. None = the extensions of video files
+    /// \param excluded patterns of files that are not clips, even if they match
     explicit ClipNames(std::vector<std::string> patterns = {}, std::vector<std::string> excluded = {})
         : patterns_(std::move(patterns)), excluded_(std::move(excluded)) {}
 
     bool matches(const std::string& clip) const;
 
-    /// With all that is a clip by its ending or by a pattern, whatever is excluded: what these names leave out is there
-    /// all the same.
+    /// The same without exclusions, and with the extensions of video files: an excluded clip still exists.
     ClipNames with_all() const;
 
-    /// "*.avi", or the endings of video files: for messages.
+    /// For messages: "*.avi", or the extensions of video files.
     std::string wanted() const;
 
   private:
     std::vector<std::string> patterns_;
     std::vector<std::string> excluded_;
-    bool videos_ = patterns_.empty();  ///< those with the endings of video files are clips too
+    bool videos_ = patterns_.empty();  ///< files with the extensions of video files are clips too
 };
 
-/// A clip's file, as it is known without opening it.
+/// What is known of a clip's file without opening it.
 struct Clip {
     std::string path;  ///< below the archive's folder
     std::int64_t size = 0;
-    std::int64_t modified = 0;  ///< nanoseconds since 1970; of times before that and after 2199, the nearest
+    std::int64_t modified = 0;  ///< nanoseconds since 1970; clamped to 1970 to 2199
 };
 
-/// By the times of their files: which clips are still being written, and which have a time that can't be.
+/// Judges file times: which clips are still being written, and which have impossible times.
 struct Settling {
     std::chrono::system_clock::time_point now;
     std::chrono::nanoseconds settle{};
 
-    /// Whether a clip changed less than `settle` ago. A clock that runs far ahead of ours must not keep a clip waiting
-    /// for years.
+    /// Whether a clip changed less than `settle` ago. A clock that is far ahead of ours must not delay a clip for
+    /// years.
     bool waits_for(const Clip& clip) const;
 
-    /// Whether a clip has a time of the future: the clock of a camera or of a server is ahead, or ours was set back.
+    /// Whether a clip has a future time: the clock of a camera or server is ahead, or ours was set back.
     bool is_ahead(const Clip& clip) const;
 };
 
@@ -60,7 +60,7 @@ struct Settling {
 struct ScanProblem {
     std::string path;  ///< below the archive's folder; empty = the folder itself
     std::string reason;
-    bool unread = false;  ///< nobody knows which clips are there
+    bool unread = false;  ///< which clips it has is unknown
 };
 
 struct Scan {
@@ -68,16 +68,16 @@ struct Scan {
     std::vector<ScanProblem> problems;  ///< by path
 };
 
-/// Finds every clip below a folder. Each folder is read once, however many links lead to it, and under its own name
-/// rather than a link's. Hidden files and folders are skipped, and so are `out` and what the kernel shows as folders
-/// (/proc, /sys). A link to a folder that holds `in` is a problem, and not followed.
-/// \throws Error io when the folder itself can't be read
+/// Finds all clips below a folder. Each folder is read once, however many links lead to it, and under its own name if
+/// possible. Hidden files and folders are skipped, as are `out` and file systems of the kernel (/proc, /sys). A link to
+/// a folder that contains `in` is a problem, and is not followed.
+/// \throws Error io if the folder itself can't be read
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 
-/// The file's size and time now; nothing when it no longer exists.
+/// The file's current size and time; nothing if it no longer exists.
 std::optional<Clip> stat_clip(const std::filesystem::path& in, const std::string& path);
 
-/// A stable share of the clips: those whose path's FNV-1a hash, 64 bits, leaves `index` when divided by `count`.
+/// A stable share of the clips: those whose path has a 64-bit FNV-1a hash of `index` modulo `count`.
 struct Shard {
     std::uint64_t index = 0;  ///< from 0
     std::uint64_t count = 1;
@@ -85,26 +85,26 @@ struct Shard {
     bool contains(std::string_view clip) const;
 };
 
-/// The day on the wall's calendar: "2026-11-21", in this machine's time zone.
+/// The local date, such as "2026-11-21", in this machine's time zone.
 /// \param utc seconds since 1970
 std::string date_of(std::int64_t utc);
 
-/// All clips that a camera began on a day.
+/// All clips of a camera that begin on one day.
 struct CameraDay {
-    std::string camera;              ///< empty = nobody knows
+    std::string camera;              ///< empty = unknown
     std::string date;                ///< "2026-11-21", in this machine's time zone
-    Clip clip;                       ///< all together: where its files stand, bytes, when the newest was written
+    Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
     std::vector<std::string> files;  ///< below the archive's folder
 };
 
 /// Clips by camera and day.
 struct CameraDays {
     std::vector<CameraDay> days;
-    std::vector<ScanProblem> problems;  ///< cameras whose names can't be those of folders
-    std::size_t waiting = 0;            ///< clips that are still being written, and left out
+    std::vector<ScanProblem> problems;  ///< cameras whose names can't be folder names
+    std::size_t waiting = 0;            ///< clips still being written, which are left out
 };
 
-/// Groups clips by camera and day. A clip of which nothing tells when it begins is of the day when it was last written.
+/// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
 CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling);
 
 }  // namespace vvr::archive

@@ -28,7 +28,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "2026-11-21 08:00:07", UTC; nothing for what is written otherwise, or can't be.
+/// Parses "2026-11-21 08:00:07", UTC; nothing for another format or an impossible time.
 std::optional<std::int64_t> seconds_of(std::string_view text) {
     constexpr std::string_view form = "dddd-dd-dd dd:dd:dd";
     const auto fits = [](char c, char place) { return place == 'd' ? c >= '0' && c <= '9' : c == place; };
@@ -57,7 +57,7 @@ int files_of(const Sidecar& sidecar) {
     return bits;
 }
 
-/// A clip's place in the index.
+/// An entry of the index.
 struct Place {
     std::string camera;
     Begin begin;
@@ -67,7 +67,7 @@ Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
 }
 
-/// What the index tells of the events of a kind: seconds, or how many there are; 0 = nothing.
+/// What the index says of a clip's events of a kind: seconds or a number; 0 = nothing.
 Json tally_of(const events::EventKindRow& row, const std::vector<FoundEvent>& found) {
     int most = 0;
     int count = 0;
@@ -88,7 +88,7 @@ Json tally_of(const events::EventKindRow& row, const std::vector<FoundEvent>& fo
     return {};
 }
 
-/// Of each kind, those that tell most first; null where it is not known.
+/// The tallies of all kinds, the most important first; null if unknown.
 Json tallies_of(const Sidecar& sidecar) {
     if (sidecar.found.empty()) return {};
     Json tallies = Json::array();
@@ -96,7 +96,7 @@ Json tallies_of(const Sidecar& sidecar) {
     return tallies;
 }
 
-/// The choices of kinds, those that tell most first.
+/// The filters by kind, the most important first.
 std::vector<const events::KindChoice*> choices_of_kinds() {
     std::vector<const events::KindChoice*> choices;
     for (const events::EventKindRow& row : events::ranked_kinds()) {
@@ -124,8 +124,8 @@ std::string orders_of_kinds() {
 
 constexpr int gone_bit = 1 << 8;
 constexpr int damaged_bit = 1 << 9;
-constexpr int container_bit = 1 << 10;  // it begins when its container says that it was written
-constexpr int modified_bit = 1 << 11;   // when its file was last written, less its length
+constexpr int container_bit = 1 << 10;  // its beginning comes from the container
+constexpr int modified_bit = 1 << 11;   // its beginning is its file's time minus its duration
 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
@@ -147,9 +147,8 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
     return row;
 }
 
-/// What the clocks on the walls of the machine that draws showed: [from, seconds ahead of UTC, name] each, from the
-/// first clip on. Where there is no clip for years, one with a wrong time may be all that is there: what changed in
-/// between is left out.
+/// The time zone of this machine since the first clip: entries [from, seconds ahead of UTC, name]. Years without clips
+/// are skipped, because a clip with a wrong time may be all there is.
 Json zone_of(const std::vector<Place>& places) {
     constexpr std::int64_t years = 3 * 366 * std::int64_t{86'400};
     std::set<std::int64_t> begins;
@@ -173,7 +172,7 @@ constexpr std::string_view day_file_end = ".js";
 }  // namespace
 
 Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
-    // When its file was last written. What a later try has seen of the clip, its files don't show.
+    // The time of the file when its outputs were made, because a later attempt doesn't show in them.
     const std::int64_t end = shown_by(sidecar).clip.modified / 1'000'000'000;
     const std::int64_t written = std::clamp<std::int64_t>(end - std::llround(sidecar.seconds), 0, last_time - 1);
     const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
@@ -189,7 +188,7 @@ Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
 }
 
 DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
-    // Where clips of a camera are there one by one, a picture of its whole day would tell of them again.
+    // If a camera's clips are listed singly, a picture of the whole day would repeat them.
     std::set<std::string> one_by_one;
     for (const Sidecar& sidecar : sidecars) {
         if (!sidecar.day) one_by_one.insert(names.camera_of(sidecar.clip.path));

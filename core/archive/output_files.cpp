@@ -80,8 +80,8 @@ constexpr std::array strange{
     std::pair{fs::file_type::block, std::string_view("a device")},
 };
 
-/// Reads on until the end, or until `text` would be larger than `most`.
-/// \returns whether it is whole
+/// Reads until the end, or until `text` would exceed `most` bytes.
+/// \returns whether it reached the end
 bool read_to_end(int file, std::string& text, std::size_t most) {
     std::array<char, 65536> room{};
     for (;;) {
@@ -131,7 +131,7 @@ OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t m
     OwnText own;
     std::string text(beginning.size(), 0);
     if (::read(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && text == beginning) {
-        // Its size first: of a file with holes, most is never read.
+        // Checks the size first: a sparse file may be huge.
         struct stat status {};
         if (::fstat(file, &status) == 0 && static_cast<std::size_t>(status.st_size) <= most &&
             read_to_end(file, text, most)) {

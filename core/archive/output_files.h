@@ -8,31 +8,31 @@
 #include <string>
 #include <string_view>
 
-// What can be in a file of an archive. Others may have written it, and one absurd number must not hold up the rest.
+// Limits of what an archive's files may contain. Others may have written them, and one absurd number must not stop the
+// rest.
 namespace vvr::archive {
 
 inline constexpr std::int64_t last_time = 7'258'118'400;          ///< 2200-01-01, in seconds since 1970
-inline constexpr double longest_recording = 10.0 * 366 * 86'400;  ///< seconds: no clip, and no day, is that long
+inline constexpr double longest_recording = 10.0 * 366 * 86'400;  ///< seconds; no clip or day lasts longer
 inline constexpr std::size_t largest_sidecar = std::size_t{32} << 20;
 inline constexpr std::size_t largest_report = 100'000'000;
 
-/// Whether a time in seconds since 1970 can be that of a recording: of 1970 to 2199.
+/// Whether a time (seconds since 1970) is plausible for a recording: 1970 to 2199.
 constexpr bool can_be_time(std::int64_t seconds) {
     return seconds >= 0 && seconds < last_time;
 }
 
 }  // namespace vvr::archive
 
-// A clip is identified by its path below the archive's folder, in bytes: file systems have no encoding.
+// A clip is identified by its path below the archive's folder, as bytes: file systems have no encoding.
 namespace vvr::archive {
 
-/// The path as valid UTF-8, from which `path_of_text` makes the same bytes again: bytes that are not UTF-8, control
-/// characters and `%` become `%FF`.
+/// The path as valid UTF-8: invalid bytes, control characters and `%` become `%FF`. `path_of_text` restores the bytes.
 std::string text_of_path(std::string_view path);
 
 std::string path_of_text(std::string_view text);
 
-/// The files that an archive writes for a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
+/// The kinds of files that an archive writes for a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
 enum class OutputKind { picture, page, thumbnail, report, still };
 
 struct OutputRow {
@@ -55,28 +55,30 @@ std::filesystem::path sidecar_path(const std::filesystem::path& out, const std::
 
 }  // namespace vvr::archive
 
-// The files that an archive has in its folder of pictures. Others may write there too: what stands in the place of such
-// a file and is none is named, and left alone.
+// The files of an archive in its folder of pictures. Others may write there too: anything else in the place of such a
+// file is reported and left alone.
 namespace vvr::archive {
 
-/// What stands at a path where a file should: "a link", "a pipe"; nothing for a file, and where nothing is.
+/// What is at a path instead of a file, such as "a link" or "a pipe"; nothing for a file, or where nothing is.
 std::optional<std::string_view> irregular_file_at(const std::filesystem::path& path);
 
-/// \throws Error io when something else than a file is where one is to be written
+/// Checks that a file may be written here.
+/// \throws Error io if something other than a file is there
 void check_own_place(const std::filesystem::path& file);
 
-/// \param folder `out`, or below it
-/// \throws Error io when something else than a folder is on the way from `out` to `folder`: a link leads elsewhere
+/// Checks the way to a folder.
+/// \param folder `out` or below it
+/// \throws Error io if anything from `out` to `folder` is no folder: a link leads elsewhere
 void check_own_folder(const std::filesystem::path& out, const std::filesystem::path& folder);
 
-/// What is read of such a file.
+/// The result of `read_own`.
 struct OwnText {
-    std::optional<std::string> text;  ///< nothing when it is not there, or does not begin as asked
-    std::string problem;              ///< why it can't be read although it is there; empty = none
+    std::optional<std::string> text;  ///< nothing if there is no file, or it begins differently
+    std::string problem;              ///< why an existing file can't be read; empty = no problem
 };
 
-/// All of a file that begins with `beginning`. No link is followed, nothing is waited for, and of what begins otherwise
-/// or is too large no more is read.
+/// Reads a file that begins with `beginning`. Follows no link, never blocks, and stops reading a file that begins
+/// differently or is larger than `most` bytes.
 OwnText read_own(const std::filesystem::path& file, std::string_view beginning, std::size_t most);
 
 }  // namespace vvr::archive

@@ -25,15 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a folder's name is that of a time, as recorders make and remove them: most of it are digits.
+/// Whether a folder's name is a time, such as recorders create and remove: mostly digits.
 bool is_time_folder(std::string_view folder) {
     const auto digits = std::ranges::count_if(folder, [](char c) { return c >= '0' && c <= '9'; });
     const auto others = std::ranges::count_if(folder, [](char c) { return c != '-' && c != '_' && c != '.'; }) - digits;
     return digits > 0 && digits >= 2 * others;
 }
 
-/// The folder of a clip that is not there, if it may be a disk that is not mounted: one that is empty, a link that
-/// leads nowhere, or a camera's own at the top of the archive of which no clip is left.
+/// The folder of a missing clip, if it may be an unmounted disk: an empty folder, a broken link, or a camera's own
+/// top-level folder without clips.
 std::optional<std::string> missing_folder(const fs::path& in, const std::string& clip, const Present& present,
                                           const video::RecorderNames& recorders) {
     fs::path missing;
@@ -54,7 +54,7 @@ std::optional<std::string> missing_folder(const fs::path& in, const std::string&
     return top;
 }
 
-/// The files in use: the index, and those of clips that have a sidecar.
+/// The files in use: the index, and the files of clips with a sidecar.
 std::set<fs::path> files_with_owners(const fs::path& out, const Outputs& outputs) {
     std::set<fs::path> files{out / index_name};
     for (const Sidecar& sidecar : outputs.sidecars) {
@@ -107,7 +107,7 @@ fs::path staging_of(const fs::path& out, const std::string& clip) {
 }
 
 void remove_staging(const fs::path& staging) {
-    // One that is empty goes even where nothing can be opened any more, as what it holds can't be listed then.
+    // An empty folder can be removed even if no more files can be opened; a full one can't even be listed then.
     std::error_code none;
     if (!fs::remove(staging, none)) fs::remove_all(staging, none);
 }
@@ -130,10 +130,11 @@ void tidy(const fs::path& out, const Outputs& outputs) {
         remove_staging(staging_of(folder, name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
-        // No run came back to finish it, and no sidecar will ever name these files.
+        // No run has finished it, and no sidecar will ever name these files.
         for (const OutputRow& row : output_rows) {
             const fs::path path = output_path(folder, name, row.kind);
-            // `x` has its report where `x.report` has its sidecar, and a clip `index` its page where the index is.
+            // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
+            // that of the index.
             if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
             fs::remove(path, none);
         }
@@ -143,7 +144,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
 Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,
                      const video::RecorderNames& recorders) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
-    // Without a time to wait for, none is left out.
+    // With no time to wait, no clip is left out.
     const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
     for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all).days)
         present.days.insert(day.clip.path);

@@ -33,7 +33,8 @@ events::EventKind kind_of(const std::string& name) {
     return row->kind;
 }
 
-/// The kind that a sidecar names: older ones by its first letter. Those had four kinds, in the order of EventKind.
+/// The kind of event that a sidecar names. Older ones have only its first letter, and four kinds in the order of
+/// EventKind.
 events::EventKind kind_in_sidecar(const std::string& name) {
     constexpr std::string_view letters = "mslt";
     const std::size_t place = name.size() == 1 ? letters.find(name) : std::string_view::npos;
@@ -44,7 +45,7 @@ int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
 
-/// A number that somebody wrote, as near as an int comes to it.
+/// An untrusted number, clamped to the range of int.
 int whole(const Json& json) {
     return whole(json.get<double>());
 }
@@ -108,7 +109,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Raised when older versions would misread a sidecar; they then treat the clip as new.
+/// Increased when older versions would misread a sidecar; they then treat the clip as new.
 constexpr int format_version = 1;
 constexpr const char* mark = "vvr-archive";
 
@@ -116,7 +117,7 @@ std::string file_name(const std::string& clip) {
     return clip.substr(clip.rfind('/') + 1);
 }
 
-/// A number that can't be where it stands.
+/// A sidecar has an impossible number.
 class InvalidSidecar : public std::exception {
   public:
     const char* what() const noexcept override { return "a number in it cannot be"; }
@@ -155,7 +156,7 @@ std::int64_t modified_of(const Json& json) {
     return whole_number(json, (last_time - 1) * 1'000'000'000);
 }
 
-/// By folder: {"gate/2026-11-21": ["08.00.mp4", …]}. Most names of a day have a folder in common.
+/// Files by folder, {"gate/2026-11-21": ["08.00.mp4", …]}, because most files of a day share one.
 Json json_of_files(const std::vector<std::string>& files) {
     Json folders = Json::object();
     for (const std::string& file : files) {
@@ -179,7 +180,7 @@ std::vector<std::string> files_of(const Json& folders) {
     return files;
 }
 
-/// What tells when a clip was recorded; older sidecars don't say, and took it from the container.
+/// The source of the time of recording. Older sidecars don't name it; it was the container.
 ClockSource source_of(const Json& name) {
     const auto row = std::ranges::find_if(clock_sources, [&](const ClockSourceRow& r) { return name == r.name; });
     return row == clock_sources.end() ? ClockSource::container : row->source;
@@ -191,7 +192,7 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
         const auto found = files.find(std::string(row.name));
         if (found == files.end()) continue;
         const std::string name = path_of_text(found->get<std::string>());
-        // A file of another name is not ours, and is not touched.
+        // A file of another name is foreign, and is left alone.
         if (is_plain_name(name) && name == file_name(clip) + std::string(row.ending)) kinds.push_back(row.kind);
     }
     return kinds;
@@ -237,7 +238,7 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     return sidecar;
 }
 
-/// A value of a sidecar with each of its parts in a line.
+/// A JSON value with each element on its own line.
 std::string in_lines(const Json& json) {
     std::string text = json.is_object() ? "{" : "[";
     const char* separator = "\n    ";
@@ -250,7 +251,7 @@ std::string in_lines(const Json& json) {
     return text + (json.empty() ? "" : "\n  ") + (json.is_object() ? "}" : "]");
 }
 
-/// Over lines for people, but each event, and each folder's clips of a day, in one.
+/// JSON text in lines for people, with each event, and the clips of each folder of a day, on one line.
 std::string text_of(Json json) {
     std::string lists;
     for (const char* name : {"clips", "found"}) {
@@ -342,7 +343,7 @@ std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string&
 
 namespace {
 
-/// What was left out of a day, or damaged in it, in a line: a few of the problems, and how many more there are.
+/// Summarizes the problems of a day in one line: a few of them, and the number of the others.
 std::string problems_of(const Json& problems) {
     constexpr std::size_t most = 3;
     std::string text;
@@ -370,7 +371,7 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));
         if (sidecar.day && sidecar.reason.empty()) sidecar.reason = problems_of(json.at("problems"));
-        // An index has to put a clip somewhere, and says by what.
+        // The index must place every clip, and names the source of the time.
         if (!sidecar.recorded) sidecar.recorded = optional_of<std::string>(json.at("input").at("written"));
         if (const Json& events = json.at("events"); !events.is_null()) {
             sidecar.events = static_cast<std::int64_t>(events.size());

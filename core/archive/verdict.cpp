@@ -59,12 +59,12 @@ Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const s
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_of(day, sidecar, out, rules, now);
     if (need != Need::changed || sidecar->settings != rules.settings || !files_there(*sidecar, out, rules)) return need;
-    // The recorder removes its oldest files; what is seen of them stays.
+    // The recorder removes its oldest files; the picture still shows them.
     const bool fewer = day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size;
     if (fewer && sidecar->state == Sidecar::State::done) return Need::nothing;
     const std::chrono::nanoseconds added{day.modified - sidecar->clip.modified};
     const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(day.modified)};
-    const bool is_past = modified <= now;  // by a clock that is ahead there is nothing to wait for
+    const bool is_past = modified <= now;  // false if a clock is ahead: then waiting is pointless
     const bool waits =
         is_past && added >= std::chrono::nanoseconds(0) && added < rules.redraw && modified > now - rules.redraw;
     return waits ? Need::later : need;

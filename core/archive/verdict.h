@@ -11,41 +11,41 @@
 
 namespace vvr::archive {
 
-/// Why a clip has to be drawn, or why not.
+/// Why a clip must be drawn, or why not.
 enum class Need {
     nothing,        ///< done
     added,          ///< new
     changed,        ///< its file has changed
-    settings,       ///< it was done with other settings
+    settings,       ///< it was drawn with other settings
     missing,        ///< some of its output files no longer exist
-    retry,          ///< it failed, and is tried again
+    retry,          ///< it failed, and will be tried again
     given_up,       ///< it failed too often
     still_written,  ///< it changed a moment ago
-    later           ///< a day that has more clips by now, and was drawn not long ago
+    later           ///< a day with new clips that was drawn recently
 };
 
-/// What the decision depends on.
+/// The rules of the decision.
 struct ArchiveRules {
-    std::string settings;           ///< digest
-    std::string version;            ///< vvr's
-    std::vector<OutputKind> files;  ///< that each clip gets
+    std::string settings;           ///< digest of the settings
+    std::string version;            ///< version of vvr
+    std::vector<OutputKind> files;  ///< kinds of files for each clip
     int tries = 3;
     std::chrono::nanoseconds settle{};
-    std::chrono::nanoseconds redraw{};  ///< of a day to which clips are added
+    std::chrono::nanoseconds redraw{};  ///< least time between drawings of a growing day
 };
 
 Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
              const ArchiveRules& rules, std::chrono::system_clock::time_point now);
 
-/// The same for a day of a camera. It is drawn again once clips of `redraw` have been added, or none for as long; not
-/// when some have gone.
+/// The same for a camera day. It is drawn again when clips of `redraw` have been added, or when none has been added for
+/// that long; not because clips are gone.
 Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now);
 
-/// Whether a clip with this need has to be drawn.
+/// Whether a clip with this need must be drawn.
 bool wants_work(Need need);
 
-/// One or two words for people.
+/// A name for people, one or two words.
 std::string_view name_of(Need need);
 
 }  // namespace vvr::archive

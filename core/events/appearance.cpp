@@ -11,17 +11,19 @@ namespace vvr::events {
 
 namespace {
 
-constexpr int most_looks = 25;    // then each look counts for a 25th
-constexpr int chroma_reach = 48;  // levels of blue or red above or below the brightness; few things go beyond
-constexpr int most_pixels = 300;  // of a patch that are counted, at least; more tell no more
+constexpr int most_looks = 25;    // each later look has a weight of 1/25
+constexpr int chroma_reach = 48;  // levels of blue or red from the brightness; few objects exceed them
+constexpr int most_pixels = 300;  // larger patches are sampled to about this many pixels; more don't help
 
-/// The bin of a value, of which the rest falls into the next one: so a little more light does not change everything.
+/// A value's bin. The share `rest` of it goes into the next bin, so that slightly brighter light doesn't change the
+/// whole histogram.
 struct Place {
     int bin = 0;
     float rest = 0;
 };
 
-/// The places of values from `low` to `high`, which share `bins` bins evenly; what lies beyond is in the outermost.
+/// The bins of all values from Low to High. The bins divide the range from `reach_low` to `reach_high` evenly; values
+/// beyond it go into the outermost bins.
 template <int Low, int High, int Bins>
 constexpr auto places_of_values(int reach_low, int reach_high) {
     std::array<Place, static_cast<std::size_t>(High - Low + 1)> places{};
@@ -88,10 +90,10 @@ namespace {
 
 constexpr auto& limit = thresholds.merged;
 constexpr int unlike = limit.unlike;
-constexpr int own = unlike / 2;    // similarity of a pixel that is taken
-constexpr int most_samples = 100;  // pixels of a template that are compared
+constexpr int own = unlike / 2;    // least similarity of a pixel that an object claims
+constexpr int most_samples = 100;  // a larger template is sampled to about this many pixels
 
-/// 0 for two colours with nothing in common, `unlike` for the same.
+/// From 0 (nothing in common) to `unlike` (the same colour).
 int similarity(const Bgr& a, const Bgr& b) {
     int most = 0;
     for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
@@ -103,7 +105,7 @@ struct Sample {
     Bgr colour;
 };
 
-/// Some of a template's pixels. Which they are looks random: rows and columns would hide shifts of one pixel.
+/// A pseudo-random sample of a template's pixels. A regular grid would miss shifts of one pixel.
 std::vector<Sample> samples_of(const Template& object) {
     const auto every = static_cast<std::uint32_t>(std::max(1, object.patch.area / most_samples));
     std::vector<Sample> samples;
@@ -116,7 +118,7 @@ std::vector<Sample> samples_of(const Template& object) {
     return samples;
 }
 
-/// The blob's pixels that nobody has taken yet.
+/// The blob's pixels that no object has claimed yet.
 class UnclaimedPixels {
   public:
     explicit UnclaimedPixels(const Patch& blob) : rest_(blob) {}
@@ -142,7 +144,7 @@ Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const
     int against = 0;
     for (const Sample& sample : samples) {
         const glm::ivec2 p = sample.place + expected + off;
-        // A pixel may be hidden behind another object; where there is no object at all, this one is not.
+        // A pixel on the blob may be occluded. A pixel beside the blob contradicts the match.
         if (blob.at(p.x, p.y) == 0) against += unlike / 8;
         if (free.at(p.x, p.y)) sum += similarity(sight.at(p.x, p.y), sample.colour);
     }
@@ -151,7 +153,7 @@ Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const
     return {expected + off, part - against / all - limit.astray * (off.x * off.x + off.y * off.y), part};
 }
 
-/// Looks at every other pixel first, and then about the best of them.
+/// Searches every second pixel first, then the neighbours of the best.
 Match best_match(const std::vector<Sample>& samples, const FrameView& sight, const Patch& blob,
                  const UnclaimedPixels& free, const glm::ivec2& expected) {
     Match best;
@@ -181,7 +183,7 @@ void take_own(const Template& object, const glm::ivec2& shift, const FrameView& 
     });
 }
 
-/// Gives each pixel of the blob to the object that looks most like it there, or else to the nearest.
+/// Gives each pixel of the blob to the object whose template matches it best, or else to the nearest object.
 void split_pixels(const Patch& blob, const FrameView& sight, std::span<const Template* const> templates,
                   std::vector<TemplateMatch>& shares) {
     for (TemplateMatch& share : shares)

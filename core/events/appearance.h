@@ -8,19 +8,20 @@
 
 namespace vvr::events {
 
-/// What an object looks like: histograms of brightness and colour of its upper, middle and lower part. A person's coat
-/// and trousers are told apart by it, whichever way the person turns.
+/// The looks of an object: histograms of brightness and colour of its upper, middle and lower third. So coat and
+/// trousers count separately, whichever way a person turns.
 class Appearance {
   public:
     Appearance() = default;
     Appearance(const Patch& patch, const FrameView& sight);
 
-    /// Takes in another look at the same object. Early looks count more, late ones still follow the light.
+    /// Averages another look at the same object in. Early looks count more; late ones still follow the light.
     void learn(const Appearance& look);
 
     bool known() const { return looks_ > 0; }
 
-    /// Hellinger's distance, the mean over parts and channels: 0 = the same, 1 = nothing in common.
+    /// The Hellinger distance, from the mean Bhattacharyya coefficient of all parts and channels: 0 = the same, 1 =
+    /// nothing in common. 0.5 where one of them is unknown.
     friend double distance(const Appearance& a, const Appearance& b);
 
   private:
@@ -34,25 +35,26 @@ class Appearance {
 
 double distance(const Appearance& a, const Appearance& b);
 
-/// What an object looked like when it was last seen alone.
+/// The pixels of an object when it was last seen alone.
 struct Template {
-    Patch patch;         ///< where it was then
-    Plane<Bgr> colours;  ///< of the patch's box
+    Patch patch;         ///< its place then
+    Plane<Bgr> colours;  ///< those of the patch's box
 
     Template() = default;
     Template(Patch of, const FrameView& sight);
 };
 
-/// One of several objects that are one blob.
+/// Where one of several objects is within a shared blob.
 struct TemplateMatch {
-    glm::ivec2 shift{};     ///< from the template's place to where it is now
-    double similarity = 0;  ///< share of the template that is seen there, 0 to 1; less where others hide it
-    Patch patch;            ///< pixels of the blob that are its own
+    glm::ivec2 shift{};     ///< from the template's place to the current one
+    double similarity = 0;  ///< mean similarity of the template's visible pixels, 0 to 1; occluded pixels count 0
+    Patch patch;            ///< the object's pixels of the blob
 };
 
-/// Finds each of several objects within the blob that they are together, by what they looked like when alone: the one
-/// that is seen best first, for it is in front, and the others in what is left.
-/// \param expected shifts from the templates' places to where motion leads
+/// Splits a shared blob into its objects by template matching. The best match comes first because that object is in
+/// front; the next ones are matched with the remaining pixels.
+/// \param expected one shift per template, from its place to the predicted one
+/// \returns one match per template
 std::vector<TemplateMatch> split_blob(const Patch& blob, const FrameView& sight,
                                       std::span<const Template* const> templates, std::span<const glm::ivec2> expected);
 

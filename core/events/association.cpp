@@ -7,7 +7,7 @@
 
 namespace vvr::events {
 
-// Each row may also take a private column of cost `most`: then it stays without one.
+// Each row also has a private column of cost `most`: a row that takes it gets no other column.
 std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) {
     const int rows = costs.height();
     const int columns = costs.width();
@@ -18,7 +18,7 @@ std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) 
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto at = [](int i) { return static_cast<std::size_t>(i); };
-    // Rows and columns count from 1; 0 is the row that looks for a column.
+    // Rows and columns count from 1. Column 0 holds the row that is looking for a column.
     std::vector<double> row_potential(at(rows + 1));
     std::vector<double> column_potential(at(all + 1));
     std::vector<int> row_of(at(all + 1));
@@ -89,7 +89,7 @@ double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, cons
     return limit.apart + limit.apart_place * away / limit.gate + limit.apart_looks * looks;
 }
 
-/// Whether a blob belongs to a track that goes on in `rest`: together they are no larger than it has been.
+/// Whether `piece` is a fragment of a track that goes on in `rest`: both together are no larger than its usual size.
 bool is_fragment(const Patch& piece, const Patch& rest, const PredictedTrack& track) {
     const PixelBox whole = bounding_box(piece.box, rest.box);
     return whole.width() <= limit.fragment_size * track.usual_size.x + 2 &&
@@ -136,7 +136,7 @@ Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
         result.tracks[static_cast<std::size_t>(most - overlap[k].begin())].push_back(k);
     }
 
-    // The only blob of each track that has one to itself.
+    // The blob of each track that shares it with no other.
     std::vector<std::optional<std::size_t>> home(tracks.size());
     for (std::size_t b = 0; b < count; ++b) {
         if (result.tracks[b].size() == 1) home[result.tracks[b].front()] = b;

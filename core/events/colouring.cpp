@@ -12,11 +12,11 @@ namespace vvr::events {
 
 namespace {
 
-// Lengths are widths of the scene. Time is as long as it is in a picture: the arc is about four times as long as the
-// scene is wide, and what is near is what looks near there.
+// The unit of length is the scene's width. Time is scaled as in the picture, where the arc is about four times as long
+// as the scene is wide: so neighbours here are neighbours in the picture.
 constexpr double widths_of_time = 4;
 
-/// Cells of space-time, how many events of each colour each of them has to do with.
+/// A grid of cells in space-time, with the number of events of each colour in each cell.
 class Cells {
   public:
     using Counts = std::array<int, object_colours>;
@@ -28,13 +28,13 @@ class Cells {
           counts_(static_cast<std::size_t>(across) * static_cast<std::size_t>(across) *
                   static_cast<std::size_t>(along_)) {}
 
-    /// The cells that an object is in, each once.
-    /// \param from, to corners of what it covers, 0 to 1 across and 0 to `widths_of_time` along
+    /// Appends the cells that an object covers, each once.
+    /// \param from, to corners of what it covers: 0 to 1 in x and y, 0 to `widths_of_time` in time
     void reach(const glm::dvec3& from, const glm::dvec3& to, std::vector<std::size_t>& cells) const {
         each(place_of(from), place_of(to), [&](std::size_t cell) { cells.push_back(cell); });
     }
 
-    /// How many there are of each colour in cells or beside them.
+    /// The number of events of each colour in these cells and their neighbours.
     Counts about(std::span<const std::size_t> cells) const {
         Counts sum{};
         for (const std::size_t cell : cells) {
@@ -77,7 +77,7 @@ class Cells {
     std::vector<Counts> counts_;
 };
 
-/// From field pixels and seconds to the lengths that cells count in.
+/// Converts field pixels and seconds to the coordinates of the cells.
 class Scale {
   public:
     explicit Scale(std::span<const Event> events) : begin_(events.front().first.seconds) {
@@ -94,7 +94,7 @@ class Scale {
         span_ = std::max(end - begin_, 1e-9);
     }
 
-    /// The last moment still lies within the cells.
+    /// Clamped so that the last moment lies within the cells.
     double time(double seconds) const { return widths_of_time * std::min((seconds - begin_) / span_, 1 - 1e-9); }
 
     glm::dvec3 operator()(double x, double y, double seconds) const {
@@ -109,13 +109,13 @@ class Scale {
     double side_;
 };
 
-/// How large an object looks, field pixels.
+/// The size of an object, field pixels.
 Size size_of(const Event& event) {
     if (event.portrait) return event.portrait->box.size();
     return event.stays.empty() ? Size{1, 1} : event.stays.front().box.size();
 }
 
-/// The cells that an event goes through, in order and each once.
+/// The cells that an event passes, sorted, each once.
 std::vector<std::size_t> way_of(const Event& event, const Scale& scale, const Cells& cells, double step) {
     std::vector<std::size_t> way;
     const Size size = size_of(event);
@@ -143,7 +143,7 @@ std::vector<std::size_t> way_of(const Event& event, const Scale& scale, const Ce
     return way;
 }
 
-/// The places of the events, the most telling first.
+/// Indices of the events, long and large ones first.
 std::vector<std::size_t> by_weight(std::span<const Event> events) {
     std::vector<std::pair<double, std::size_t>> weights;
     for (std::size_t k = 0; k < events.size(); ++k) {
@@ -157,7 +157,8 @@ std::vector<std::size_t> by_weight(std::span<const Event> events) {
     return order;
 }
 
-// Cells in a width: what is nearer than one of them is a neighbour, and what is farther than one of the others is not.
+// Cells per width of the scene. Events closer than a near cell are neighbours; events farther apart than a far cell are
+// not.
 constexpr int near_cells = 12;
 constexpr int far_cells = 4;
 

@@ -7,12 +7,12 @@
 
 namespace vvr::events {
 
-/// How many colours objects have: more can't be told apart by all eyes.
+/// Number of colours for objects. Not everybody can tell more apart.
 inline constexpr int object_colours = 8;
 
-/// The colour of each event, 0 to `object_colours` - 1. Neighbours in space and time have different ones as long as
-/// there are enough; where there are not, those that are farther from each other share one. The most telling events,
-/// that last long and are large, choose first. The same events always get the same colours.
+/// The colour of each event, from 0 to `object_colours` - 1 (greedy graph colouring). Neighbours in space and time get
+/// different colours while there are enough; else the events that are farthest apart share one. Long and large events
+/// choose first. The result is deterministic.
 std::vector<int> colours_of(std::span<const Event> events);
 
 }  // namespace vvr::events

@@ -19,17 +19,17 @@ namespace {
 constexpr auto& limit = thresholds.event;
 constexpr auto& things = thresholds.thing;
 
-/// One object, and what is known of it.
+/// An object that may be an event.
 struct Candidate {
     std::vector<std::size_t> tracks;
     Tracklet whole;
     EventKind kind = EventKind::moved;
     bool wanted = true;
     bool from_first = false;  // it was there when its stretch began
-    bool to_last = false;     // and stood there to its end
+    bool to_last = false;
 };
 
-/// What a standing thing is, by its edges.
+/// What the edges say of a stationary thing: it is there, it is a ghost, or it is only light.
 enum class Evidence { there, gone, light };
 
 class Conclusion {
@@ -55,12 +55,12 @@ class Conclusion {
   private:
     const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
 
-    /// Whether it was there when its stretch began: what it did before nobody knows.
+    /// Whether it was there when its stretch began. Then nobody knows what it did before.
     bool was_there_first(const Tracklet& own) const {
         return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
     }
 
-    /// Marks what stands at the ends of its stretch, before ghosts are set right.
+    /// Marks objects at the first and last moment of their stretch, before ghosts are corrected.
     void look_at_ends() {
         in_stretch_.resize(span_.stretches.size());
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
@@ -73,8 +73,8 @@ class Conclusion {
         }
     }
 
-    /// Whether something stood at the same place in another stretch.
-    /// \param from_first from the stretch's beginning, and to its end in any case
+    /// Whether something stood at the same place at the end of a stretch.
+    /// \param from_first it must also have stood there at the beginning
     bool stood_in(std::size_t stretch, const Tracklet& own, bool from_first) const {
         return std::ranges::any_of(in_stretch_[stretch], [&](std::size_t k) {
             const Candidate& other = candidates_[k];
@@ -88,7 +88,7 @@ class Conclusion {
         return off < thresholds.stationary.same_place * std::max(thresholds.least_length, b.length);
     }
 
-    /// Whether it was there from the first to the last frame, as far as there are any.
+    /// Whether it stood there in all frames of all stretches that are long enough to tell.
     bool was_always_there(const Candidate& candidate) const {
         if (!candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
@@ -104,7 +104,7 @@ class Conclusion {
         if (scene_.empty()) return Evidence::there;
         const Settled& settled = *own.settled;
         const double empty = edge_strength(settled.patch, {scene_.grey, scene_.grey, scene_.colour});
-        // Of a camera that shakes the empty scene is not sharp everywhere.
+        // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
         if (options_.scene_is_learnt && was_always_there(candidate)) return Evidence::light;
         if (settled.edges > things.edge_ratio * empty && settled.edges >= things.edges) return Evidence::there;
         if (empty > things.edge_ratio * settled.edges && empty >= things.edges) return Evidence::gone;
@@ -141,7 +141,7 @@ class Conclusion {
         }
     }
 
-    /// A ghost is where something of the empty scene is not.
+    /// Decides what a ghost means: the empty scene has a thing that the frames don't have.
     void judge_ghost(Candidate& candidate) {
         Tracklet& own = candidate.whole;
         candidate.kind = EventKind::taken;
@@ -151,7 +151,7 @@ class Conclusion {
             own.stays.clear();
             return;
         }
-        // The empty scene was made of later frames: it came when the ghost went.
+        // The empty scene is of later frames: the thing was put down when the ghost ended.
         candidate.kind = EventKind::left;
         own.in_scene = true;
         own.begin.at = own.gone;
@@ -165,7 +165,7 @@ class Conclusion {
         own.portrait.reset();
     }
 
-    /// Where an object was at a moment; nothing where it was not seen then.
+    /// The object's box at a moment; nothing where it was not seen then.
     static std::optional<PixelBox> box_at(const Tracklet& object, double seconds, std::int64_t frame) {
         for (const Stay& stay : object.stays) {
             if (seconds >= stay.first.seconds && seconds <= stay.last.seconds) return stay.box;
@@ -176,7 +176,7 @@ class Conclusion {
         return PixelBox{place.x - half.x, place.y - half.y, place.x + half.x, place.y + half.y};
     }
 
-    /// Whether one is a part of another: that is about it for most of its time.
+    /// Whether `piece` is a fragment of `whole`: inside its box for most of its own time.
     static bool is_fragment_of(const Tracklet& piece, const Tracklet& whole) {
         constexpr int samples = 12;
         int inside = 0;
@@ -220,7 +220,7 @@ class Conclusion {
         }
     }
 
-    /// Whether somebody was beside the place of a thing at a moment of the seconds before it came, or went.
+    /// Whether the bearer was beside the thing's place just before or after it appeared.
     bool was_beside(const Tracklet& bearer, const Tracklet& thing) const {
         constexpr int samples = 8;
         const PixelBox& place = thing.settled->patch.box;
@@ -233,8 +233,8 @@ class Conclusion {
         return false;
     }
 
-    /// Whether it was there when the clip began; or when a stretch after a gap did, if it had been an event before the
-    /// gap. What is new after a gap may be another light, or a camera that was turned.
+    /// Whether it was there when the clip began, or was an event before the gap at which its stretch began. Anything
+    /// else that is new after a gap may be a change of light or of the camera's view.
     bool was_there_before(const Tracklet& own) const {
         if (!was_there_first(own)) return false;
         return own.stretch == 0 || std::ranges::any_of(in_stretch_[own.stretch - 1], [&](std::size_t k) {
@@ -243,8 +243,8 @@ class Conclusion {
                });
     }
 
-    /// Nothing is put down by nobody: what appears in the middle of a scene with nobody beside it is a patch of light,
-    /// a caption, or what a codec leaves.
+    /// Finds who put a thing down. A thing that appears with nobody beside it is light, a caption or a codec's
+    /// artefact.
     void find_carrier(std::size_t k) {
         Candidate& candidate = candidates_[k];
         Tracklet& own = candidate.whole;
@@ -254,7 +254,7 @@ class Conclusion {
             candidate.wanted = false;
             return;
         }
-        // Of few frames per second somebody may come and go between two.
+        // At a low frame rate the bearer may come and go between two frames.
         if (was_there_first(own) || span_.seconds_per_frame() > things.most_between) return;
         bool any = false;
         double nearest = std::numeric_limits<double>::infinity();
@@ -270,7 +270,7 @@ class Conclusion {
         if (!any) candidate.wanted = false;
     }
 
-    /// Whether a thing went as it came, with its bearer never a length away from it: a part of who stood there.
+    /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.
     bool was_never_alone(std::size_t k) const {
         const Candidate& candidate = candidates_[k];
         const Tracklet& own = candidate.whole;
@@ -285,7 +285,7 @@ class Conclusion {
         });
     }
 
-    /// When whoever left a thing was a length away from it for the last time before the thing went, or had gone.
+    /// The moment from which a thing was alone: when its owner last went a length away from it, or had gone.
     static std::optional<Moment> alone_since(const Event& thing, const Event& owner, double length) {
         if (owner.last.seconds < thing.first.seconds) return thing.first;
         std::optional<Moment> since;
@@ -354,8 +354,8 @@ class Conclusion {
     const fields::Planes& scene_;
     EventOptions options_;
     std::vector<Candidate> candidates_;
-    std::vector<std::vector<std::size_t>> in_stretch_;  // places of the candidates in each
-    std::map<std::size_t, std::size_t> object_of_;      // from the number of a track to its object
+    std::vector<std::vector<std::size_t>> in_stretch_;  // indices of the candidates in each stretch
+    std::map<std::size_t, std::size_t> object_of_;      // from a track's number to the index of its candidate
 };
 
 }  // namespace

@@ -10,27 +10,28 @@
 
 namespace vvr::events {
 
-/// Frames without a gap between them.
+/// Consecutive frames without a gap.
 struct Stretch {
     Moment first;
     Moment last;
 };
 
-/// What was looked at.
+/// The observed part of a clip.
 struct Span {
     Size field;
     Moment first;
     Moment last;
-    std::vector<Stretch> stretches;  ///< one where there is no gap
+    std::vector<Stretch> stretches;  ///< a single one where there is no gap
 
     double seconds_per_frame() const {
         return (last.seconds - first.seconds) / std::max(1.0, static_cast<double>(last.frame - first.frame));
     }
 };
 
-/// Makes events of all tracklets of a clip: joins those of one object, tells what kind each is, and leaves out what is
-/// none: pieces, flicker, ghosts.
+/// Makes events of all tracklets of a clip: joins the tracklets of each object, classifies the objects, and drops what
+/// is no event (fragments, flicker, ghosts).
 /// \param scene the empty scene; may be empty, and then nothing counts as taken
+/// \returns the events by their first frames
 std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
                             const EventOptions& options);
 

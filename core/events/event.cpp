@@ -34,7 +34,7 @@ namespace {
 constexpr int cells = 12;  // per side of the picture
 constexpr int window = cells / 3;
 
-/// A place of the window, in cells.
+/// The window's first column and row, in cells.
 struct Corner {
     int x = 0;
     int y = 0;
@@ -52,8 +52,8 @@ bool is_inside(const Corner& cell, const Corner& corner) {
     return cell.x >= corner.x && cell.x < corner.x + window && cell.y >= corner.y && cell.y < corner.y + window;
 }
 
-/// Where the window holds the most.
-/// \param counts of each cell, row by row
+/// The position of the window with the largest sum, and that sum.
+/// \param counts one per cell, row by row
 std::pair<Corner, std::int64_t> fullest(const std::array<std::int64_t, cells * cells>& counts) {
     std::pair<Corner, std::int64_t> best{{}, -1};
     for (int y = 0; y + window <= cells; ++y) {

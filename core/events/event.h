@@ -14,75 +14,75 @@
 
 namespace vvr::events {
 
-/// A time for which something kept its place.
+/// A time in which an object kept its place.
 struct Stay {
     Moment first;
     Moment last;
-    glm::dvec2 place{};  ///< its middle, field pixels; the centre of the first pixel is 0
+    glm::dvec2 place{};  ///< its centre, field pixels; the centre of the first pixel is 0
     PixelBox box;
 };
 
 struct PathPoint {
     Moment at;
-    glm::dvec2 place{};  ///< middle of what was seen, field pixels
+    glm::dvec2 place{};  ///< centre of the visible part, field pixels
 };
 
-/// The frame in which an object is seen best: large, sharp, whole and alone.
+/// The frame that shows an object best: large, sharp, whole and alone.
 struct Portrait {
     Moment at;
     PixelBox box;      ///< field pixels
-    double score = 0;  ///< larger is better; of use between portraits of one clip
+    double score = 0;  ///< larger is better; comparable within one clip only
 };
 
-/// What the empty scene that the fields were compared with holds of an object: where the scene was made of frames with
-/// a bag in it, the fields show a ghost before the bag came, and nothing while it was there.
+/// What the empty scene shows of an object. If the scene was made of frames with a bag in it, the fields show a ghost
+/// before the bag came and nothing while it was there.
 struct ScenePatch {
     PixelBox box;                ///< field pixels
     Plane<std::uint8_t> values;  ///< of the ghost, in the box; 0 = not of the object
 };
 
-/// One object of the space-time volume, from its first to its last frame.
+/// One object in the space-time volume, from its first to its last frame.
 struct Event {
     EventKind kind = EventKind::moved;
     Moment first;
     Moment last;
-    PixelBox box;                 ///< of all places where it was
-    std::vector<PathPoint> path;  ///< coarse; its ends are those of the event
-    double path_length = 0;       ///< field pixels, along the path
+    PixelBox box;                 ///< of all its places
+    std::vector<PathPoint> path;  ///< coarse; it begins and ends with the event
+    double path_length = 0;       ///< along the path, field pixels
     std::vector<Stay> stays;
-    std::optional<std::size_t> from;    ///< place in the list of the event out of which it came
-    std::optional<std::size_t> into;    ///< of the event in which it went
-    std::optional<std::size_t> by;      ///< of the event that put it down, or took it
-    std::optional<Moment> alone_since;  ///< of what was left: when whoever left it had gone
+    std::optional<std::size_t> from;    ///< index of the event from which it split
+    std::optional<std::size_t> into;    ///< index of the event in which it merged
+    std::optional<std::size_t> by;      ///< index of the event that put it down or took it
+    std::optional<Moment> alone_since;  ///< for a thing left behind: when whoever left it had gone
     std::optional<Portrait> portrait;
-    std::optional<ScenePatch> in_scene;  ///< none where the fields show it while it was there
-    std::vector<std::size_t> tracks;     ///< the numbers that its pixels have in `FrameLabels`
+    std::optional<ScenePatch> in_scene;  ///< none if the fields show it while it was there
+    std::vector<std::size_t> tracks;     ///< the labels of its pixels in `FrameLabels`
 };
 
-/// Seconds for which it kept its place.
+/// The sum of its stays, seconds.
 double stationary_seconds(const Event& event);
 
-/// Which events are wanted.
+/// A filter of events.
 struct EventChoice {
     std::set<EventKind> kinds = all_kinds();
-    double least = 0;  ///< seconds; shorter ones are left out
+    double least = 0;  ///< seconds; shorter events are dropped
 };
 
-/// Those of the events that are wanted, in the same order. An event that named one of the others by its place names
-/// nobody.
+/// The chosen events, in the same order. References to other events are renumbered, and removed where the other was not
+/// chosen.
 std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice);
 
-/// Small events that crowd one part of the picture: a screen, a flag, a far road, pieces of what stands there.
+/// Small events that crowd one part of the picture: a screen, a flag, a far road, fragments of a stationary object.
 struct Clutter {
-    std::int64_t count = 0;  ///< of all scraps
-    PixelBox box;            ///< of those in the part, field pixels
-    Moment at;               ///< when one of them is seen
+    std::int64_t count = 0;  ///< of all small events
+    PixelBox box;            ///< of the small events in that part, field pixels
+    Moment at;               ///< when one of them is visible
 };
 
-/// A scrap is an event that never leaves an eighth of the picture's long side, both ways. Scraps dominate where there
-/// are a dozen or more, they are half of all events or more, and half of them or more lie in one ninth of the picture,
-/// a third of its width and height.
-/// \returns nothing where they do not
+/// Finds clutter. An event is small if its box is at most an eighth of the picture's longer side, both ways. Small
+/// events are clutter if there are at least a dozen, they are at least half of all events, and at least half of them
+/// lie in one ninth of the picture (a third of its width and height).
+/// \returns nothing where they are not
 std::optional<Clutter> find_clutter(std::span<const Event> events, Size field);
 
 }  // namespace vvr::events

@@ -8,7 +8,7 @@ namespace vvr::events {
 
 namespace {
 
-/// Whether pixels of `b` lie within `reach` of the box of `a`.
+/// Whether any pixel of `b` lies within `reach` of the box of `a`.
 bool touches(const Patch& a, const Patch& b, int reach) {
     const PixelBox both = intersection(a.box.inflated(reach, reach), b.box);
     for (int j = both.top; j < both.bottom; ++j) {
@@ -50,7 +50,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     return frame;
 }
 
-/// Numbers skip the frames that a recording, or a stream, has lost. Of a slow rate none is skipped.
+/// Whether there is a gap before this frame. Lost frames leave out numbers; a low frame rate does not.
 bool EventFinder::follows_gap(const Moment& now) const {
     return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= thresholds.no_signal;
 }
@@ -61,7 +61,7 @@ void EventFinder::restart() {
     steadiness_ = {};
 }
 
-/// Takes out of the field what is known to stand there.
+/// The field without the stationary objects, which it also updates.
 Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, const Moment& now) {
     const Plane<std::uint8_t>& field = sight.field;
     Plane<std::uint8_t> rest = field;
@@ -71,7 +71,7 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
         if (part < thresholds.stationary.visible) continue;
         const bool alone = part >= thresholds.stationary.undisturbed;
         track.update_stationary(sight, now, alone);
-        // Its rim is never quite still. Where somebody is about it, that rim may be theirs.
+        // The rim of an object is never quite still. If somebody is near, the rim may be theirs, and stays.
         const int rim = alone ? reach_ + 1 : 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t value) {
             if (rim == 0 && !Steadiness::alike(field.at(i, j), value)) return;
@@ -83,7 +83,7 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
     return rest;
 }
 
-/// The assignment of all tracks that follow blobs, by their places in `tracks_`.
+/// Associates blobs with all tracks that follow blobs. The result has indices in `tracks_`.
 Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const Appearance> looks,
                                          const Moment& now) const {
     std::vector<std::size_t> movers;
@@ -120,7 +120,7 @@ void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, 
     }
 }
 
-/// What stood and is not seen now is behind somebody, was taken, or moves itself.
+/// Handles stationary objects that are not visible now: each is occluded, was taken, or moves again.
 void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks,
                                  Assignment& assignment, const Moment& now) {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
@@ -137,7 +137,7 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
     }
 }
 
-/// It rises where there is nobody but it, or pieces of it: all of those are it.
+/// Lets a stationary object move again if only it and pieces of it are there. All these blobs become the object.
 bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
                                  const FrameView& sight, const Moment& now) {
     const std::size_t number = tracks_[k].number();
@@ -164,7 +164,7 @@ bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appear
     return true;
 }
 
-/// Who moves beside something that stands.
+/// The number of a moving object beside a stationary one.
 std::optional<std::size_t> EventFinder::about(const Track& standing) const {
     const PixelBox& box = standing.patch().box;
     const PixelBox wide = box.inflated(box.width(), box.height());
@@ -177,7 +177,7 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
     return std::nullopt;
 }
 
-/// Pieces that were never seen for long belong to the rest of what they are part of now.
+/// Drops short-lived tracks that now share a blob with another: they are fragments of it.
 void EventFinder::drop_unconfirmed(std::vector<std::size_t>& chosen) {
     if (chosen.size() < 2) return;
     const auto whole = *std::ranges::max_element(
@@ -185,7 +185,7 @@ void EventFinder::drop_unconfirmed(std::vector<std::size_t>& chosen) {
     std::erase_if(chosen, [&](std::size_t k) {
         Track& piece = tracks_[k];
         if (k == whole || piece.is_confirmed()) return false;
-        // Who has just come in at the border is somebody, and no piece of whoever is leaving there.
+        // An object that has just entered at the border is no fragment of one that leaves there.
         if (tracks_[whole].is_confirmed() && piece.entered_at_border()) return false;
         if (!tracks_[whole].is_confirmed()) tracks_[whole].join(piece);
         piece.drop();
@@ -229,12 +229,12 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
 }
 
 /// Begins a track with a blob.
-/// \param parent place of the track out of which it came
+/// \param parent index of the track from which it split
 void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent,
                         std::vector<Track>& begun, const FrameView& sight, const Moment& now) {
     auto from = parent ? std::optional(tracks_[*parent].number()) : std::nullopt;
     for (const Track& track : tracks_) {
-        // Pieces of a piece are those of the whole.
+        // A fragment of a fragment belongs to the whole object.
         const bool own = !parent || tracks_[*parent].from() == track.number();
         if (own && track.stands() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
     }
@@ -247,7 +247,7 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
     track.see(blob, look, sight, flicker_, now);
 }
 
-/// Finds each of several tracks in the blob that they are.
+/// Finds each of several tracks within their shared blob.
 void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight,
                         const Moment& now) {
     std::vector<const Template*> templates;
@@ -265,7 +265,7 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
-        // Anything small is like some part of a person.
+        // A small object matches any part of a person.
         const bool is_small = track.current_area() < thresholds.merged.searched * largest;
         if (is_small) {
             track.miss_merged(now);
@@ -287,7 +287,8 @@ void EventFinder::settle(const FrameView& sight, const Moment& now) {
     }
 }
 
-/// What came to rest in parts, for some of it was hidden for a while, is one thing: that of which more is known.
+/// Merges stationary parts of one object, which came to rest separately because some were occluded. The better known
+/// track stays.
 void EventFinder::merge_stationary(Track& part, const FrameView& sight) {
     for (Track& other : tracks_) {
         if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
@@ -305,7 +306,7 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     const bool certain = track.is_confirmed();
     Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
     tracklet.stretch = stretches_.size() - 1;
-    // Rain and leaves would fill the memory of a stream that lasts for days.
+    // Tracklets of rain and leaves are dropped: in a stream of days they would fill the memory.
     const bool jumps = !tracklet.settled && tracklet.continuous < thresholds.event.continuous;
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }

@@ -14,42 +14,43 @@
 
 namespace vvr::events {
 
-/// A portrait that is better than all before of the same track.
+/// A portrait that is better than all previous ones of its track.
 struct TrackPortrait {
     std::size_t track = 0;
     Portrait portrait;
 };
 
-/// What a field told of the tracks.
+/// What one field adds to the tracks.
 struct TrackedFrame {
     FrameLabels labels;
-    std::vector<TrackPortrait> portraits;  ///< those that are of this field
+    std::vector<TrackPortrait> portraits;  ///< those taken from this field
 };
 
-/// Finds the events of a clip in its fields, one after the other; memory depends on what is to be seen at a time, and
-/// on the number of events.
+/// Finds the events of a clip in its fields, one field at a time. Memory depends on the number of events and on what is
+/// visible at once.
 ///
-/// Blobs of consecutive fields are followed as tracks (`associate`). Those that meet share a blob, in which each is
-/// looked for by what it was (`share_blob`). A part that stands still began when it became still, which is when a bag
-/// was put down and not when whoever brought it had gone. At the end tracks of one object are joined (`link`), and it
-/// is told what each of them was (`conclude`). Nobody knows what happened while there was no signal: at a gap all
-/// tracks end, and what is there after it is followed anew.
+/// Background subtraction has made the fields. Blobs of consecutive fields are tracked (`associate`). Tracks that meet
+/// share a blob, and template matching finds each in it (`split_blob`). A part that becomes stationary begins when it
+/// became still: for a bag, that is when it was put down, not when its bearer left. At the end the tracklets of each
+/// object are joined (`link`), and objects are classified (`conclude`). What happens in a gap of the signal is unknown:
+/// all tracks end there, and tracking starts again after it.
 class EventFinder {
   public:
     explicit EventFinder(Size field, const EventOptions& options = {});
 
-    /// \param now later than in the call before
+    /// \param now later than in the previous call
     TrackedFrame add(const FrameView& sight, const Moment& now);
 
-    /// Drops what is known of the objects that had gone by then, so that a stream of days needs no more memory than one
-    /// of minutes. `finish` tells of the others.
+    /// Forgets the objects that ended before a time, so that a stream of days needs no more memory than one of minutes.
+    /// `finish` returns only the others.
     /// \param seconds of the clip
     void forget_ended_before(double seconds) {
         std::erase_if(ended_, [&](const Tracklet& tracklet) { return tracklet.end.at.seconds < seconds; });
     }
 
-    /// The events, by their first times. To be called once, after the last field.
+    /// Ends all tracks. To be called once, after the last field.
     /// \param scene the empty scene that the fields were compared with; empty where there is none
+    /// \returns the events by their first frames
     std::vector<Event> finish(const fields::Planes& scene = {});
 
   private:
@@ -79,7 +80,7 @@ class EventFinder {
     Size field_;
     int reach_;
     int min_area_;
-    std::size_t next_ = 0;  ///< number of the next track
+    std::size_t next_ = 0;  ///< number for the next track
     std::int64_t next_frame_ = 0;
     Steadiness steadiness_;
     Flicker flicker_;

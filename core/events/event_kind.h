@@ -6,33 +6,33 @@
 #include <set>
 #include <string_view>
 
-// The kinds of events. Their table is all that a picture, a page, a report and an archive know of a kind; when an
-// object is of a kind, conclude.cpp says.
+// The kinds of events. This table is all that pictures, pages, reports and archives know of a kind; conclude.cpp
+// decides which kind an object is.
 namespace vvr::events {
 
 enum class EventKind {
-    moved,  ///< it went through the scene
-    stood,  ///< it went, and kept its place for a while
+    moved,  ///< it moved through the scene
+    stood,  ///< it moved, and stood still for a while
     left,   ///< somebody put it down
-    taken,  ///< it belonged to the empty scene, and went
+    taken,  ///< it belonged to the empty scene, and was removed
 };
 
-/// How the badges of a kind stand out on pages.
+/// How a kind's badge stands out on pages.
 enum class Emphasis { none, standing, strong };
 
-/// What an archive's index tells of the events of a kind in a clip.
+/// What an archive's index says of a clip's events of a kind.
 enum class Tally {
     none,
-    lasts,  ///< how long the longest is there
-    still,  ///< for how long one keeps its place, at most
+    lasts,  ///< duration of the longest
+    still,  ///< longest time in which one keeps its place
     count,
 };
 
-/// One of the choices of an archive's index: the clips with events of some kinds.
+/// A filter of an archive's index: the clips with events of some kinds.
 struct KindChoice {
-    std::string_view name;   ///< in the index's address
+    std::string_view name;   ///< in the index's URL
     std::string_view words;  ///< on its button
-    std::string_view order;  ///< of the order with most of it first
+    std::string_view order;  ///< label of the sort order
 };
 inline constexpr KindChoice choice_of_things{"left", "Left behind", "longest left behind first"};
 inline constexpr KindChoice choice_of_standing{"stood", "Stood", "longest standing first"};
@@ -43,16 +43,16 @@ struct EventKindRow {
     std::string_view name;  ///< in options, reports, sidecars
     std::string_view help;
     std::string_view words;     ///< on pages
-    std::string_view activity;  ///< in pictures: what it did; `{}` = for how long it stood; empty = where it went
+    std::string_view activity;  ///< in pictures; `{}` = how long it stood; empty = the picture shows where it went
     std::string_view activity_short;
-    std::string_view by;                 ///< on pages: what the event that has to do with it did; empty = nothing
-    int rank = 0;                        ///< among the kinds; 0 tells a reader most
-    bool is_thing = false;               ///< somebody put it down or took it: lists show it first, strips mark it
-    bool lies = false;                   ///< it keeps its place for all of its time
+    std::string_view by;                 ///< on pages: what the event `by` did; empty = there is none
+    int rank = 0;                        ///< 0 = most important to a reader
+    bool is_thing = false;               ///< it was put down or taken: lists show it first, time strips mark it
+    bool lies = false;                   ///< it keeps its place all the time
     bool is_of_scene = false;            ///< the empty scene shows it best
     Emphasis emphasis = Emphasis::none;  ///< of its badge
     Tally tally = Tally::none;
-    const KindChoice* choice = nullptr;  ///< of the index, that it belongs to
+    const KindChoice* choice = nullptr;  ///< the index's filter that selects it
 };
 
 /// The kinds, in the order of EventKind.
@@ -124,7 +124,7 @@ constexpr std::string_view name_of(EventKind kind) {
     return row_of(kind).name;
 }
 
-/// Those that tell a reader most come first.
+/// The most important to a reader come first.
 constexpr auto ranked_kinds() {
     auto ranked = event_kinds;
     std::ranges::sort(ranked, {}, &EventKindRow::rank);

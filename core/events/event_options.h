@@ -2,160 +2,162 @@
 
 namespace vvr::events {
 
-/// Every threshold by which events are found. Seconds are those of the clip. The unit of a length is the object's own
-/// longer side, and that of an area its own area, so that one set of numbers serves near and far; a share is of 1.
-/// What is in pixels of the field or in grey levels says so.
+/// All thresholds of event detection. Times are in seconds of the clip. Lengths are multiples of the object's own
+/// length (the longer side of its box) and areas multiples of its own area, so that one set of numbers suits near and
+/// far objects. A share is from 0 to 1. A comment names the unit first, and any other unit.
 struct Thresholds {
-    double least_length = 4;  ///< field pixels; the length of what is smaller can't be measured
+    double least_length = 4;  ///< field pixels; a shorter length is too uncertain, so this replaces it
 
-    /// What is an object in one field.
+    /// What counts as an object in one field.
     struct {
-        int reach = 192;  ///< parts of the field's longer side; nearer blobs are one: a filter cuts a person in two
-        int area = 5000;  ///< parts of the field; of less it is noise
-        int pixels = 4;   ///< and of fewer in any field
-        int edge = 2;     ///< pixels to each side of an outline between which its edge is: the field is smooth
+        int reach = 192;  ///< field's longer side / 192: blobs nearer than this are one, as filters cut people in two
+        int area = 5000;  ///< field's area / 5000: smaller blobs are noise
+        int pixels = 4;   ///< field pixels; smaller blobs are noise in any field
+        int edge = 2;     ///< field pixels on each side of an outline across which contrast is measured
     } blob;
 
-    /// Which blob a track goes on in. A cost is a sum of distances of places and of looks, each 0 to 1.
+    /// Data association: the blob in which a track goes on. Costs are weighted sums of two distances, each from 0 to 1:
+    /// of places (1 - intersection over union) and of looks (Hellinger distance).
     struct {
-        double gate = 1;              ///< lengths off the expected place, where nothing overlaps
-        double area_ratio = 2.5;      ///< of one thing from frame to frame, where nothing overlaps
-        double cost = 0.85;           ///< of sharing a blob; a blob of its own must fit better than this
-        double place_weight = 0.8;    ///< of the overlap, which tells most of who is alone …
-        double looks_weight = 0.2;    ///< … and looks only who of two that meet
-        double merged_place = 0.5;    ///< the same after a shared blob, where the place is a guess …
-        double merged_looks = 0.8;    ///< … and looks tell who is who
-        double apart = 0.5;           ///< for no overlap at all,
-        double apart_place = 0.25;    ///< and of the distance,
-        double apart_looks = 0.5;     ///< and of looks then
-        double shared_part = 0.15;    ///< share of a track that falls on a blob in which it is not alone
-        double fragment_size = 1.15;  ///< sizes that an object has with its fragments: they are no larger than it was
+        double gate = 1;              ///< lengths; largest distance from the predicted place to a blob without overlap
+        double area_ratio = 2.5;      ///< ratio; largest change of area to a blob without overlap
+        double cost = 0.85;           ///< cost below which a track gets its own blob; else it may share one
+        double place_weight = 0.8;    ///< weight of places, which tell single objects apart best
+        double looks_weight = 0.2;    ///< weight of looks, which matter only where two objects meet
+        double merged_place = 0.5;    ///< weight of places after a merge, when the place is only estimated
+        double merged_looks = 0.8;    ///< weight of looks after a merge, when they tell the objects apart
+        double apart = 0.5;           ///< base cost without overlap
+        double apart_place = 0.25;    ///< weight of the distance / `gate` without overlap
+        double apart_looks = 0.5;     ///< weight of looks without overlap
+        double shared_part = 0.15;    ///< share of a track's area; least part on a blob that it shares with others
+        double fragment_size = 1.15;  ///< usual sizes; fragments that fit into a box of this size are one object
     } association;
 
     /// How a track follows its blobs.
     struct {
-        double velocity = 0.8;       ///< seconds over which it is measured: about one step of a walker
-        double abrupt = 1.5;         ///< areas; who is so much larger or smaller at once has met or lost something
-        double grows_in = 2;         ///< seconds over which a larger size becomes the usual one
-        double shrinks_in = 8;       ///< the same of a smaller one: it may be half hidden for that long
-        double overlap = 0.3;        ///< share of the smaller box on where it was, or should be; less is a jump
-        double lost_after = 1;       ///< seconds for which a mover may be unseen and goes on with the same track
-        double leaving_share = 0.3;  ///< of its usual area that is still seen at the border: it has all but left
-        double replaced = 1.6;       ///< times that, by which a blob is too large for who was leaving …
-        int replaced_pixels = 10;    ///< … and pixels, as little areas flicker
+        double velocity = 0.8;  ///< seconds over which velocity is measured: about one step of a walker
+        double abrupt = 1.5;    ///< ratio of areas between two frames from which two objects merged or split
+        double grows_in = 2;    ///< seconds in which the usual size adapts to a larger one
+        double shrinks_in = 8;  ///< seconds in which it adapts to a smaller one: an occlusion may last that long
+        double overlap = 0.3;   ///< share of the smaller box; less overlap with its last or predicted box is a jump
+        double lost_after = 1;  ///< seconds for which a moving object may be unseen before its track ends
+        double leaving_share = 0.3;  ///< share of the usual area: with less of it at the border, the object has left
+        double replaced = 1.6;       ///< ratio to its least area at the border: a larger blob is another object …
+        int replaced_pixels = 10;    ///< … if it has this many field pixels more: small areas flicker
     } track;
 
-    /// Who of several is where in the blob that they share.
+    /// Where each of several objects is within a blob that they share.
     struct {
-        double occluded_after = 3;  ///< seconds for which a mover may be hidden in it
-        double searched = 0.3;      ///< of the largest area in it; anything smaller is like some part of a person
-        double room = 0.75;         ///< of what all are together; a blob that has it hides nobody
-        double similarity = 0.3;    ///< share of the template that is more than chance
-        double least_share = 0.35;  ///< of its usual area that it has to itself: then it is there, if it looks like it
-        double looks = 0.3;         ///< distance of looks of different people
-        double correction = 0.25;   ///< share by which a place in it corrects the velocity: it is off by some pixels
-        double slowing = 0.8;       ///< of the velocity of who is held back by the blob's edge
-        int search = 3;             ///< pixels about the expected place
-        double astray = 0.004;      ///< similarity that a squared pixel away from there must make good
-        int unlike = 72;            ///< levels of a channel at which two colours have nothing in common
+        double occluded_after = 3;  ///< seconds for which a moving object may be hidden in the blob
+        double searched = 0.3;    ///< areas of the largest object in the blob; smaller ones match any part of a person
+        double room = 0.75;       ///< share of the sum of all areas; a larger blob occludes none of them
+        double similarity = 0.3;  ///< share of the template; a smaller match may be chance
+        double least_share = 0.35;  ///< share of the usual area; least part to accept an object without template match
+        double looks = 0.3;         ///< Hellinger distance; from here on, looks are those of different people
+        double correction = 0.25;   ///< gain of the velocity's correction: a match is off by some pixels
+        double slowing = 0.8;       ///< factor per field of the velocity of an object that the blob's edge stops
+        int search = 3;             ///< field pixels; search radius around the predicted place
+        double astray = 0.004;      ///< similarity lost per squared field pixel of distance from the predicted place
+        int unlike = 72;            ///< levels of a channel; from here on, two colours have nothing in common
     } merged;
 
-    /// Pixels that come and go, and pixels that keep their value.
+    /// Pixels that flicker, and pixels that keep their value.
     struct {
-        double memory = 20;  ///< seconds for which a change counts
-        double flicker = 4;  ///< changes of late: tape in the wind, and no object that stands
-        int level = 40;      ///< levels of a doubled difference that are noise and the seams of a codec's blocks
+        double memory = 20;  ///< seconds in which a change's count decays to 1/e
+        double flicker = 4;  ///< changes per pixel; from here on, it flickers, as tape in the wind does
+        int level = 40;  ///< field values (twice the grey levels); smaller changes are noise or a codec's block edges
     } pixel;
 
-    /// Standing things.
+    /// Stationary objects.
     struct {
-        double stay = 2;             ///< seconds; who keeps a place for less has only slowed down
-        double settled_part = 0.6;   ///< share of steady pixels that makes an object a standing one
-        double sways = 0.5;          ///< lengths in `stay` seconds that are more than swaying
-        double carried = 0.5;        ///< of the area of whom it came out of; a smaller one was carried
-        double rolls_out = 1;        ///< seconds for which what is of one colour looks steady before it stops
-        double apart = 0.6;          ///< lengths between two parts of one thing
-        double near_place = 0.5;     ///< lengths that it moved at most: it was there from its first moment
-        double visible = 0.3;        ///< share of its pixels in which it must be seen
-        double undisturbed = 0.8;    ///< with so many of them seen nobody is in front of it
-        double occluded_after = 60;  ///< seconds for which it, or one of a group, may be hidden behind somebody
-        double same_place = 0.5;     ///< lengths by which its middle may be off when it comes to light again
+        double stay = 2;             ///< seconds in one place; an object that stays shorter has only slowed down
+        double settled_part = 0.6;   ///< share of its pixels that must be steady
+        double sways = 0.5;          ///< lengths per `stay`; a faster object moves, a slower one only sways
+        double carried = 0.5;        ///< share of the area of the object from which it split; a smaller one was carried
+        double rolls_out = 1;        ///< seconds for which a plain surface looks steady before it stops
+        double apart = 0.6;          ///< lengths; largest gap between two parts of one object
+        double near_place = 0.5;     ///< lengths; an object that moved less was there from the start
+        double visible = 0.3;        ///< share of its pixels; with fewer visible, it is not seen
+        double undisturbed = 0.8;    ///< share of its pixels; with more visible, nobody occludes it
+        double occluded_after = 60;  ///< seconds for which a stationary object, or one of a group, may be occluded
+        double same_place = 0.5;     ///< lengths; largest shift of its centre over an occlusion
     } stationary;
 
+    /// Which portrait of an object is kept. Factors apply to its score.
     struct {
-        double every = 0.2;     ///< seconds between looks for a better one
-        double merged = 0.3;    ///< worth of one with others in it; who is never alone has no better one
-        double cut_off = 0.25;  ///< worth of one that the border of the picture cuts
+        double every = 0.2;     ///< seconds between two candidates
+        double merged = 0.3;    ///< factor for an object in a shared blob: a portrait of it alone is better
+        double cut_off = 0.25;  ///< factor for an object that the border of the picture cuts
     } portrait;
 
-    double no_signal = 1;  ///< seconds without a frame where numbers of frames are missing: nothing is known of them
+    double no_signal = 1;  ///< seconds between two frames; at least this, with frame numbers missing, is a gap
 
-    /// Which tracklet goes on in which, over a gap.
+    /// Which tracklet continues another after a gap.
     struct {
-        double seconds = 8;        ///< longest gap; a person who is hidden for longer may be somebody else
-        double overlap = 0.3;      ///< seconds by which the later may begin before the earlier ends
-        double border = 0.3;       ///< seconds of a gap at the border of the picture: it hides nobody
-        double straight = 1;       ///< seconds for which a velocity still tells where it goes
-        double area_ratio = 3;     ///< of one object: it may come nearer
-        double looks = 0.33;       ///< distance of looks of different people; of one person it is 0.1 to 0.25
-        double reach = 0.8;        ///< lengths by which it may be off,
-        double reach_speed = 0.7;  ///< and of the way that it may have gone meanwhile at its speed,
-        double least_speed = 0.3;  ///< lengths per second: who stands may go
-        double cost = 1;           ///< most that a link may cost, by
-        double place_weight = 0.35;
-        double gap_weight = 0.25;
-        double looks_weight = 0.6;
-        double group_looks = 0.8;  ///< within a group that both were seen in, looks alone
+        double seconds = 8;          ///< seconds; longest gap, as a person who appears later may be somebody else
+        double overlap = 0.3;        ///< seconds; longest overlap in time
+        double border = 0.3;         ///< seconds; longest gap at the border of the picture, where nothing occludes
+        double straight = 1;         ///< seconds for which velocity is extrapolated
+        double area_ratio = 3;       ///< ratio of areas; the largest for one person, who may have come nearer
+        double looks = 0.33;         ///< Hellinger distance; largest for one person, whose looks vary by 0.1 to 0.25
+        double reach = 0.8;          ///< lengths; largest distance from the predicted place …
+        double reach_speed = 0.7;    ///< … plus this share of the way that it can go in the gap at its speed
+        double least_speed = 0.3;    ///< lengths per second; least speed assumed, as a standing person may walk on
+        double cost = 1;             ///< cost from which tracklets aren't linked: the sum of the next three terms
+        double place_weight = 0.35;  ///< weight of the distance / its largest value
+        double gap_weight = 0.25;    ///< weight of the gap / `seconds`
+        double looks_weight = 0.6;   ///< weight of the distance of looks / `looks`
+        double group_looks = 0.8;    ///< weight of looks, the only term, if both were in one group
     } link;
 
-    /// Two that come as one blob and part.
+    /// Two objects that enter as one blob and split. Ratios are the group's area / the area of one of them.
     struct {
-        double least = 1.4;  ///< areas of one of them: less is no second person
-        double most = 3.3;   ///< and more is a crowd, in which nobody knows who was where
-        double share = 0.7;  ///< of the group's area; before it was that large, it was not the group yet
+        double least = 1.4;  ///< ratio; a smaller blob was no group
+        double most = 3.3;   ///< ratio; a larger blob was a crowd, in which no path is certain
+        double share = 0.7;  ///< share of the group's area; a smaller blob was not yet the group
     } group;
 
-    /// What is an event.
+    /// What counts as an event.
     struct {
-        double least = 0.8;            ///< seconds; what is seen for less is a blink of the light or a fragment
-        double least_inside = 2;       ///< the same of what neither comes in nor goes out at the picture's border
-        double least_fragment = 5;     ///< and of such that came out of another: a part of it, mostly
-        double own_lengths = 1.25;     ///< what goes less far than this flutters at its place, as a flag does
-        double flicker_lengths = 0.4;  ///< share by which a mover must go farther where pixels flicker, and
-        double most_flicker = 3;       ///< times `pixel.flicker` that count
-        double seen_part = 0.5;        ///< share of its frames in which a mover is seen; foliage comes and goes
-        double steady_way = 0.25;  ///< cosine between steps half a second apart: leaves and rain turn back and forth
-        double continuous = 0.75;  ///< share of a mover's sightings without a jump; drops of rain jump each time
+        double least = 0.8;            ///< seconds; shorter ones are flashes of light or fragments
+        double least_inside = 2;       ///< seconds, for one that neither enters nor leaves at the picture's border
+        double least_fragment = 5;     ///< seconds, for such a one that split from another: mostly a part of it
+        double own_lengths = 1.25;     ///< lengths; a moving object goes at least this far, a flag flutters in place
+        double flicker_lengths = 0.4;  ///< share by which that distance grows per `pixel.flicker` of its pixels …
+        double most_flicker = 3;       ///< … up to this multiple of `pixel.flicker`
+        double seen_part = 0.5;        ///< share of its frames in which it is seen, at least; foliage comes and goes
+        double steady_way = 0.25;      ///< mean cosine between steps of its path, at least; leaves and rain turn back
+        double continuous = 0.75;      ///< share of its detections without a jump, at least; raindrops jump each time
     } event;
 
-    /// What is a fragment of another event.
+    /// When an event is a fragment of another.
     struct {
-        double inside = 0.6;  ///< share of its box in the other's
-        double shared = 0.7;  ///< share of its time
-        double size = 0.5;    ///< of the other's area
+        double inside = 0.6;  ///< share of its box that lies inside the other's
+        double shared = 0.7;  ///< share of its duration for which it does
+        double size = 0.5;    ///< share of the other's area; a larger one is no fragment
     } fragment;
 
-    /// What was left or taken, by whom, and what is a ghost.
+    /// Things that were left or taken, who did it, and ghosts.
     struct {
-        double before = 3;          ///< seconds before a thing comes to light in which its bearer was there,
-        double after = 0.5;         ///< and after
-        double most_between = 0.5;  ///< seconds from frame to frame; in more, somebody may come and go
-        double edge_ratio = 1.3;    ///< by which edges must be stronger, in the frame or in the empty scene
-        double edges = 10;          ///< grey levels; weaker ones are those of light and noise
+        double before = 3;          ///< seconds before a thing appears: its bearer is beside it from then …
+        double after = 0.5;         ///< … until this many seconds after
+        double most_between = 0.5;  ///< seconds per frame; with longer ones, a bearer may come and go unseen
+        double edge_ratio = 1.3;    ///< ratio of edges in frame and empty scene that shows where the thing is
+        double edges = 10;          ///< grey levels; weaker edges are light or noise
     } thing;
 
     /// Small events that crowd one part of the picture.
     struct {
-        int size = 8;    ///< parts of the picture's longer side that one never leaves
-        int least = 12;  ///< fewer can be read one by one
+        int size = 8;    ///< picture's longer side / 8: a small event stays within it
+        int least = 12;  ///< events; fewer can be read one by one
     } clutter;
 };
 
 inline constexpr Thresholds thresholds{};
 
-/// What the thresholds don't know of a clip.
+/// What the thresholds can't know of a clip.
 struct EventOptions {
-    bool scene_is_learnt = true;  ///< the empty scene is of the clip's own frames: what all of them show belongs to it
+    bool scene_is_learnt = true;  ///< the empty scene comes from the clip's own frames: it holds what all of them show
 };
 
 }  // namespace vvr::events

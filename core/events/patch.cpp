@@ -12,7 +12,7 @@ namespace vvr::events {
 
 namespace {
 
-/// The box about all there is, and `reach` more; empty for nothing.
+/// The bounding box of all non-zero pixels, extended by `reach`; empty for an empty field.
 PixelBox box_of_objects(const Plane<std::uint8_t>& field, const glm::ivec2& reach) {
     const cv::Rect all = cv::boundingRect(cv_view(field));
     if (all.empty()) return {};

@@ -11,10 +11,10 @@
 
 namespace vvr::events {
 
-/// What is seen at one moment: the field, and the frame of which it was made. The planes are of one size; a frame
-/// without colour or without a picture leaves those empty, and then objects are told apart by what is left.
+/// A field and the frame of which it was made, all of one size. Without colour or picture those planes are empty, and
+/// objects are told apart by the rest.
 struct FrameView {
-    const Plane<std::uint8_t>& field;  ///< 0 = nothing; else part of an object
+    const Plane<std::uint8_t>& field;  ///< 0 = background; else part of an object
     const Plane<std::uint8_t>& grey;
     const Plane<Bgr>& colour;
 
@@ -27,21 +27,21 @@ struct FrameView {
     int brightness(int i, int j) const { return fields::brightness_of(at(i, j)); }
 };
 
-/// The pixels of one object in one field: their values, and 0 where there are none of it.
+/// The pixels of one object in one field.
 struct Patch {
     PixelBox box;
-    Plane<std::uint8_t> values;  ///< of the box
+    Plane<std::uint8_t> values;  ///< of the box; 0 = not of the object
     int area = 0;
     glm::dvec2 centre{};
 
-    /// The value at a place of the field, 0 beyond the box.
+    /// The value at a pixel of the field; 0 outside of the box.
     std::uint8_t at(int i, int j) const {
         const bool within = i >= box.left && i < box.right && j >= box.top && j < box.bottom;
         return within ? values.at(i - box.left, j - box.top) : std::uint8_t{0};
     }
 };
 
-/// Calls `action(i, j, value)` for each pixel of the patch, in the field's columns and rows.
+/// Calls `action(i, j, value)` for each pixel of the patch; i and j are column and row of the field.
 template <class Action>
 void for_each_pixel(const Patch& patch, Action action) {
     for (int j = 0; j < patch.box.height(); ++j) {
@@ -51,7 +51,7 @@ void for_each_pixel(const Patch& patch, Action action) {
     }
 }
 
-/// The pixels of `patch` that `wanted(i, j)` keeps.
+/// The pixels of `patch` for which `wanted(i, j)` is true.
 template <class Wanted>
 Patch part_of(const Patch& patch, Wanted wanted) {
     Patch part{.box = patch.box, .values = Plane<std::uint8_t>(patch.values.size())};
@@ -65,43 +65,43 @@ Patch part_of(const Patch& patch, Wanted wanted) {
     return part;
 }
 
-/// The objects of one field, and where they are.
+/// The objects of one field.
 struct Blobs {
-    Plane<int> labels;  ///< 1 + place in `patches`, and that of the nearest within `reach`; 0 = none
+    Plane<int> labels;  ///< 1 + index in `patches`, also for pixels within `reach`; 0 = none
     std::vector<Patch> patches;
 };
 
-/// The pixels of both; where they overlap, the larger value.
+/// The union of both; where they overlap, the larger value.
 Patch joined(const Patch& a, const Patch& b);
 
 /// The same pixels at another place.
 Patch translated(Patch patch, const glm::ivec2& by);
 
-/// The objects of a field: pixels that are not 0. Those at most 2 `reach` + 1 columns or rows apart belong together,
-/// because a filter often cuts a person in two. It does so across the body, and two people walk side by side: so the
-/// reach down is the longer one.
-/// \param min_area pixels; of fewer, there is no object
+/// Finds the objects of a field: connected components of its non-zero pixels, after a dilation by `reach`. So pixels at
+/// most 2 `reach` + 1 columns or rows apart belong together. Filters often cut a person in two across the body, and two
+/// people walk side by side: hence the vertical reach is the longer one.
+/// \param min_area field pixels; smaller components are dropped
 Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int min_area);
 
-/// How strong the edges of a picture are along the outline of a patch: the mean change of brightness across it, grey
-/// levels. A thing has its edges in the frame. A ghost, the place of something that belonged to the empty scene and
-/// went, has them in the empty scene; a patch of light has them in neither.
+/// The mean contrast of a picture across the outline of a patch, grey levels. A real thing has edges in the frame. A
+/// ghost (the place of a removed thing that the empty scene still has) has edges in the empty scene. A patch of light
+/// has edges in neither.
 double edge_strength(const Patch& patch, const FrameView& sight);
 
-/// Which pixels of a field belong to which track, as runs of columns; a pixel that no run names belongs to none.
+/// The track of each pixel of a field, as runs of columns; pixels without a run belong to none.
 ///
-/// A track's event is known only when the clip has ended, because tracks are joined then. So the runs are kept, and the
-/// numbers looked up in `Event::tracks` afterwards; a number that no event has is that of something that turned out to
-/// be none. Runs of a busy frame take about a hundredth of its field.
+/// Tracks are joined to events only when the clip has ended. So the runs are kept, and their numbers are looked up in
+/// `Event::tracks` afterwards; a number without an event belongs to a dropped track. The runs of a busy frame need
+/// about a hundredth of the field's memory.
 struct FrameLabels {
     Moment at;
     std::vector<fields::LabelRun> runs;
 };
 
-/// Adds the pixels of a patch.
+/// Adds the pixels of a patch to the labels.
 void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels);
 
-/// The place in the list of the event that each track became a part of; none for those of no event. Indexed by track.
+/// The index of each track's event, by the number of the track; nothing for a track without an event.
 std::vector<std::optional<std::size_t>> events_of_tracks(std::span<const Event> events);
 
 }  // namespace vvr::events

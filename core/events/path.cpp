@@ -118,18 +118,18 @@ int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
 
-/// As a report writes it.
+/// Rounded as in a report.
 double told(double value) {
     return std::round(value * 1000) / 1000;
 }
 
-/// How far a point is from where the straight way from `a` to `b` has it at its moment.
+/// The synchronized distance: from a point to the place at the same moment on the straight way from `a` to `b`.
 double synchronized_distance(const Waypoint& a, const Waypoint& b, const Waypoint& point) {
     const double share = b.time > a.time ? static_cast<double>(point.time - a.time) / (b.time - a.time) : 0;
     return std::hypot(point.x - (a.x + share * (b.x - a.x)), point.y - (a.y + share * (b.y - a.y)));
 }
 
-/// Douglas and Peucker's way, by the distance at the same moment: marks what stays between two points that do.
+/// The Douglas-Peucker algorithm with synchronized distance: marks the points to keep.
 void mark_kept(std::span<const Waypoint> way, double tolerance, std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> parts{{0, way.size() - 1}};
     while (!parts.empty()) {

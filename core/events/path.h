@@ -10,13 +10,13 @@
 
 namespace vvr::events {
 
-/// The way of an object, in so few points that neither its limbs' swinging nor a day of it counts.
+/// The path of an object, sampled so coarsely that swinging limbs don't count and that a day needs few points.
 class Path {
   public:
-    /// \param area of what was seen, pixels
+    /// \param area of the visible part, field pixels
     void add(const Moment& now, const glm::dvec2& place, int area = 0);
 
-    /// The points so far, the last place among them.
+    /// The points so far, including the last place.
     std::vector<PathPoint> points() const;
 
     /// The area at each of the points.
@@ -35,35 +35,36 @@ class Path {
     double interval_ = 0.5;  ///< seconds; doubled whenever there are too many points
 };
 
-/// Along the points, in their unit.
+/// The length along the points, in their unit.
 double length_of(const std::vector<PathPoint>& path);
 
-/// How well each step goes on in the direction of the one before: 1 on a straight way, 0 or less where it jumps about.
-/// 1 for a path of fewer than four points.
+/// The mean cosine between consecutive steps, weighted by their lengths: 1 on a straight path, 0 or less where it jumps
+/// about. 1 for fewer than four points.
 double straightness_of(const std::vector<PathPoint>& path);
 
-/// Where it is at that frame, between the points.
+/// The place at a frame, interpolated linearly.
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame);
 
-/// Every other point, as often as it takes to be no more than a path may have.
+/// The path with every second point dropped until it has at most 128.
 std::vector<PathPoint> thinned(std::vector<PathPoint> path);
 
-/// Finds the times for which something that need not be quite still, as a person who waits, kept its place.
+/// Finds the times in which an object, such as a waiting person, kept its place but was not quite still.
 class Stays {
   public:
-    /// \param least seconds that make a stay
+    /// minimum seconds of a stay
     explicit Stays(double least) : least_(least) {}
 
-    /// \param reach field pixels by which the middle may be off its first place
+    /// \param reach largest distance of the centre from the first place, field pixels
     void add(const Moment& now, const glm::dvec2& place, const PixelBox& box, double reach);
 
-    /// Takes the place of what was found for that time.
+    /// Adds a stay that is known exactly. It replaces all that were found from its first frame on.
     void add_exactly(const Stay& stay);
 
-    /// What has not come to its end.
+    /// The current stay, of any duration.
     const std::optional<Stay>& open() const { return open_; }
 
-    /// All of them, in order.
+    /// Ends the current stay.
+    /// \returns all stays, in order
     std::vector<Stay> finish();
 
   private:
@@ -74,7 +75,7 @@ class Stays {
     std::vector<Stay> found_;
 };
 
-/// Where an object was and when, in whole numbers: an archive keeps those of a hundred thousand events.
+/// A point of a path in whole numbers, because an archive keeps the paths of a hundred thousand events.
 struct Waypoint {
     int time = 0;  ///< tenths of a second of the clip
     int x = 0;     ///< thousandths of the picture's width
@@ -83,15 +84,16 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-/// \param place pixels of the clip; the centre of the first is 0. It counts as exactly as a report tells it, so that a
-///        page, which knows more digits, has the same ways as an index, which is made of reports
-/// \param size of the clip's picture
+/// \param place pixels of the clip; the centre of the first pixel is 0. It is rounded to the digits of a report, so
+///        that a page and an index (which is made of reports) have the same waypoints.
+/// \param size of the clip's picture, pixels
 Waypoint waypoint(double seconds, const glm::dvec2& place, const glm::dvec2& size);
 
-/// Thousandths of the picture by which a way may be off: less than a person's width in most scenes.
+/// Largest error of a simplified path, thousandths of the picture: less than a person's width in most scenes.
 inline constexpr double waypoint_tolerance = 12;
 
-/// As few of the points as keep every moment's place within `tolerance`, in the unit of the points.
+/// Simplifies a path (Douglas-Peucker with synchronized distance).
+/// \param tolerance largest error of the place at any moment, in the unit of the points
 std::vector<Waypoint> simplified(std::span<const Waypoint> way, double tolerance = waypoint_tolerance);
 
 }  // namespace vvr::events

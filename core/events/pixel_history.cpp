@@ -13,8 +13,8 @@ namespace vvr::events {
 
 namespace {
 
-constexpr int once = 8;          // a count of one
-constexpr double fade_each = 1;  // seconds
+constexpr int once = 8;          // fixed-point 1
+constexpr double fade_each = 1;  // seconds between two steps of the decay
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void Flicker::add(const Plane<std::uint8_t>& field, const Moment& now) {
     const auto values = field.pixels();
     const auto before = before_.pixels();
     const auto counts = counts_.pixels();
-    // Most of a field is nothing: eight pixels are passed over at a time.
+    // Most of a field is 0: zeros are skipped eight pixels at a time.
     for (std::size_t k = 0; k < values.size(); k += 8) {
         const std::size_t end = std::min(values.size(), k + 8);
         std::uint64_t eight = 1;
@@ -56,9 +56,9 @@ double Flicker::of(const Patch& patch) const {
 
 namespace {
 
-// A field as it was takes back half of one that was otherwise: what is otherwise every second time is not steady.
+// One field with the steady value makes up for half of one with another: so a pixel that alternates is not steady.
 constexpr std::size_t miss = 2;
-constexpr std::size_t at_once = 64;  // pixels; most of a field is nothing, and quickly known to be
+constexpr std::size_t at_once = 64;  // pixels that are skipped together where all are 0
 
 bool nothing(std::span<const std::uint8_t> values) {
     std::uint8_t any = 0;
@@ -94,7 +94,7 @@ void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
 void Steadiness::add(std::uint8_t value, Pixel& pixel, const Moment& now) const {
     if (value == 0 && pixel.level == 0) return;
     if (pixel.level != 0 && alike(value, pixel.level)) {
-        // Follows light that changes slowly.
+        // The level follows slow changes of light.
         pixel.level = static_cast<std::uint8_t>((7 * pixel.level + value + 4) / 8);
         if (pixel.misses > 0) pixel.misses--;
         return;

@@ -24,15 +24,15 @@ double part_alike(const Patch& patch, const Plane<std::uint8_t>& field) {
     return static_cast<double>(alike) / std::max(1, patch.area);
 }
 
-/// When nearly all were reached. Of what comes to rest slowly the foremost edge does so last, and it is a tenth of it;
-/// the few that are later still were hidden behind whoever brought it.
+/// The 90th percentile. The front edge of an object that slows down comes to rest last, and is about a tenth of it;
+/// later pixels were occluded by the bearer.
 Moment nearly_last_of(std::vector<Moment> moments) {
     const auto place = moments.begin() + (std::ssize(moments) - 1) * 9 / 10;
     std::ranges::nth_element(moments, place, {}, &Moment::frame);
     return *place;
 }
 
-/// Whether one box covers enough of the other for both to be of one thing.
+/// Whether one box covers so much of the other that both are of one object.
 bool goes_over(const PixelBox& a, const PixelBox& b) {
     const PixelBox both = intersection(a, b);
     if (both.empty()) return false;
@@ -153,7 +153,7 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool ha
                                  distance(look_, Appearance(share.patch, sight)) < merged.looks);
     const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
     glm::dvec2 place = found ? found_at : expected;
-    // Hidden within the blob, it may leave the picture and nothing else.
+    // Within the blob it may be anywhere; it may leave the blob only at the border of the picture.
     const bool leaves = touches_border(blob.box) && touches_border(patch_.box);
     if (!leaves) {
         const glm::dvec2 low(blob.box.left, blob.box.top);
@@ -182,7 +182,7 @@ bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
 }
 
 bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
-    // What is of one colour looks steady while it goes through its own place.
+    // A plain surface looks steady while it moves over its own place.
     const double length = std::max(usual_size_.x, usual_size_.y);
     if (glm::length(velocity_) * stationary.stay > stationary.sways * length) return false;
     int steady = 0;
@@ -209,7 +209,7 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
     const Moment still_since = nearly_last_of(std::move(since));
     Moment still = still_since;
     if (out_of_another) {
-        // What was seen of it before was its bearer.
+        // Before that moment, the track was the bearer.
         first_ = still;
         box_ = patch_.box;
         low_ = high_ = patch_.centre;
@@ -222,12 +222,12 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
         sightings_ = static_cast<int>(now.frame - still.frame);
         state_ = State::appeared;
     } else {
-        // It was where it settled from the first moment: a ghost, or something that appeared there.
+        // An object that never moved is a ghost, or appeared there.
         const double moved_by = glm::distance(low_, high_);
         const bool was_near = moved_by < stationary.near_place * std::max(usual_size_.x, usual_size_.y);
         state_ = was_near ? State::appeared : State::standing;
         if (still.frame < first_.frame) still = first_;
-        // What is of one colour was steady a little before it stopped.
+        // A plain surface is steady shortly before it stops.
         const auto& open = stays_.open();
         if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.rolls_out) {
             still = open->first;
@@ -278,7 +278,7 @@ void Track::update_stationary(const FrameView& sight, const Moment& now, bool al
 
 void Track::resume_motion(const Moment& now) {
     risen_ = now;
-    // What is of one colour hides for a while that it goes: it covers itself.
+    // A plain surface looks still for a while after it starts to move, because it covers itself.
     stay_.last = last_whole_;
     stays_.add_exactly(stay_);
     state_ = State::moving;

@@ -13,31 +13,31 @@
 
 namespace vvr::events {
 
-/// What is going on with a track; docs/report.md has the diagram.
+/// The state of a track; docs/report.md has the diagram.
 enum class State {
-    moving,    ///< it has a blob of its own
+    moving,    ///< it has its own blob
     merged,    ///< it shares a blob with others
-    unseen,    ///< no blob is where it should be
-    standing,  ///< its pixels have kept their values: it is known by them, whoever stands about it
-    appeared,  ///< the same, and it has only been seen to stand: nobody saw it come
+    unseen,    ///< no blob is at its predicted place
+    standing,  ///< stationary: its steady pixels identify it, whoever stands near
+    appeared,  ///< stationary, and never seen to move: nobody saw it come
     over,      ///< it has ended
 };
 
-/// Where a track is in its way across the border of the picture.
+/// Where a track is in relation to the border of the picture.
 enum class Crossing {
-    entering,  ///< it was never clear of the border
-    inside,    ///< it is clear of it
-    leaving,   ///< it was, and touches it
+    entering,  ///< it has touched the border since it began
+    inside,    ///< it doesn't touch the border
+    leaving,   ///< it was inside, and touches the border again
 };
 
-/// Out of whom a track came.
+/// The track from which another one split.
 struct Origin {
-    std::optional<std::size_t> track{};  ///< its number
-    double area = 0;                     ///< what was usual of the blob that it left, pixels
-    bool was_alone = false;              ///< in that blob
+    std::optional<std::size_t> track{};  ///< number of the parent track
+    double area = 0;                     ///< usual area of the parent, field pixels
+    bool was_alone = false;              ///< whether the parent had its own blob
 };
 
-/// An object that is being followed from field to field.
+/// An object that is tracked from field to field.
 class Track {
   public:
     Track(std::size_t number, const Origin& origin, Size field) : number_(number), origin_(origin), field_(field) {}
@@ -49,7 +49,7 @@ class Track {
     bool is_over() const { return state_ == State::over; }
     bool follows_blobs() const { return !stands() && !is_over(); }
 
-    /// As it was when it was last seen alone, where it is now.
+    /// Its pixels when it was last alone, shifted to its current place.
     const Patch& patch() const { return patch_; }
     /// Its pixels in the last field in which it was seen.
     const Patch& pixels() const { return pixels_; }
@@ -59,88 +59,91 @@ class Track {
     const Moment& seen() const { return seen_; }
     glm::dvec2 usual_size() const { return usual_size_; }
     double usual_area() const { return usual_area_; }
-    /// The same of who is coming in, and has been larger of late than usual.
+    /// The usual area, or the last area alone if that is larger, as it is for an object that enters.
     double current_area() const { return std::max<double>(usual_area_, template_.patch.area); }
     std::optional<std::size_t> near() const { return near_; }
 
-    /// Whether it has been seen for long enough to be more than a piece of something.
+    /// Whether it has been seen for so long that it is no fragment or noise.
     bool is_confirmed() const { return seen_.seconds - first_.seconds >= thresholds.event.least; }
 
-    /// Whether motion has led its middle out of the picture.
+    /// Whether its predicted centre is outside of the picture.
     bool is_outside() const {
         return patch_.centre.x < 0 || patch_.centre.y < 0 || patch_.centre.x >= field_.width ||
                patch_.centre.y >= field_.height;
     }
 
-    /// Whether it began at the border of the picture, out of nobody.
+    /// Whether it began at the border of the picture and split from no other.
     bool entered_at_border() const { return !origin_.track && begin_.at_border; }
 
-    /// Where it will be, as a shift of its patch: whole pixels.
+    /// The shift of `patch` to the predicted place, whole pixels.
     glm::ivec2 shift_at(const Moment& now) const;
 
-    /// The same as a shift of what it looked like when it was last alone.
+    /// The shift of the template to the predicted place, whole pixels.
     glm::ivec2 template_shift_at(const Moment& now) const;
     const Template& appearance_template() const { return template_; }
 
-    /// Who is in front of it, or about it.
+    /// Sets the track that occludes it or is near it.
     void set_near(std::optional<std::size_t> number) { near_ = number; }
 
-    /// Whether it has all but left the picture.
+    /// Whether nearly all of it has left the picture.
     bool is_leaving() const {
         return crossing_ == Crossing::leaving && least_at_border_ < thresholds.track.leaving_share * usual_area_;
     }
 
-    /// Whether it is leaving, and this blob is somebody else who comes in at the same place.
+    /// Whether it is leaving, and this blob is another object that enters at the same place.
     bool is_replaced_by(const Patch& blob) const;
 
-    /// It is this blob now.
+    /// Continues the track with a blob of its own.
     void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
              const Moment& now);
 
-    /// It is this part of a blob that several objects share.
-    /// \param has_room the blob is as large as they are together, so that nobody hides another
-    /// \returns whether there is enough of it to be sure
+    /// Continues the track with its part of a shared blob.
+    /// \param has_room the blob is as large as all its objects together, so that nobody is occluded
+    /// \returns whether the match is certain enough
     bool update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
                        const Moment& now);
 
-    /// It is somewhere in a blob that it shares, and nobody can tell where.
+    /// Continues the track in a shared blob at an unknown place.
     void miss_merged(const Moment& now) {
         state_ = State::merged;
         miss(now);
     }
 
-    /// It is not to be seen, and may go on as before.
+    /// Continues the track without a detection, at its predicted place.
     void miss(const Moment& now);
 
-    /// Whether it has stood still for long enough, by its pixels.
+    /// Whether enough of its pixels have been steady for long enough.
     bool has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const;
 
-    /// From now on it stands: it is those of its pixels that have kept their values.
-    /// If it came out of another, as a bag does, it began when it became still.
+    /// Makes the object stationary: from now on it consists of its steady pixels. If it split from another object, as a
+    /// bag does, it begins when it became still.
     void settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now);
 
-    /// Both stand: whether they are parts of one thing, which came to rest side by side within `stationary.stay`.
+    /// Whether both are parts of one stationary object: side by side, and still within `stationary.stay` of each other.
+    /// \param other stationary, as this one
     bool belongs_to(const Track& other) const;
 
-    /// It stands, and so does this part of it.
+    /// Adds a stationary part to this stationary object.
     void add_part(const Track& part, const FrameView& sight);
 
-    /// Of an object that stands, the part of its pixels that are seen.
+    /// The share of a stationary object's pixels that are visible, 0 to 1.
     double visible_part(const Plane<std::uint8_t>& field) const;
 
-    /// It stands, and is seen, now. `alone` where nobody is in front of it or beside it.
+    /// Continues a stationary object that is visible.
+    /// \param alone nobody occludes it or is beside it
     void update_stationary(const FrameView& sight, const Moment& now, bool alone);
 
-    /// It stands no more, for it moves.
+    /// Ends the stationary state: the object moves.
     void resume_motion(const Moment& now);
 
-    /// It began in pieces, of which this is one.
+    /// Adds a fragment with which the object began.
     void join(const Track& piece);
 
     /// Ends the track.
+    /// \param into number of the track in which it merged
     Tracklet finish(std::optional<std::size_t> into, const Moment& now);
 
-    /// Ends it without a trace: it was a piece of another.
+    /// Ends the track without a tracklet: it was a fragment of another.
     void drop() { state_ = State::over; }
 
   private:
@@ -165,31 +168,31 @@ class Track {
     Moment first_;
     Moment seen_;
     PixelBox box_;
-    glm::dvec2 low_{};  ///< corners of the box about all its places
+    glm::dvec2 low_{};  ///< low_ and high_: corners of the box around all its places
     glm::dvec2 high_{};
     int sightings_ = 0;
-    int alone_ = 0;       ///< sightings with a blob of its own
-    int continuous_ = 0;  ///< of which it was where it was before, or where motion leads
+    int alone_ = 0;       ///< detections with its own blob
+    int continuous_ = 0;  ///< of these, detections at the last or predicted place
     double flicker_sum_ = 0;
     int flicker_count_ = 0;
-    glm::dvec2 usual_size_{};  ///< of its box of late
+    glm::dvec2 usual_size_{};  ///< running mean of the box's width and height, field pixels
     double usual_area_ = 0;
     Crossing crossing_ = Crossing::entering;
-    double least_at_border_ = 0;  ///< its least area while it has been leaving
-    glm::dvec2 place_{};          ///< where its middle is, also while it is not seen
-    Moment place_at_;             ///< when it was there
+    double least_at_border_ = 0;  ///< least area since it began to leave
+    glm::dvec2 place_{};          ///< current centre, also while it is unseen
+    Moment place_at_;             ///< time of `place_`
     glm::dvec2 velocity_{};       ///< field pixels per second
     std::deque<PathPoint> recent_;
     TrackEnd begin_;
-    std::optional<glm::dvec2> first_velocity_;  ///< once it is known
+    std::optional<glm::dvec2> first_velocity_;  ///< nothing until it is known
     std::optional<Settled> settled_;
     Stay stay_;
-    Moment risen_;       ///< when it last rose
-    Moment last_whole_;  ///< when it was last seen to stand with nobody in front of it
+    Moment risen_;       ///< when it last moved again
+    Moment last_whole_;  ///< when it was last stationary and not occluded
     Path path_;
     Stays stays_{thresholds.stationary.stay};
     std::optional<Portrait> portrait_;
-    double portrait_due_ = 0;  ///< seconds: when to look for a better one
+    double portrait_due_ = 0;  ///< seconds: time of the next candidate
 };
 
 }  // namespace vvr::events

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto& limit = thresholds.link;
 
-/// A link that is possible.
+/// A possible link.
 struct Candidate {
     std::size_t earlier;
     std::size_t later;
@@ -40,9 +40,9 @@ Candidates candidates_of(std::span<const Tracklet> tracklets) {
     return candidates;
 }
 
-/// Candidates that share no tracklet with those of another group: each group can be decided on its own.
+/// Splits candidates into groups without a common tracklet, which can be solved separately.
 std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t tracklets) {
-    // A tracklet is two nodes: its end, where others follow, and its beginning.
+    // A tracklet has two nodes: its end (index k) and its beginning (index tracklets + k).
     std::vector<std::size_t> parent(2 * tracklets);
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto root = [&](std::size_t k) {
@@ -67,7 +67,7 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
     if (areas > limit.area_ratio) return never;
     const double looks = distance(earlier.look, later.look) / limit.looks;
     if (earlier.stood_from_start || later.stood_from_start) {
-        // A thing stays where it is; nobody's way begins with it.
+        // A thing stays in its place. No path begins with a thing.
         const bool both = earlier.stood_to_end && later.stood_from_start;
         const double off =
             glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
@@ -94,7 +94,7 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
     std::vector<std::optional<std::size_t>> next(tracklets.size());
     for (const Candidates& group : groups_of(candidates_of(tracklets), tracklets.size())) {
-        // The rows and columns of a group are few, however long the clip is.
+        // A group has few rows and columns, however long the clip is.
         std::map<std::size_t, int> rows;
         std::map<std::size_t, int> columns;
         for (const Candidate& c : group) {
@@ -145,7 +145,7 @@ void append(const Tracklet& later, Tracklet& whole) {
     whole.end = later.end;
 }
 
-/// Two came as one and part: whoever got a new number then was there before, in the other's blob.
+/// If two objects enter as one blob and split, the one with the new number also gets the path before the split.
 void begin_with_group(std::size_t k, Trajectories& trajectories) {
     constexpr auto& group = thresholds.group;
     Tracklet& own = trajectories.all[k].whole;

@@ -10,27 +10,28 @@
 
 namespace vvr::events {
 
-/// What it costs to take `later` for the same object as `earlier`: by the gap, by how far it is from where motion led,
-/// and by looks. `thresholds.link.cost` or more means that it is another.
+/// The cost of linking `later` to `earlier`, from the gap, the distance to the predicted place, and looks.
+/// `thresholds.link.cost` or more means that they are different objects.
 double link_cost(const Tracklet& earlier, const Tracklet& later);
 
-/// Links tracklets to objects: each is followed by at most one, the cheapest for all of them together (the assignment
-/// form of Zhang, Li and Nevatia's min-cost flow, 2008).
-/// \returns for each tracklet the place of the one that follows it
+/// Links tracklets by global data association: each gets at most one successor, so that the sum of costs is least (the
+/// assignment form of Zhang, Li and Nevatia's min-cost flow, CVPR 2008).
+/// \returns the index of each tracklet's successor
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets);
 
-/// The whole way of one object.
+/// The whole trajectory of one object.
 struct Trajectory {
-    std::vector<std::size_t> tracks;  ///< numbers of its tracklets, in order of time
-    Tracklet whole;                   ///< all of them as one
+    std::vector<std::size_t> tracks;  ///< numbers of its tracklets, by time
+    Tracklet whole;                   ///< all tracklets joined
 };
 
 struct Trajectories {
     std::vector<Trajectory> all;
-    std::map<std::size_t, std::size_t> of_track;  ///< from the number of a track to a place in `all`
+    std::map<std::size_t, std::size_t> of_track;  ///< from a track's number to an index in `all`
 };
 
-/// Links all tracklets of a clip. Two who come as one blob and part are two from the beginning.
+/// Links all tracklets of a clip to trajectories. Two objects that enter as one blob and split are two from the
+/// beginning.
 Trajectories join(std::vector<Tracklet> tracklets);
 
 }  // namespace vvr::events

@@ -9,7 +9,7 @@
 namespace vvr::fields {
 namespace {
 
-/// Neighbouring pixels of one row that are alike: columns first to last - 1.
+/// A run of pixels in one row: columns first to last - 1.
 struct Run {
     int row;
     int first;
@@ -17,7 +17,7 @@ struct Run {
     std::size_t parent;  ///< another run of the same set; its own number for the set's root
 };
 
-/// Difference pictures are nearly all 0, so zeros are passed over eight at a time.
+/// Difference pictures are nearly all 0, so zeros are skipped eight at a time.
 int next_not_zero(std::span<const std::uint8_t> row, int i) {
     const int width = static_cast<int>(row.size());
     std::uint64_t eight = 0;
@@ -36,7 +36,7 @@ int next_zero(std::span<const std::uint8_t> row, int i) {
     return i;
 }
 
-/// The runs of what is not 0, in order of rows and columns.
+/// The runs of pixels other than 0, ordered by rows and columns.
 std::vector<Run> runs_of(const Plane<std::uint8_t>& plane) {
     std::vector<Run> runs;
     for (int j = 0; j < plane.height(); ++j) {
@@ -51,7 +51,7 @@ std::vector<Run> runs_of(const Plane<std::uint8_t>& plane) {
     return runs;
 }
 
-/// The runs of what is 0.
+/// The runs of zeros.
 std::vector<Run> gaps_of(const Plane<std::uint8_t>& plane) {
     std::vector<Run> gaps;
     for (int j = 0; j < plane.height(); ++j) {
@@ -71,7 +71,7 @@ std::size_t root(std::vector<Run>& runs, std::size_t k) {
     return k;
 }
 
-// Runs are in order of rows and columns, so two fingers find all that touch between one row and the next.
+/// Merges runs that touch in neighbouring rows. Runs are ordered, so two indices find all such pairs in one pass.
 /// \param slack 1 where runs that meet at a corner touch, 0 where they don't
 void merge_neighbours(std::vector<Run>& runs, int slack) {
     std::size_t above = 0;
@@ -93,7 +93,7 @@ std::vector<Run> blobs_of(const Plane<std::uint8_t>& plane) {
     return runs;
 }
 
-/// Sets the runs to `value` of whose set the sum of `weight` is what `wanted` asks for.
+/// Sets all runs of a component to `value` if `wanted` accepts the sum of `weight` over the component.
 template <class Weight, class Wanted>
 void paint(Plane<std::uint8_t>& plane, std::vector<Run>& runs, Weight weight, Wanted wanted, std::uint8_t value) {
     using Sum = decltype(weight(runs.front()));
@@ -110,7 +110,7 @@ int length(const Run& run) {
     return run.last - run.first;
 }
 
-/// Pixels of a blob, and those of them that are strong.
+/// The number of pixels of a blob, and of its strong pixels.
 struct Pixels {
     int all = 0;
     int strong = 0;
@@ -122,7 +122,7 @@ struct Pixels {
     }
 };
 
-/// The area of a set of gaps, and the sum of the differences in it.
+/// The area of a component of zeros, and the sum of the differences in it.
 struct Hole {
     std::int64_t area = 0;
     std::int64_t difference = 0;
@@ -163,7 +163,7 @@ void restore_small_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& 
         const std::uint8_t* const row = plane.row(runs[k].row).data();
         const bool at_edge = runs[k].first == 0 || runs[k].last == plane.width() || runs[k].row == 0 ||
                              runs[k].row == plane.height() - 1;
-        // What the picture's edge cuts is not small.
+        // A blob at the picture's edge doesn't count as small.
         Pixels pixels{.all = at_edge ? max_area + 1 : length(runs[k]), .strong = 0};
         for (int i = runs[k].first; i < runs[k].last; ++i) pixels.strong += row[i] != 0 ? 1 : 0;
         sums[root(runs, k)] += pixels;
@@ -181,7 +181,7 @@ void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differenc
     const auto measured = [&](const Run& gap) {
         const bool at_edge =
             gap.first == 0 || gap.last == plane.width() || gap.row == 0 || gap.row == plane.height() - 1;
-        // A run that is too long makes its set too large to be a hole, and so does one at the picture's edge.
+        // A component is no hole if one of its runs is too long or at the picture's edge.
         if (at_edge || length(gap) > options.max_area) return Hole{.area = options.max_area + std::int64_t{1}};
         const std::uint8_t* const row = differences.row(gap.row).data();
         return Hole{.area = length(gap),
@@ -198,7 +198,7 @@ void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differenc
 void clean(Plane<std::uint8_t>& plane, const CleanOptions& options, const Plane<std::uint8_t>& region) {
     std::uint8_t* const pixels = plane.pixels().data();
     const std::size_t count = plane.pixels().size();
-    // Plain byte arithmetic, so that the compiler makes vectors of it.
+    // Plain byte arithmetic, which the compiler vectorizes.
     const auto threshold = static_cast<std::uint8_t>(options.threshold);
     const auto most = static_cast<std::uint8_t>(255 / options.gain);
     const auto gain = static_cast<std::uint8_t>(options.gain);

@@ -9,10 +9,10 @@
 
 namespace vvr::fields {
 
-/// Side of the squares in which it is looked where something is, and where it moves.
+/// Side of the square tiles in which occupancy and motion are tested, pixels.
 inline constexpr int tile_side = 8;
 
-/// 1 for each tile in which something isn't 0. Eight pixels of a row are looked at at a time.
+/// 1 for each tile with a pixel other than 0. Eight pixels of a row are tested at a time.
 inline Plane<std::uint8_t> occupied_tiles(const Plane<std::uint8_t>& plane) {
     static_assert(tile_side == sizeof(std::uint64_t));
     const Size size{(plane.width() + tile_side - 1) / tile_side, (plane.height() + tile_side - 1) / tile_side};
@@ -30,37 +30,38 @@ inline Plane<std::uint8_t> occupied_tiles(const Plane<std::uint8_t>& plane) {
     return result;
 }
 
-// A blob is a set of pixels that are not 0 and touch, corners included.
+// A blob is a connected component (8-connectivity) of pixels other than 0.
 
-/// Sets to 0 every blob of fewer than `min_area` pixels.
+/// Sets every blob of fewer than `min_area` pixels to 0.
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
 
-/// Sets to 0 every blob of fewer than `min_area` pixels, or in which fewer than `least` of them reach the value that
-/// `strong` has there.
+/// Hysteresis threshold: sets every blob to 0 that has fewer than `min_area` pixels, or fewer than `least` pixels whose
+/// value reaches that of `strong` there.
 void apply_hysteresis(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
 
-/// Gives back to `plane` what it has lost of each blob of `before` that has at most `max_area` pixels, of which at
-/// least half are left and that lies within the picture.
+/// Restores in `plane` the lost pixels of blobs of `before` that have at most `max_area` pixels, keep at least half of
+/// them, and don't touch the picture's edge.
 void restore_small_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& before, int max_area);
 
-/// Which holes are filled: what is 0 and enclosed by a blob. What touches the picture's edge is not enclosed.
+/// Which holes are filled. A hole is a connected component of zeros that a blob encloses; one at the picture's edge is
+/// not enclosed.
 struct HoleOptions {
-    int max_area = 0;          ///< pixels; larger ones stay
-    int least = 0;             ///< grey levels; those whose mean difference is less stay
-    std::uint8_t value = 255;  ///< that they get
+    int max_area = 0;          ///< pixels; larger holes stay
+    int least = 0;             ///< grey levels; holes with a smaller mean difference stay
+    std::uint8_t value = 255;  ///< the value of filled pixels
 };
 
 /// \param differences grey levels, of the plane's size
 void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options);
 
-/// How what a filter found becomes a scalar field.
+/// The steps from a filter's output to a scalar field.
 struct CleanOptions {
     int threshold = 0;  ///< values below it become 0
-    int gain = 1;       ///< then all are multiplied by it, 255 at most
-    int min_area = 0;   ///< pixels; then blobs of fewer become 0
+    int gain = 1;       ///< then values are multiplied by it, 255 at most
+    int min_area = 0;   ///< pixels; then smaller blobs become 0
 };
 
-/// \param region where it is 0, so becomes the plane; empty for everywhere
+/// \param region where it is 0, the plane becomes 0; empty = everywhere counts
 void clean(Plane<std::uint8_t>& plane, const CleanOptions& options, const Plane<std::uint8_t>& region);
 
 }  // namespace vvr::fields

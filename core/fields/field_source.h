@@ -13,56 +13,56 @@
 
 namespace vvr::fields {
 
-/// Receives each frame with its field, in frame order, never from two threads at once.
+/// Receives each frame with its field, in frame order, from one thread at a time.
 using FieldSink = std::function<void(const video::SharedFrame&, Field&&)>;
 
-/// What a pass over a clip found.
+/// The result of a pass over a clip.
 struct FieldSummary {
     std::int64_t frames = 0;              ///< frames that reached the sink
-    std::int64_t damaged = 0;             ///< packets that could not be decoded
-    Reference reference;                  ///< empty where nothing asked for one
-    std::vector<std::string> problems{};  ///< of files that were read, a sentence each
+    std::int64_t damaged = 0;             ///< packets that failed to decode
+    Reference reference;                  ///< empty if none was needed
+    std::vector<std::string> problems{};  ///< problems of the files that were read, one sentence each
 };
 
-/// Reads every frame of `source` once, in order, and gives its field to `sink`: decoding in order, fields in
-/// parallel, `sink` in order (§3's video processing sub-system). Memory doesn't depend on the clip's length, and the
-/// fields depend neither on the number of threads nor, but for what learns as it goes (`running`, `mog2`, `knn`), on
-/// where `options.span` cuts.
+/// Reads every frame of `source` once and passes its field to `sink` (§3, video processing sub-system): decodes in
+/// order, computes fields in parallel, calls `sink` in order. Memory doesn't depend on the clip's length. Fields don't
+/// depend on the number of threads. Except with adaptive methods (`running`, `mog2`, `knn`), they don't depend on where
+/// `options.span` begins either.
 ///
-/// \throws Error usage for options that can't be, not_video when not one frame decodes; whatever `sink` throws.
+/// \throws Error usage for invalid options, not_video if no frame decodes; and whatever `sink` throws
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink);
 
-/// What is known of a scene before its first frame.
+/// What is known of a scene before the first frame.
 struct EmptyScene {
-    Reference reference;         ///< may be empty where `needs_reference` says so
-    Plane<std::uint8_t> region;  ///< 0 = not to be looked at; empty = look everywhere
-    std::int64_t frames = 0;     ///< of the clip; 0 = unknown
+    Reference reference;         ///< may be empty unless `needs_reference`
+    Plane<std::uint8_t> region;  ///< 0 = ignored; empty = nothing is ignored
+    std::int64_t frames = 0;     ///< frames of the clip; 0 = unknown
 };
 
-/// Whether these options lead to a comparison with the empty scene: for the filter, or for where seeds may lie.
+/// Whether these options need the empty scene: for the filter, or for the seeds' area.
 bool needs_reference(const FieldOptions& options);
 
-/// Makes one frame. Called once, from any thread.
+/// Makes one frame. Called once, on any thread.
 using FrameJob = std::function<video::Frame()>;
 
-/// Gives the jobs of a clip's frames in order, never from two threads at once; an empty function at the end.
+/// Returns the next frame's job, from one thread at a time; an empty function at the end.
 using FrameReader = std::function<FrameJob()>;
 
-/// Computes the fields of frames that no FrameSource gives; all must be of one size.
+/// Computes the fields of frames that come from no FrameSource; all must have the same size.
 /// \returns the number of frames that reached the sink
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink);
 
-/// What is wanted of the fields besides the scalar.
+/// What a caller needs besides the scalar fields.
 struct FieldNeeds {
     bool seeds = true;
     bool flow = true;
     bool flow_of_every_frame = false;  ///< flow at all frames
-    bool colour = false;               ///< every frame's own picture too; else that of the first and the last will do
-    std::int64_t every = 1;            ///< seeds and flow at frames whose index is a multiple of it
+    bool colour = false;               ///< every frame's picture; else those of the first and last frame suffice
+    std::int64_t every = 1;            ///< seeds and flow at frames whose number is a multiple of this
 };
 
-/// Where a clip's fields come from: computed out of its frames, or read back from data files (Fig. 3's yellow boxes).
+/// The source of a clip's fields: computed from its frames, or read from data files (yellow boxes of Fig. 3).
 class FieldSource {
   public:
     FieldSource() = default;
@@ -73,21 +73,20 @@ class FieldSource {
     virtual const video::VideoInfo& info() const = 0;
     virtual Size field_size() const = 0;
 
-    /// How many fields there are as far as the clip's header tells; 0 = unknown.
+    /// The number of fields according to the clip's header; 0 = unknown.
     virtual std::int64_t expected_frames() const = 0;
 
-    /// The nearest interval to `asked`, not below it, at which there can be seeds and flow.
+    /// The smallest interval of seeds and flow that is at least `asked` and possible.
     virtual std::int64_t interval(std::int64_t asked) const { return asked; }
 
-    /// Whether every frame can come with its picture.
+    /// Whether every frame can have its picture.
     virtual bool has_pictures() const { return true; }
 
-    /// Gives every field from the first on, in order, whenever it is called. Frames between the first and the last
-    /// may come without a picture.
+    /// Passes all fields to the sink, in order, at each call. Frames between the first and the last may lack a picture.
     virtual FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) = 0;
 };
 
-/// Fields computed from a clip.
+/// Fields that are computed from a clip.
 class ClipFields final : public FieldSource {
   public:
     ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options);

@@ -11,8 +11,7 @@
 namespace vvr::fields {
 namespace {
 
-// Grey levels by which an object differs from the empty scene, for filters that have no threshold of their own for
-// that.
+// Grey levels by which an object differs from the empty scene, for filters whose threshold means something else.
 constexpr int object_threshold = 24;
 
 void paste(const Flow& part, const Rect& where, Flow& whole) {
@@ -22,12 +21,12 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
     }
 }
 
-/// Whether two frames are of one time and one light.
+/// Whether there is neither a gap nor a jump of the light between two frames.
 bool continuous(const PipelineFrame& a, const PipelineFrame& b) {
     return std::abs(a.frame->index - b.frame->index) == 1 && !illumination_jumps(a.levels, b.levels);
 }
 
-/// Without what lies beyond a gap or a jump of the light: flow methods assume that things keep their brightness.
+/// The neighbourhood without frames beyond a gap or a jump of the light: flow methods assume constant brightness.
 Neighbourhood continuous_part(Neighbourhood about, int reach) {
     for (const int step : {-1, 1}) {
         const PipelineFrame* inner = about[static_cast<std::size_t>(reach)].get();
@@ -116,7 +115,8 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     if (!flow_ || (!asked && !traits.flow && !beside.flow && !options_.flow.every_frame)) return field;
 
     const Neighbourhood alike = continuous_part(about, reach_);
-    // Where the filter works on the difference object, its values may say more: what was uncovered is none.
+    // If the filter needs the difference object, that is used: the filter's values may also mark uncovered pixels,
+    // which are no object.
     const Plane<std::uint8_t> moves = moving(alike, object_ ? here.object : field.scalar);
     field.flow = flow_of(alike, moves);
     if (asked) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
@@ -140,7 +140,7 @@ Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const Pipe
                                                    .previous_object = before ? &before->object : nullptr,
                                                    .darker = shot.darker,
                                                    .flow = flow});
-    // The difference object is clean already, and what is made of it as well.
+    // The difference object and all that is made of it are clean already.
     if (!traits.object) {
         clean(scalar,
               {.threshold = filter.threshold, .gain = traits.gain, .min_area = traits.min_area ? options_.min_area : 0},
@@ -149,8 +149,8 @@ Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const Pipe
     return scalar;
 }
 
-// Flow is computed only near what is shown and changes, with a margin that the method asks for. Past an end of the
-// clip, or a jump of the light, the last frame is repeated.
+// Flow is computed only around visible pixels that change, with the method's margin. Beyond an end of the clip or a
+// jump of the light, the last frame is repeated.
 Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
     const PipelineFrame& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
@@ -173,7 +173,7 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
     return flow;
 }
 
-// Of the object only what changes from the frame before, or to the next: the others' noise would be taken for motion.
+// The part of the object that changes from the previous frame or to the next; noise in the rest would look like motion.
 Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
     const auto middle = static_cast<std::size_t>(reach_);
     const PipelineFrame& here = *about[middle];

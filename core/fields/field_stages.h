@@ -17,22 +17,22 @@
 
 namespace vvr::fields {
 
-/// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
+/// A frame in the pipeline. Its neighbours read it too, so nothing may be moved out of it.
 struct PipelineFrame {
-    video::SharedFrame frame;            ///< aligned with the reference where the camera shakes
-    std::optional<VisibleArea> visible;  ///< what the frame shows of the reference, where the camera shakes
+    video::SharedFrame frame;            ///< aligned with the reference if the camera shakes
+    std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
     Planes smooth;
-    Plane<std::uint8_t> object;      ///< the difference object, where something needs it
-    Plane<std::uint8_t> darker;      ///< as FoundObject's
-    Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps
-    Plane<std::uint8_t> foreground;  ///< result of a filter that needs the frames in order
-    Plane<std::uint8_t> second;      ///< the same of the second filter
-    Plane<std::uint16_t> age;        ///< frames for which each pixel has been part of the object
-    FlowFrame flow_frame;            ///< made by the first neighbour that asks for it
+    Plane<std::uint8_t> object;      ///< the difference object, if needed
+    Plane<std::uint8_t> darker;      ///< as FoundObject::darker
+    Quantiles levels{};              ///< of the frame's grey; they show jumps of the light
+    Plane<std::uint8_t> foreground;  ///< output of a filter that needs the frames in order
+    Plane<std::uint8_t> second;      ///< output of the second filter
+    Plane<std::uint16_t> age;        ///< number of frames for which each pixel has been part of an object
+    FlowFrame flow_frame;            ///< made by the first neighbour that needs it
     std::once_flag flow_frame_made;
 };
 
-/// A frame in the middle of its neighbours, which are null past the clip's ends.
+/// A frame with its neighbours on both sides; null beyond the clip's ends.
 using Neighbourhood = std::vector<std::shared_ptr<PipelineFrame>>;
 
 /// Computes a frame's field in three steps: `begin`, `gather`, `finish`.
@@ -43,27 +43,27 @@ class FieldStages {
     FieldStages(const FieldStages&) = delete;
     FieldStages& operator=(const FieldStages&) = delete;
 
-    /// How many frames on each side a frame's field depends on.
+    /// The number of frames on each side that a field depends on.
     int reach() const { return reach_; }
 
     /// Whether a field depends on all frames before it.
     bool is_stateful() const { return stateful_; }
 
-    /// Does what needs the frame alone. May be called from several threads at once.
+    /// Runs the steps that need this frame alone. Thread-safe.
     std::shared_ptr<PipelineFrame> begin(video::Frame frame) const;
 
-    /// Does what needs the frames in order, one at a time.
-    /// \param shot null after the last one
+    /// Runs the steps that need the frames in order, one call at a time.
+    /// \param shot null after the last frame
     /// \returns the neighbourhood of the frame `reach` steps before
     Neighbourhood gather(std::shared_ptr<PipelineFrame> shot);
 
-    /// Does what needs the neighbours. May be called from several threads at once: filters that need the frames in
-    /// order have run in `gather`.
+    /// Runs the steps that need the neighbours. Thread-safe; filters that need the frames in order have run in
+    /// `gather`.
     Field finish(const Neighbourhood& about) const;
 
   private:
     void take_object(PipelineFrame& shot, FoundObject&& found) const;
-    /// A filter with what it is run with.
+    /// A filter and its parameters.
     struct ActiveFilter {
         const FilterRow* row;
         std::unique_ptr<Filter> filter;
@@ -80,16 +80,16 @@ class FieldStages {
     FieldOptions options_;
     ActiveFilter first_;
     std::optional<ActiveFilter> second_;
-    const FilterRow& row_;  ///< of the first
+    const FilterRow& row_;  ///< row of the first filter
     Plane<std::uint8_t> region_;
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
-    std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object
-    std::optional<Stabilizer> stabilizer_;  ///< where the camera shakes
+    std::unique_ptr<ObjectFinder> object_;  ///< null if the difference object isn't needed
+    std::optional<Stabilizer> stabilizer_;  ///< if the camera shakes
     bool needs_age_ = false;
     bool stateful_ = false;
     int reach_ = 0;
-    std::deque<std::shared_ptr<PipelineFrame>> last_;  ///< the last 2 reach + 1 frames that were gathered
+    std::deque<std::shared_ptr<PipelineFrame>> last_;  ///< the last 2 reach + 1 gathered frames
 };
 
 }  // namespace vvr::fields

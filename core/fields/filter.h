@@ -13,40 +13,40 @@
 
 namespace vvr::fields {
 
-/// What a filter may look at. What its row doesn't ask for may be empty or null.
+/// The input of a filter. What its row doesn't request may be empty or null.
 struct FilterInput {
     const video::Frame& frame;
-    const Planes& smooth;                        ///< the frame, smoothed as the options ask
-    const Planes* previous;                      ///< the same of the frame before; null at the first
+    const Planes& smooth;                        ///< the frame, smoothed by the setting
+    const Planes* previous;                      ///< the previous frame, smoothed; null at the first
     const Plane<std::uint8_t>& object;           ///< the difference object
-    const Plane<std::uint8_t>* previous_object;  ///< of the frame before; null at the first
+    const Plane<std::uint8_t>* previous_object;  ///< of the previous frame; null at the first
     const Plane<std::uint8_t>& darker;           ///< not 0 where the frame is darker than the empty scene
-    const Flow& flow;                            ///< empty where none was computed
+    const Flow& flow;                            ///< empty if none was computed
 };
 
-/// Turns frames into a scalar field: one 8-bit value a pixel, 0 = uninteresting.
+/// Computes a scalar field: one 8-bit value per pixel, 0 = background.
 class Filter {
   public:
     virtual ~Filter() = default;
 
-    /// The field of `input.frame`, of the frame's size. Called from several threads at once, in any order, unless
-    /// the filter's row says `in_order`.
+    /// The field of `input.frame`, in its size. Called from several threads at once and in any order, unless the
+    /// filter's row says `in_order`.
     virtual Plane<std::uint8_t> operator()(const FilterInput& input) = 0;
 };
 
-/// What a filter needs, and what it gives.
+/// What a filter needs and how its output is treated.
 struct FilterTraits {
-    bool object = false;        ///< needs the difference object, and with it a reference frame
-    bool colour = false;        ///< sees more when frames have colour
-    bool previous = false;      ///< needs the frame before
+    bool object = false;        ///< needs the difference object, hence a reference
+    bool colour = false;        ///< benefits from colour
+    bool previous = false;      ///< needs the previous frame
     bool flow = false;          ///< needs flow at every frame
     bool in_order = false;      ///< must see every frame once and in order
     bool min_area = true;       ///< whether small blobs are removed
-    bool shows_object = false;  ///< what isn't 0 is an object, and seeds may lie on it
-    bool darker = false;        ///< needs to know where the frame is darker than the empty scene
+    bool shows_object = false;  ///< values other than 0 are objects, where seeds may lie
+    bool darker = false;        ///< needs FilterInput::darker
     Values values = Values::strength;
     int threshold = 0;  ///< default of --threshold
-    int gain = 1;       ///< by which values are multiplied after the threshold
+    int gain = 1;       ///< factor of the values after the threshold
 };
 
 /// One row of the filter table.
@@ -55,8 +55,7 @@ struct FilterRow {
     std::string_view help;
     FilterTraits traits;
     std::unique_ptr<Filter> (*make)(const FieldOptions& options);
-    std::string_view
-        transfer{};  ///< the transfer function that its values are seen with; empty = as the picture's theme
+    std::string_view transfer{};  ///< default transfer function; empty = that of the picture's theme
 };
 
 /// Every filter.

@@ -16,7 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
-constexpr float magic = 202021.25F;  // its bytes spell PIEH
+constexpr float magic = 202021.25F;  // its bytes are "PIEH"
 constexpr std::size_t header_bytes = 12;
 constexpr std::int32_t largest_side = 65536;
 
@@ -33,7 +33,7 @@ void append(std::string& bytes, T value) {
 }
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
-    throw Error(ErrorKind::io, fmt::format("{}: not a flow file: {}", name, what));
+    throw Error(ErrorCode::file_invalid, fmt::format("{}: not a flow file: {}", name, what));
 }
 
 }  // namespace

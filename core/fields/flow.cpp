@@ -9,7 +9,7 @@
 namespace vvr::fields {
 namespace {
 
-// Parts that cover more than this of the picture cost more, with their borders, than the picture.
+// Parts that cover more than this share cost more, with their margins, than the whole picture.
 constexpr double most_of_it = 0.7;
 
 bool touch(const Rect& a, const Rect& b) {
@@ -39,7 +39,7 @@ Rect inflated(const Rect& r, int margin, Size size) {
              std::min(r.y + r.size.height + margin, size.height) - y}};
 }
 
-/// Adds a part, made one with all that it touches, and with all that the larger one then touches.
+/// Adds a part, merged with all parts that it touches, and with those that the merged one then touches.
 void add(std::vector<Rect>& parts, Rect part) {
     for (std::size_t k = 0; k < parts.size();) {
         if (!touch(parts[k], part)) {

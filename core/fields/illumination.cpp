@@ -18,14 +18,14 @@
 namespace vvr::fields {
 namespace {
 
-// Levels that say something: beyond them a camera cuts off.
+// The usable levels: beyond them a camera clips.
 constexpr int darkest = 3;
 constexpr int brightest = 250;
 
-// Smoothing mixes pixels that are cut off with others: a level above this one may have been brighter in truth.
+// Smoothing mixes clipped pixels with others: the true level of one above this may have been higher.
 constexpr int cut_off = 240;
 
-// Every few pixels are enough to learn a light from.
+// Pixels between samples: a sparse sample is enough to estimate the light.
 constexpr int sampling = 3;
 
 /// A weighted sample.
@@ -34,7 +34,7 @@ struct Vote {
     double weight;
 };
 
-/// The value that half of the weight lies below.
+/// The value below which half of the weight lies.
 double weighted_median(std::vector<Vote>& votes) {
     std::ranges::sort(votes, {}, &Vote::value);
     double half = 0;
@@ -46,7 +46,7 @@ double weighted_median(std::vector<Vote>& votes) {
     return votes.back().value;
 }
 
-/// What became of the reference's pixels of some neighbouring levels.
+/// The levels in the frame of the reference's pixels of some neighbouring levels.
 class LevelChange {
   public:
     void add(std::uint8_t before, std::uint8_t now) {
@@ -58,7 +58,7 @@ class LevelChange {
     int total() const { return total_; }
     double before() const { return static_cast<double>(sum_) / total_; }
 
-    /// The median of the levels now, to a fraction: pixels of one level are as good as spread evenly over it.
+    /// The median level in the frame, interpolated as if pixels of one level were spread evenly over it.
     double now() const {
         int below = 0;
         std::size_t level = 0;
@@ -72,7 +72,7 @@ class LevelChange {
     int total_ = 0;
 };
 
-/// What the levels of a picture became, in classes of neighbouring levels.
+/// The change of a picture's levels, in classes of neighbouring levels.
 std::vector<LevelChange> level_changes(const Planes& reference, const Planes& frame) {
     constexpr int levels_per_class = 8;
     constexpr int fewest = 20;
@@ -92,15 +92,15 @@ std::vector<LevelChange> level_changes(const Planes& reference, const Planes& fr
 constexpr double least_gain = 0.4;
 constexpr double most_gain = 2.5;
 
-/// Light from what some levels became.
+/// One class: its mean level in the reference, and its level in the frame.
 struct Change {
     double before;
     double now;
     double weight;
 };
 
-// The line through the points, after Theil (1950) and Sen (1968): the median of all slopes between two of them, then
-// the median of what is left. A few points that are wrong don't move it.
+// Robust line fit after Theil (1950) and Sen (1968): the median of the slopes between all pairs of points, then the
+// median of the residuals. A few outliers don't change it.
 IlluminationChange line_through(std::span<const Change> changes) {
     std::vector<Vote> slopes;
     for (const Change& a : changes) {
@@ -110,7 +110,7 @@ IlluminationChange line_through(std::span<const Change> changes) {
             slopes.push_back({(b.now - a.now) / distance, std::sqrt(a.weight * b.weight) * distance});
         }
     }
-    // A picture of one level doesn't tell a gain from an offset; either will do.
+    // A picture of one level can't tell a gain from an offset; either is fine.
     IlluminationChange light;
     if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
     std::vector<Vote> offsets;
@@ -122,7 +122,7 @@ IlluminationChange line_through(std::span<const Change> changes) {
 template <class T>
 Plane<T> relight_plane(const Plane<T>& plane, const IlluminationChange& light) {
     auto result = Plane<T>::for_overwrite(plane.size());
-    // Arithmetic takes a quarter of the time that a table of all levels does.
+    // Arithmetic needs a quarter of the time of a lookup table.
     cv::Mat out = cv_view(result);
     cv_view(plane).convertTo(out, out.type(), light.gain, light.offset);
     return result;
@@ -139,7 +139,8 @@ std::span<const std::uint8_t> bytes(const Plane<Bgr>& plane) {
     return {plane.pixels().front().data(), plane.pixels().size() * 3};
 }
 
-// What was cut off may have been of any brightness beyond: it is as bright as the frame shows it, or more dimly lit.
+// A clipped pixel may have had any brightness beyond the limit: it gets the brighter of its relit value and its value
+// in the frame.
 template <class T>
 void allow_for_clipping(const Plane<T>& reference, const Plane<T>& frame, Plane<T>& lit) {
     if (reference.empty() || frame.empty()) return;
@@ -162,26 +163,26 @@ std::optional<Planes> relit_globally(const Planes& reference, const Planes& fram
     return lit;
 }
 
-// Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
-// taken for a shadow.
+// A person seldom fills a block of this size. Its gain must also agree with its neighbours', so that a coat isn't taken
+// for a shadow.
 constexpr int block = 24;
 constexpr double most_local_change = 1.5;
 
-// The median ratio of grey levels about each block.
+// The median ratio of grey levels around each block.
 Plane<float> local_gains(const Planes& reference, const Planes& frame) {
     const Size size = frame.grey.size();
     Plane<float> gains({(size.width + block - 1) / block, (size.height + block - 1) / block});
     std::vector<Vote> ratios;
     for (int j = 0; j < gains.height(); ++j) {
         for (int i = 0; i < gains.width(); ++i) {
-            // Half a block more on each side.
+            // With a margin of half a block on each side.
             const cv::Rect about = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
                                    cv::Rect(0, 0, size.width, size.height);
             ratios.clear();
             for (int y = about.y; y < about.y + about.height; y += sampling) {
                 for (int x = about.x; x < about.x + about.width; x += sampling) {
                     const double before = std::max<int>(reference.grey.at(x, y), darkest);
-                    // A brighter place tells more of a ratio.
+                    // Brighter pixels give more precise ratios.
                     ratios.push_back({std::max<int>(frame.grey.at(x, y), darkest) / before, before});
                 }
             }
@@ -210,7 +211,7 @@ std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame
     const std::optional<Planes> globally = relit_globally(reference, frame, light);
     const Planes& lit = globally ? *globally : reference;
     const Plane<float> blocks = local_gains(lit, frame);
-    // The blocks may reach beyond the picture: enlarged as they are, then cut.
+    // Blocks may extend beyond the picture: the gains are enlarged, then cropped.
     cv::Mat gains;
     cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
     gains = gains(cv::Rect(0, 0, frame.grey.width(), frame.grey.height())).clone();
@@ -229,7 +230,7 @@ IlluminationChange estimate_illumination(const Planes& reference, const Planes& 
     const std::vector<LevelChange> classes = level_changes(reference, frame);
     int places = 0;
     for (const LevelChange& c : classes) places += c.total();
-    // Where nearly all is cut off there is nothing to learn.
+    // If nearly all pixels are clipped, nothing can be learnt.
     const int looked_at =
         ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
     if (places == 0 || 5 * places < looked_at) return {};
@@ -251,7 +252,7 @@ Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {
     for (std::size_t k = 0; k < quantiles.size(); ++k) {
         const float wanted = static_cast<float>(total) * static_cast<float>(k + 1) / 20;
         while (static_cast<float>(below + counts[level]) < wanted) below += counts[level++];
-        // Pixels of one level are as good as spread evenly over it.
+        // Interpolates as if pixels of one level were spread evenly over it.
         const float part = (wanted - static_cast<float>(below)) / static_cast<float>(counts[level]);
         quantiles[k] = static_cast<float>(level) - 0.5F + part;
     }

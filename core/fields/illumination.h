@@ -11,7 +11,7 @@
 
 namespace vvr::fields {
 
-/// How the light, or the camera's exposure, has changed: a level L has become `gain` L + `offset`.
+/// A change of the light or of the camera's exposure: level L becomes `gain` L + `offset`.
 struct IlluminationChange {
     double gain = 1;
     double offset = 0;  ///< grey levels
@@ -20,37 +20,36 @@ struct IlluminationChange {
 
     double operator()(double level) const { return gain * level + offset; }
 
-    /// Whether it makes a difference of a level somewhere.
+    /// Whether it changes any level by at least 1.
     bool is_visible() const { return std::abs(offset) >= 1 || std::abs((*this)(255) - 255) >= 1; }
 };
 
-/// The change from `reference` to `frame`, from what became of each level of grey in most places. It holds as long
-/// as objects cover less than half of the places of most levels; `IlluminationChange{}` where there is nothing to learn
-/// from.
+/// Estimates the change from `reference` to `frame`, from the median change of each grey level. Valid while objects
+/// cover less than half of the pixels of most levels.
+/// \returns `IlluminationChange{}` where nothing can be learnt
 IlluminationChange estimate_illumination(const Planes& reference, const Planes& frame);
 
-/// The levels below which 5 %, 10 %, ... 95 % of a picture's pixels lie.
+/// The grey levels below which 5 %, 10 %, … 95 % of a picture's pixels lie.
 using Quantiles = std::array<float, 19>;
 Quantiles quantiles_of(const Plane<std::uint8_t>& grey);
 
-/// Whether the light jumps between two frames near each other: by three levels or more for most pixels. Unlike
-/// `estimate_illumination` it compares no pixel with itself, so it holds when everything moves.
+/// Whether the light jumps between two nearby frames: by three levels or more for most quantiles. It compares
+/// distributions, not pixels, so it also works when everything moves.
 bool illumination_jumps(const Quantiles& from, const Quantiles& to);
 
-/// A picture as it would look in another light.
+/// A picture under changed light.
 Planes relight(const Planes& picture, const IlluminationChange& light);
 
-/// One row of the illumination table: how to know a change of light between reference and frame from an object.
+/// One row of the table of illuminations: how to tell a change of light from an object.
 struct IlluminationRow {
     std::string_view name;
     std::string_view help;
     bool compensates;
-    /// The picture `reference` in the light of `frame`, which has changed by `light` on the whole; nothing where it
-    /// would be the same.
+    /// `reference` in the light of `frame`, whose global change is `light`; nothing where it would not change.
     std::optional<Planes> (*relit)(const Planes& reference, const Planes& frame, const IlluminationChange& light);
 };
 
-/// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.
+/// "global", "local", "none". §8 of the paper calls changing light an unsolved weakness.
 std::span<const IlluminationRow> illuminations();
 
 }  // namespace vvr::fields

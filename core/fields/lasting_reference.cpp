@@ -11,7 +11,7 @@
 namespace vvr::fields {
 namespace {
 
-// Grey levels by which one thing may vary over a clip, in every channel.
+// Grey levels by which an unchanged pixel may vary over a clip, per channel.
 constexpr int tolerance = 18;
 
 bool alike(std::uint8_t a, std::uint8_t b) {
@@ -21,7 +21,7 @@ bool alike(const Bgr& a, const Bgr& b) {
     return alike(a[0], b[0]) && alike(a[1], b[1]) && alike(a[2], b[2]);
 }
 
-/// One value of some frames' pixel.
+/// One channel of a pixel in some frames.
 template <class Value>
 std::uint8_t middle(std::vector<std::uint8_t>& scratch, const std::vector<const video::Frame*>& frames, Value value) {
     scratch.clear();
@@ -37,10 +37,10 @@ class FirstLasting {
     FirstLasting(std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane)
         : frames_(frames), plane_(plane) {}
 
-    /// Whether more than three quarters of the frames look like `pixel` there: then nothing else lasts.
+    /// Whether more than three quarters of the frames look like `pixel` there: then nothing else can last.
     bool is_sure(std::size_t i, const Pixel& pixel) const { return 4 * like(i, pixel) > 3 * frames_.size(); }
 
-    /// The frames that show what lasts first; none where nothing does.
+    /// The frames that show the first lasting level; none if there is no such level.
     void find(std::size_t i, std::vector<const video::Frame*>& found) const {
         found.clear();
         for (const video::Frame& first : frames_) {

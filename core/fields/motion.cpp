@@ -11,12 +11,12 @@
 namespace vvr::fields {
 namespace {
 
-// Mean differences of a tile, in grey levels. In no noise at all, what moves by a tenth of a pixel shows; in the worst
-// that a camera may have, a person still does.
+// Bounds of a tile's mean difference, grey levels. Without noise, a motion of a tenth of a pixel is detected; with the
+// worst noise of a camera, a person still is.
 constexpr float least = 0.5F;
 constexpr float most = 4;
 
-// A tile's mean over that of a quiet tile: noise alone reaches less than this in 64 pixels.
+// Ratio of a tile's mean to that of a quiet tile: noise alone stays below it over 64 pixels.
 constexpr float above_noise = 1.6F;
 
 /// The tiles of two frames.
@@ -27,7 +27,7 @@ class Tiles {
     int columns() const { return (a_.width() + tile_side - 1) / tile_side; }
     int rows() const { return (a_.height() + tile_side - 1) / tile_side; }
 
-    /// The mean difference in one.
+    /// The mean difference in a tile.
     float difference(int x, int y) const {
         const int right = std::min((x + 1) * tile_side, a_.width());
         const int bottom = std::min((y + 1) * tile_side, a_.height());
@@ -45,8 +45,8 @@ class Tiles {
     const Plane<std::uint8_t>& b_;
 };
 
-/// What a tile must reach. A quarter of all tiles are quiet in every clip but one whose camera moves, and then the
-/// upper bound holds. Every few tiles are enough to know.
+/// The threshold of a tile's mean. At least a quarter of all tiles are quiet unless the camera moves; then the upper
+/// bound applies. A sample of the tiles is enough.
 float threshold_of(const Tiles& tiles) {
     std::vector<float> differences;
     for (int y = 0; y < tiles.rows(); ++y) {
@@ -58,7 +58,7 @@ float threshold_of(const Tiles& tiles) {
     return std::clamp(above_noise * *quiet + 0.25F, least, most);
 }
 
-/// The tile with those about it, cut at the picture's edges.
+/// A tile and its neighbours, clipped at the picture's edges.
 struct Block {
     int left, right, top, bottom;
 
@@ -69,7 +69,7 @@ struct Block {
           bottom(std::min((y + 2) * tile_side, size.height)) {}
 };
 
-/// 1 for each tile that is occupied, or next to one.
+/// 1 for each tile that is occupied or next to an occupied one.
 Plane<std::uint8_t> neighbourhood(const Plane<std::uint8_t>& tiles) {
     Plane<std::uint8_t> result(tiles.size());
     for (int y = 0; y < tiles.height(); ++y) {
@@ -105,11 +105,11 @@ void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& h
 
 namespace {
 
-constexpr double memory = 0.4;  // seconds over which something has to have moved
-constexpr double lasting = 1;   // seconds for which whoever stops for a moment counts as moving
-constexpr int moved = 12;       // pixels of a tile's 64 that come or go; the edge of what stands still flickers by less
+constexpr double memory = 0.4;  // seconds over which motion is measured
+constexpr double lasting = 1;   // seconds for which an object that stops still counts as moving
+constexpr int moved = 12;       // pixels of a tile's 64 that change; edges of stationary objects flicker by less
 
-/// How many pixels of each tile hold something.
+/// The number of pixels other than 0 in each tile.
 std::vector<std::uint8_t> filling(const Plane<std::uint8_t>& scalar) {
     const int columns = (scalar.width() + tile_side - 1) / tile_side;
     const int rows = (scalar.height() + tile_side - 1) / tile_side;

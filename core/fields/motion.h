@@ -10,17 +10,17 @@
 
 namespace vvr::fields {
 
-/// Copies to `changed` what of `object` lies in tiles of 8 × 8 pixels that differ between two frames by more than the
-/// camera's noise, or next to one. The noise is learnt from the quiet tiles of the same frames.
-/// \param other, here the frames, smoothed; the object is that of `here`
+/// Copies the changed part of `object` to `changed`: tiles of 8 × 8 pixels that differ between two frames by more than
+/// the camera's noise, and their neighbours. The noise level comes from the quiet tiles of the same frames.
+/// \param other, here the frames, smoothed; `object` belongs to `here`
 void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& here, const Plane<std::uint8_t>& object,
                   Plane<std::uint8_t>& changed);
 
-/// Tells of the fields of a clip, in order, whether anything moves. What lies there without moving, a bag that was
-/// left, doesn't count, nor does noise.
+/// Detects whether anything moves in the fields of a clip, which come in order. Stationary objects, such as a bag left
+/// behind, and noise don't count.
 class MotionDetector {
   public:
-    /// Whether something moves in this frame, or did so within the last second.
+    /// Whether something moves in this frame or moved within the last second.
     bool operator()(const Field& field);
 
   private:
@@ -30,7 +30,7 @@ class MotionDetector {
     };
 
     std::deque<Past> past_;
-    std::optional<double> last_;  ///< seconds, when something moved
+    std::optional<double> last_;  ///< seconds: the time of the last motion
 };
 
 }  // namespace vvr::fields

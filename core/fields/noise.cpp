@@ -17,13 +17,13 @@ constexpr std::size_t fewest_frames = 8;
 // Every third frame is enough.
 constexpr std::size_t frame_step = 3;
 
-// The share of the frames that counts, and what makes the largest of these differences a median: in Gaussian noise
-// 0.67 σ / 0.45 σ.
+// The share of the frames that counts, and the factor that makes the largest of their differences a median: 0.67 σ /
+// 0.45 σ for Gaussian noise.
 constexpr double share = 0.35;
 constexpr double to_median = 1.5;
 
-// The share of the frames in which the scene is sure to be seen where something lies for most of the clip. Noise is no
-// more than so many times what it is in them, and some levels: the rest is the thing.
+// The share of the frames that surely show the scene even where an object lies for most of the clip. Noise is limited
+// to this multiple of theirs, plus some levels: anything above is the object.
 constexpr double sure_share = 0.15;
 constexpr int most_times = 4;
 constexpr int most_more = 2;
@@ -52,7 +52,7 @@ Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes&
             row[i] = static_cast<std::uint8_t>(std::min<int>(row[i], most_times * sure[i] + most_more));
         }
     });
-    // What sways here sways beside it too.
+    // What sways here also sways next to it.
     cv::Mat out = cv_view(noise);
     out.convertTo(out, CV_8U, to_median);
     cv::blur(out, out, {3, 3});

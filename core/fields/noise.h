@@ -11,9 +11,9 @@
 
 namespace vvr::fields {
 
-/// At each place of some rows the largest value that at least `needed` of them reach: of n rows, (n + 1) / 2 gives the
-/// median. Found bit by bit, from the highest: a bit is set where enough values reach it. Every loop runs along the
-/// row, so the compiler makes vectors of them; sorting each pixel's values takes 40 times as long.
+/// For each column, the largest value that at least `needed` of the rows reach: of n rows, (n + 1) / 2 gives the
+/// median. It is found bit by bit, from the highest. Every loop runs along the row, so the compiler vectorizes it;
+/// sorting each pixel's values takes 40 times as long.
 inline void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t needed, std::span<std::uint8_t> result) {
     std::vector<std::uint16_t> reached(result.size());
     std::ranges::fill(result, std::uint8_t{0});
@@ -28,13 +28,12 @@ inline void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t nee
     }
 }
 
-/// By how many grey levels each pixel of the empty scene usually differs from itself: camera noise, and more where
-/// leaves sway or edges tremble. It is about the median of the differences; learnt from the third of the frames that
-/// differ least, so that whoever is there for most of the time doesn't count, and from fewer of them where something
-/// lies for even longer.
-/// \param frames in one light and, if the camera shakes, aligned
+/// The usual deviation of each pixel from the empty scene, grey levels: camera noise, and more where leaves sway or
+/// edges tremble. It is roughly the median deviation, taken from the third of the frames that deviate least, so that an
+/// object that is present most of the time doesn't count; from fewer frames where an object stays even longer.
+/// \param frames under the same light and, if the camera shakes, aligned
 /// \param scene the empty scene, smoothed by `smooth` as the frames will be
-/// \returns empty where there are too few frames to learn from
+/// \returns empty if there are too few frames
 Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth);
 
 }  // namespace vvr::fields

@@ -14,18 +14,20 @@ namespace {
 
 constexpr int gain = 2;
 
-// What a blob is made of once a few of its pixels reach the threshold: clothes seldom differ from the floor as clearly
-// everywhere as they do somewhere.
+// The lower hysteresis threshold, as a share of the upper one: clothes seldom differ from the floor everywhere as
+// clearly as in some places.
 constexpr double weak_share = 0.85;
 
-// What a thing encloses belongs to it if it differs by this share of the threshold; else the scene is seen through it.
+// An enclosed hole belongs to its object if it differs by this share of the threshold; else the scene is visible
+// through it.
 constexpr double hole_share = 0.25;
 
-// Times the least area. The rim of a smaller thing, where the scene shines through, is much of it and looks like a
-// shadow.
+// Multiple of the minimum area. In smaller objects, the rim where the scene shines through is a large part and looks
+// like shadow.
 constexpr int smalls = 4;
 
-// Thresholds in medians of the noise, at the usual threshold of 24, and how far noise may raise them there.
+// Thresholds as multiples of the median noise at the usual threshold of 24, and the limits to which noise may raise
+// them.
 constexpr double usual_threshold = 24;
 constexpr double strong_noise = 5;
 constexpr double weak_noise = 3;
@@ -48,7 +50,7 @@ std::uint8_t value_of(int difference) {
     return static_cast<std::uint8_t>(std::min(gain * difference, 255));
 }
 
-/// The values of differences, 0 where they are below `weak`.
+/// The object's values from differences: 0 below `weak`.
 Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plane<std::uint8_t>& weak) {
     auto result = Plane<std::uint8_t>::for_overwrite(differences.size());
     std::uint8_t* const out = result.pixels().data();
@@ -56,7 +58,7 @@ Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plan
     const std::uint8_t* const least = weak.pixels().data();
     const std::size_t count = differences.pixels().size();
     constexpr std::uint8_t half = 255 / gain;
-    // Plain byte arithmetic, so that the compiler makes vectors of it.
+    // Plain byte arithmetic, which the compiler vectorizes.
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t value = in[i];
         const auto lit = static_cast<std::uint8_t>(std::min(value, half) * gain);
@@ -99,8 +101,7 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
     reference_.noise = reference.noise;
     const Size size = reference.grey.size();
-    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes
-    // filled.
+    // The largest hole is the size of a head in a usual picture. If small blobs are kept, holes are too.
     holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
               .least = static_cast<int>(std::lround(hole_share * threshold)),
               .value = threshold_value_};
@@ -135,7 +136,7 @@ Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, co
     if (shadow.empty()) return object;
     restore_small_blobs(object, before, smalls * min_area_);
     apply_hysteresis(object, strong_, least_strong_, min_area_);
-    constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
+    constexpr int reaches_per_side = 18;  // half a car in a usual picture
     restore_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
     return object;
 }

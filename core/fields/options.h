@@ -13,7 +13,7 @@ namespace vvr::fields {
 
 struct ReferenceRow;
 
-// What settings name: rows of tables, each in the header of its table.
+// The rows that settings name; each table is in its own header.
 const struct DerivativeRow& row_of(Name<struct DerivativeRow> name);
 const struct FilterRow& row_of(Name<struct FilterRow> name);
 const struct FlowArea& row_of(Name<struct FlowArea> name);
@@ -26,27 +26,27 @@ const struct ShadowRow& row_of(Name<struct ShadowRow> name);
 const struct SolverRow& row_of(Name<struct SolverRow> name);
 const struct StabilizerRow& row_of(Name<struct StabilizerRow> name);
 
-/// §4.1. Units: pixels of the field, grey levels 0..255.
+/// Options of optical flow (§4.1). Units: field pixels, grey levels 0 to 255.
 struct FlowOptions {
     Choice<FlowRow> method = "horn-schunck";
     Choice<SolverRow> solver = "pyramid";
-    Choice<DerivativeRow> derivatives = "barron";  ///< of the solver jacobi
+    Choice<DerivativeRow> derivatives = "barron";  ///< for the solver jacobi
     std::optional<double> alpha{};  ///< weight of smoothness (the paper's "λ = 100" is α² = 100); else the solver's
-    std::optional<int> iterations{};     ///< steps or warps; else the solver's
-    std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
-    std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
-    bool every_frame = false;            ///< flow, not seeds, at all frames
+    std::optional<int> iterations{};     ///< iterations or warps; else the solver's
+    std::optional<double> pre_smooth{};  ///< Gaussian σ before derivatives, 0 = none; else the solver's
+    std::int64_t every = 1;              ///< flow and seeds at frames whose number is a multiple of this
+    bool every_frame = false;            ///< flow (not seeds) at all frames
     Choice<FlowArea> area = "auto";
 };
 
-/// How many of the points in order are taken.
+/// Which of the ordered points become seeds.
 struct SeedSelection {
     enum class Kind { all, first, random } kind = Kind::all;
     std::size_t count = 0;
-    std::uint64_t number = 1;  ///< for random: another one, other points
+    std::uint64_t number = 1;  ///< initial state of the random numbers
 };
 
-/// §4.2's three phases: points of a grid that move, put in an order, and some of them taken.
+/// The three phases of §4.2: find moving grid points, order them, select some.
 struct SeedOptions {
     int grid = 14;               ///< grid interval in field pixels
     double min_magnitude = 0.3;  ///< pixels per frame
@@ -55,15 +55,15 @@ struct SeedOptions {
     SeedSelection select{};
 };
 
-/// Where the empty scene comes from.
+/// The source of the empty scene.
 class ReferenceChoice {
   public:
-    /// \throws Error usage for what is neither in the table nor the name of a file
+    /// \throws Error usage for a name that is neither in the table nor that of a file
     ReferenceChoice(std::string name);
     ReferenceChoice(const char* name) : ReferenceChoice(std::string(name)) {}
 
-    const ReferenceRow* row() const { return row_; }   ///< null = a picture
-    const std::string& name() const { return name_; }  ///< of the row, or of the picture's file
+    const ReferenceRow* row() const { return row_; }   ///< null = a picture file
+    const std::string& name() const { return name_; }  ///< of the row or the picture file
 
   private:
     std::string name_;
@@ -72,25 +72,25 @@ class ReferenceChoice {
 
 struct FieldOptions {
     Choice<FilterRow> filter = "difference";
-    const FilterRow* second = nullptr;  ///< another one, with its own default threshold; null = none
+    const FilterRow* second = nullptr;  ///< second filter, with its own default threshold; null = none
     ReferenceChoice reference = "median";
-    Choice<NormRow> norm = "channel";  ///< how much two colours differ
-    std::optional<int> threshold{};    ///< grey levels; values below it become 0; else the filter's own
-    double smooth = 0.7;               ///< σ in field pixels of the smoothing before a comparison, 0 = none
-    int min_area = 20;                 ///< field pixels; blobs of fewer become 0
-    Choice<IlluminationRow> illumination = "global";  ///< changes of light that don't count
-    Choice<ShadowRow> shadows = "remove";             ///< whether cast shadows count as objects
+    Choice<NormRow> norm = "channel";                 ///< distance between two colours
+    std::optional<int> threshold{};                   ///< grey levels; smaller values become 0; else the filter's own
+    double smooth = 0.7;                              ///< Gaussian σ before a comparison, field pixels; 0 = none
+    int min_area = 20;                                ///< field pixels; smaller blobs become 0
+    Choice<IlluminationRow> illumination = "global";  ///< changes of light that are compensated
+    Choice<ShadowRow> shadows = "remove";             ///< what to do with cast shadows
     Choice<StabilizerRow> stabilize = "auto";         ///< what to do when the camera shakes
-    std::string roi{};                                ///< where to look: polygons or a picture; empty = everywhere
-    std::string mask{};                               ///< where not to look: polygons or a picture; empty = nowhere
+    std::string roi{};                                ///< polygons or a picture of where to look; empty = everywhere
+    std::string mask{};                               ///< polygons or a picture of what to ignore; empty = nothing
     FlowOptions flow{};
     SeedOptions seeds{};
-    video::FrameSpan span{};  ///< frames beside it serve as neighbours, but give no field
-    int threads = 0;          ///< 0 = one for each core
+    video::FrameSpan span{};  ///< frames outside serve as neighbours only
+    int threads = 0;          ///< 0 = one per core
 };
 
-/// Checks every value; `compute_fields` does so first.
-/// \throws Error usage with the setting, what was found and what is allowed
+/// Checks every value. `compute_fields` calls it first.
+/// \throws Error usage with the setting, the value found and the allowed ones
 void validate(const FieldOptions& options);
 
 }  // namespace vvr::fields

@@ -26,18 +26,17 @@
 
 namespace vvr::fields {
 
-/// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it
-/// gives.
+/// Reads the frames of a span, with `context` frames on each side. Must outlive the jobs that it returns.
 class ClipReader {
   public:
     /// \param source at its first frame
-    /// \param from_first whether all frames before the span are wanted too
+    /// \param from_first whether all frames before the span are needed too
     ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first);
 
-    /// The job of the next frame; an empty function at the end.
+    /// The next frame's job; an empty function at the end.
     FrameJob operator()();
 
-    /// Of the frames read so far, the last one's number and time; -1 = there was none.
+    /// The number of the last frame read; -1 = none so far.
     std::int64_t last_index() const { return last_index_; }
     double last_pts() const { return last_pts_; }
 
@@ -74,7 +73,7 @@ std::shared_ptr<video::DecodedFrame> ClipReader::read() {
     return frame;
 }
 
-/// Reads up to the first frame of the span and keeps the last few before it, not yet scaled.
+/// Reads up to the first frame of the span and keeps the last few before it, unscaled.
 void ClipReader::collect_context() {
     waiting_.clear();
     while (auto frame = read()) {
@@ -96,7 +95,7 @@ void ClipReader::seek_to_span() {
     collect_context();
     const bool whole = waiting_.size() > context_ || (!waiting_.empty() && waiting_.front()->index == 0);
     if (rate <= 0 || whole) return;
-    // Where frames come at uneven times, the place that the rate gave can be too late.
+    // With a variable frame rate, the estimated position may be too late.
     source_.rewind();
     collect_context();
 }
@@ -118,15 +117,15 @@ FrameJob ClipReader::operator()() {
 namespace {
 
 void validate(const video::FrameSpan& span) {
-    // Written so that a NaN is refused.
+    // In this form, the test refuses NaN.
     if (!(span.start >= 0) || span.first < 0) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::option_value_out_of_range,
             fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
             {setting::start.name});
     }
     if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
-        throw Error(ErrorKind::usage, "end has to come after the start", {setting::end.name});
+        throw Error(ErrorCode::span_empty, "end has to come after the start", {setting::end.name});
     }
 }
 
@@ -147,8 +146,8 @@ namespace {
 using oneapi::tbb::filter_mode;
 using oneapi::tbb::make_filter;
 
-/// Keeps OpenCV from starting threads of its own within ours: frames are what is shared out here, and its dense
-/// inverse search gives other results for another number of threads.
+/// Keeps OpenCV from starting its own threads: frames already run in parallel, and its dense inverse search gives other
+/// results for another number of threads.
 class SingleThreadedOpenCv {
   public:
     SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
@@ -160,11 +159,11 @@ class SingleThreadedOpenCv {
     int before_;
 };
 
-/// Where the first error of a pipeline is kept. oneTBB loses the item of a filter that throws, and so its memory: the
-/// filters hand their errors to this instead, and the pipeline ends in good order.
+/// Keeps the first error of a pipeline. oneTBB leaks the item of a filter that throws; so filters report errors here,
+/// and the pipeline ends normally.
 class FirstError {
   public:
-    /// What `work` returns; an empty result if it throws, or if something has failed before.
+    /// The result of `work`; an empty one if it throws, or if something has failed before.
     template <class Work>
     auto guard(const Work& work) -> decltype(work()) {
         using Made = decltype(work());
@@ -202,8 +201,8 @@ int threads_of(const FieldOptions& options) {
     return options.threads > 0 ? options.threads : cores;
 }
 
-/// Runs `work` with this many threads. oneTBB would warn on stderr if they are more than the cores, which is the
-/// caller's choice.
+/// Runs `work` on this many threads. Suppresses oneTBB's warning on stderr where these are more than the cores: the
+/// caller chose them.
 template <class Work>
 void on_threads(int threads, const Work& work) {
     using oneapi::tbb::global_control;
@@ -214,7 +213,7 @@ void on_threads(int threads, const Work& work) {
 }
 
 std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions& options, const FieldSink& sink) {
-    int turns_left = work.reach();  // empty ones after the last frame, so that the last ones get their neighbours
+    int turns_left = work.reach();  // empty turns after the last frame, which give the last frames their neighbours
     bool ended = false;
     std::int64_t frames = 0;
     const auto is_wanted = [&](const video::Frame& frame) {
@@ -258,7 +257,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
         filter_mode::serial_in_order,
         [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
     const int threads = threads_of(options);
-    // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
+    // Twice as many frames as threads: all threads stay busy while frames wait for a serial stage.
     on_threads(threads, [&] {
         oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
                                        source & begin & gather & finish & deliver, first.context());
@@ -293,9 +292,9 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     summary.damaged = source.damaged();
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
-    // A stream may end with nothing but the frames that the reference took.
+    // A stream may end with the frames from which the reference was learnt.
     if (summary.frames == 0 && options.span != video::FrameSpan{}) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::span_empty,
                     fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
                                 source.info().name, video::text_of(options.span),
                                 counted(read.last_index() + 1, "frame"), read.last_pts()),

@@ -58,8 +58,7 @@ Plane<std::uint8_t> luminance_difference(const Planes& a, const Planes& b) {
     return result;
 }
 
-/// Hue as an angle and saturation as a length are a point of a plane; the difference is the distance of two of them.
-/// Brightness, and with it grey, does not count.
+/// The distance between two points in the plane of hue (angle) and saturation (radius). Brightness doesn't count.
 std::uint8_t distance_in_hue(const Bgr& a, const Bgr& b) {
     const int blue = a[0] - b[0];
     const int green = a[1] - b[1];
@@ -89,8 +88,8 @@ std::span<const NormRow> norms() {
 
 const NormRow& norm_for(const NormRow& norm, const Planes& picture) {
     if (!norm.needs_colour || !picture.colour.empty()) return norm;
-    throw Error(ErrorKind::usage, fmt::format("norm {}: these frames have no colour; choose luminance", norm.name),
-                {"norm"});
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("norm {}: these frames have no colour; choose luminance", norm.name), {"norm"});
 }
 
 const NormRow& row_of(Name<NormRow> name) {

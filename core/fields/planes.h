@@ -8,27 +8,27 @@
 
 namespace vvr::fields {
 
-/// Grey and, where there is any, colour of one picture.
+/// The grey levels and, if any, the colours of a picture.
 struct Planes {
     Plane<std::uint8_t> grey;
-    Plane<Bgr> colour;  ///< of the same size, or empty
+    Plane<Bgr> colour;  ///< of the same size; may be empty
 
     bool empty() const { return grey.empty(); }
 };
 
-/// How bright a colour is, 0 to 255: near luma, in whole numbers.
+/// Brightness of a colour, 0 to 255: integer approximation of luma.
 inline int brightness_of(const Bgr& colour) {
     return (colour[0] + 2 * colour[1] + colour[2]) / 4;
 }
 
-/// Smooths a picture with a Gaussian of `sigma` pixels; 0 leaves it as it is. Camera noise differs from pixel to pixel:
-/// at the default of 0.7 it falls to a third, and objects keep their outlines.
+/// Gaussian smoothing with σ = `sigma` pixels; 0 = none. Camera noise is uncorrelated between pixels: the default of
+/// 0.7 reduces it to a third, and objects keep their outlines.
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma);
 
-/// The largest of the channels' differences at each pixel, or grey's where one of them has no colour.
+/// The largest difference of the colour channels per pixel; that of grey if either picture has no colour.
 Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b);
 
-/// One row of the table of norms: how much two pictures differ at a pixel, in levels 0 to 255.
+/// One row of the table of norms: the difference of two pictures per pixel, levels 0 to 255.
 struct NormRow {
     std::string_view name;
     std::string_view help;
@@ -39,8 +39,8 @@ struct NormRow {
 /// The norms; the first is the default.
 std::span<const NormRow> norms();
 
-/// The same norm, for pictures like this one.
-/// \throws Error usage when it needs colour and the picture has none
+/// Returns `norm` if it can be used for this picture.
+/// \throws Error usage if it needs colour and the picture has none
 const NormRow& norm_for(const NormRow& norm, const Planes& picture);
 
 }  // namespace vvr::fields

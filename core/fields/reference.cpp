@@ -50,10 +50,10 @@ Plane<Pixel> median(std::span<const video::Frame> frames, Plane<Pixel> video::Fr
     return result;
 }
 
-// An odd number, so that the median is the middle value.
+// Odd, so that the median is the middle value.
 constexpr int frames_for_median = 31;
 
-/// Frames brought to the light of the first: levels of one pixel can be compared only in one light.
+/// Converts frames to the light of the first: levels of a pixel are comparable only in the same light.
 std::vector<video::Frame> in_one_light(std::vector<video::Frame> frames, const IlluminationRow& illumination) {
     if (!illumination.compensates || frames.empty()) return frames;
     const Planes first{frames.front().grey, frames.front().colour};
@@ -70,7 +70,7 @@ std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
     return clip.sample(frames_for_median);
 }
 
-/// The clip's first frames, every `step`-th.
+/// Every `step`-th frame from the clip's start.
 std::vector<video::Frame> first_frames(video::FrameSource& clip, int count, int step) {
     video::Scaler scale(clip);
     std::vector<video::Frame> frames;
@@ -88,8 +88,8 @@ std::vector<video::Frame> first_frame(video::FrameSource& clip) {
     return first_frames(clip, 1, 1);
 }
 
-// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again,
-// it is the first twenty seconds, so that people who pass are gone for most of them.
+// A live stream can't wait: two seconds at 25 frames per second must do. From a clip, which can be read again, it is
+// the first twenty seconds, so that passers-by are absent for most of them.
 std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
     const video::VideoInfo& info = clip.info();
     constexpr double seconds = 20;
@@ -108,10 +108,10 @@ constexpr std::array rows{
                  true},
 };
 
-// How far the reference moves toward a frame: settled after some four seconds of 25 frames.
+// Learning rate of the reference per frame: it adapts in about four seconds at 25 frames per second.
 constexpr float pace = 1.F / 32;
 
-// Objects have soft edges that are below the threshold; the reference stays away from them.
+// Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
 constexpr int edge = 3;
 
 template <class T>
@@ -127,24 +127,24 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
     }
 }
 
-// Grey levels by which what stands still may vary.
+// Grey levels by which a stationary pixel may vary.
 constexpr int steady_tolerance = 12;
 
 constexpr int frames_between_looks = 25;
 
-// A ghost's outline is that much clearer in the reference than in the frame; smaller steps, in grey levels, prove
-// nothing.
+// A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
+// levels.
 constexpr double clearer = 2;
 constexpr double least_step = 8;
 
-/// How steep a picture is at and next to each pixel.
+/// The largest gradient at and next to each pixel.
 cv::Mat steepness(const Plane<std::uint8_t>& grey) {
     cv::Mat steep;
     cv::morphologyEx(cv_view(grey), steep, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8U));
     return steep;
 }
 
-/// 255 where one of the blobs of `steady` is a ghost, and `edge` pixels about it; empty where none is.
+/// 255 where a blob of `steady` is a ghost, and `edge` pixels around it; empty if there is none.
 Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
                                  const Plane<std::uint8_t>& reference) {
     cv::Mat labels, boxes, centres;
@@ -188,7 +188,7 @@ Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<
 Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
     std::vector<video::Frame> frames = in_one_light(row.look(clip), *options.illumination);
     Reference reference;
-    // A filter that shows the video itself, or its motion, is to show the camera's too.
+    // A filter that shows the video itself or its motion must show the camera's motion too.
     const bool is_compared = options.filter->traits.object;
     const bool aligns = is_compared && options.stabilize->aligns;
     reference.shakes = aligns && camera_shakes(frames);
@@ -206,7 +206,7 @@ std::span<const ReferenceRow> reference_kinds() {
 }
 
 ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row_(nullptr) {
-    // Whatever could be a file's name is looked for when it is needed.
+    // A file's name is checked only when the file is needed.
     const auto row = std::ranges::find(rows, name_, &ReferenceRow::name);
     if (row != rows.end()) {
         row_ = &*row;

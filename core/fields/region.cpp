@@ -26,7 +26,7 @@ namespace {
 
 using Polygon = std::vector<cv::Point2d>;
 
-// Far beyond any picture, and still safe in the fixed-point arithmetic of the rasteriser.
+// Beyond any picture, but safe in the rasterizer's fixed-point arithmetic.
 constexpr double farthest = 100000;
 
 class Parser {
@@ -67,7 +67,7 @@ class Parser {
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value,
                     fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
                                 "between polygons, or the name of a text file (.txt) of them or of a picture",
                                 setting_, what, at_ + 1, text_),
@@ -80,7 +80,7 @@ class Parser {
 };
 
 void draw(Plane<std::uint8_t>& plane, const std::vector<Polygon>& polygons, Size video) {
-    // Sixteenths of a pixel; OpenCV's whole numbers are centres of pixels, ours are corners.
+    // Units of 1/16 pixel. OpenCV's integer coordinates are pixel centres, ours are corners.
     constexpr int shift = 4;
     const double scale_x = static_cast<double>(plane.width()) / video.width;
     const double scale_y = static_cast<double>(plane.height()) / video.height;
@@ -99,7 +99,7 @@ bool is_polygon_file(std::string_view text) {
     return extension_of(text) == ".txt";
 }
 
-/// A text file's lines as one list.
+/// The lines of a text file as one list.
 /// \throws Error io
 std::string read_polygons(const std::string& file) {
     std::istringstream lines(read_file(file, most_bytes::text));
@@ -128,7 +128,7 @@ std::vector<Polygon> polygons_of(std::string_view setting, const std::string& te
     try {
         return Parser(setting, list).polygons();
     } catch (const Error& error) {
-        throw Error(ErrorKind::usage, fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
+        throw Error(error.code(), fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
     }
 }
 
@@ -137,7 +137,7 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
         Plane<std::uint8_t> plane(field);
         draw(plane, polygons_of(setting, text), video);
         if (setting == setting::roi.name && std::ranges::all_of(plane.pixels(), [](auto p) { return p == 0; })) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::option_value_out_of_range,
                         fmt::format("{}: \"{}\" is outside of the frame, which has {}x{} pixels, so nothing would be "
                                     "looked at",
                                     setting, text, video.width, video.height),
@@ -157,7 +157,7 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
 }  // namespace
 
 bool is_polygon_list(std::string_view text) {
-    // Anything that begins with a number and a comma is meant as a polygon, not as a file's name.
+    // A text that begins with a number and a comma is meant as a polygon, not as a file's name.
     const std::size_t comma = text.find(',');
     if (comma == std::string_view::npos) return false;
     double x = 0;

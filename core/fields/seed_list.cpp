@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view first_line = "vvr-seeds 1";
 constexpr int largest_side = 65536;
 
-/// The lines of a text that are neither empty nor a comment, cut in words.
+/// The lines of a text, without empty lines and comments, split into words.
 class Lines {
   public:
     Lines(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -63,7 +63,7 @@ class Lines {
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_invalid,
                     fmt::format("{}:{}: {}; docs/formats.md has the format of seed lists", name_, number_, what));
     }
 
@@ -164,13 +164,13 @@ std::vector<fs::path> lists_in(const std::string& folder) {
         if (entry.path().extension() == ".txt") files.push_back(entry.path());
     }
     if (error) {
-        throw Error(ErrorKind::io,
+        throw Error(code_of_system_error(error.value()),
                     fmt::format("seeds: cannot read the folder '{}': {}; name a folder of lists, or one list", folder,
                                 error.message()),
                     {setting::seeds.name});
     }
     if (files.empty()) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("seeds: '{}' holds no list of seeds (000000.txt); `vvr extract` writes them to a "
                                 "folder 'seeds'",
                                 folder),
@@ -180,7 +180,7 @@ std::vector<fs::path> lists_in(const std::string& folder) {
     return files;
 }
 
-/// Linear between the pixels about a point within the plane.
+/// The value at a point within the plane, by bilinear interpolation.
 float value_at(const Plane<float>& plane, float x, float y) {
     const int left = static_cast<int>(x);
     const int top = static_cast<int>(y);
@@ -207,14 +207,14 @@ ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string&
         check_size(list, file.string());
         const std::int64_t frame = list.frame;
         if (!lists_.emplace(frame, std::move(list)).second) {
-            throw Error(ErrorKind::io, fmt::format("{}: frame {} has a list already", file.string(), frame));
+            throw Error(ErrorCode::file_invalid, fmt::format("{}: frame {} has a list already", file.string(), frame));
         }
     }
 }
 
 void ListedSeeds::check_size(const SeedList& list, const std::string& file) const {
     if (list.size == field_size()) return;
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::file_invalid,
                 fmt::format("{}: seeds of a field of {}x{}, but the clip's fields have {}x{}; change the "
                             "fields' size or the list",
                             file, list.size.width, list.size.height, field_size().width, field_size().height),
@@ -227,7 +227,7 @@ std::int64_t ListedSeeds::interval(std::int64_t asked) const {
 
 std::vector<Seed> ListedSeeds::shared_seeds(const Field& field) const {
     if (field.flow.u.empty()) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     "seeds: a list that all frames share takes its directions from the flow of each, and none is "
                     "computed; choose another flow, or a folder with a list for each frame",
                     {setting::seeds.name, setting::flow.name});

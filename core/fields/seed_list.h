@@ -13,35 +13,36 @@
 
 namespace vvr::fields {
 
-/// The seeds of one frame as they stand in a text file (§4.2: S_1, S_2, ...). The format is in docs/formats.md.
+/// The seeds of one frame, as in a text file (§4.2: S_1, S_2, …). docs/formats.md has the format.
 struct SeedList {
-    std::int64_t frame = 0;  ///< index of the frame in the clip
+    std::int64_t frame = 0;  ///< number of the frame in the clip
     Size size;               ///< of the field
     std::vector<Seed> seeds;
 
     friend bool operator==(const SeedList&, const SeedList&) = default;
 };
 
-/// The file's text. Numbers have as many digits as it takes to read the same ones back.
+/// The text of a file. Numbers have enough digits to be read back unchanged.
 std::string format_seeds(const SeedList& list);
 
-/// \param name of the file, for the error text
-/// \throws Error io with name and line for anything that isn't a seed list, for numbers that aren't finite, and for
-///         points outside the field
+/// Reads a seed list from a file's text.
+/// \param name of the file, for error messages
+/// \throws Error io with name and line for an invalid list, for numbers that aren't finite, and for points outside the
+///        field
 SeedList parse_seeds(std::string_view text, const std::string& name);
 
-/// \throws Error io as above, or when the file can't be read
+/// \throws Error io as above, or if the file can't be read
 SeedList read_seeds(const std::string& path);
 
-/// Fields whose seeds stand in lists (the external list of §4.2), whatever else they come from.
+/// Fields of any source, with seeds from lists (the external list of §4.2).
 class ListedSeeds final : public FieldSource {
   public:
-    /// \param path a folder: every `.txt` in it is the list of one frame, and a frame without one has no seeds. Or a
-    ///        file: a list that all frames share (§6), of which each takes the points where its own flow is fast enough
-    /// \param options of which the least magnitude holds for shared points
-    /// \param on_object shared points are seeds of the frames alone whose scalar isn't 0 there
-    /// \throws Error io for a folder or file that can't be read, for what isn't a list of seeds, for two lists of one
-    ///         frame, and for a list for fields of another size
+    /// \param path a folder, in which each `.txt` is the list of one frame (a frame without a list has no seeds); or
+    ///        one file, a list that all frames share (§6), whose points count where the frame's own flow is fast enough
+    /// \param options of which only the minimum magnitude is used, for shared points
+    /// \param on_object whether shared points count only where the frame's scalar isn't 0
+    /// \throws Error io for a folder or file that can't be read, for an invalid list, for two lists of one frame, and
+    ///        for a list for fields of another size
     ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
                 bool on_object);
 
@@ -49,11 +50,11 @@ class ListedSeeds final : public FieldSource {
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
 
-    /// A few lists have been chosen by someone, so all of them count; of many only those at the interval asked for.
+    /// A few lists were chosen by a person, so all of them count; of many lists, only those at the requested interval.
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
 
-    /// \throws Error usage where a shared list needs flow, and none is computed
+    /// \throws Error usage if a shared list needs flow and none is computed
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
   private:

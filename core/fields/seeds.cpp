@@ -33,7 +33,7 @@ constexpr std::array areas{
     SeedAreaRow{"field", "anywhere in the frame where the flow is fast enough, as the paper has it", false},
 };
 
-/// A seed with what it is sorted by.
+/// A seed and its sort key.
 struct Candidate {
     Seed seed;
     float weight;
@@ -52,8 +52,8 @@ std::vector<Candidate> eligible(const SeedInput& input, const SeedOptions& optio
     return result;
 }
 
-/// SplitMix64 (Steele, Lea and Flood 2014): the library's own distributions differ from one maker to the next, and a
-/// seed number must mean the same points everywhere.
+/// SplitMix64 (Steele, Lea and Flood 2014). The standard library's distributions differ between implementations, but a
+/// seed number must give the same points everywhere.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -70,7 +70,7 @@ class Random {
     std::uint64_t state_;
 };
 
-/// `count` of them, each with the same chance, in the order in which they stood (Knuth, algorithm S).
+/// Selects `count` candidates uniformly at random, in their order (Knuth, algorithm S).
 std::vector<Candidate> some_of(const std::vector<Candidate>& all, std::size_t count, std::uint64_t seed) {
     Random random(seed);
     std::vector<Candidate> taken;
@@ -120,7 +120,7 @@ SeedSelection parse_seed_selection(const std::string& text) {
         const bool numbered = colon == all.size() || parse_whole(all.substr(colon + 1), result.number);
         if (numbered && parse_whole(all.substr(7, colon - 7), result.count)) return result;
     }
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value,
                 fmt::format("seed-select: '{}' is not one of: all, first:N, random:N, random:N:NUMBER", text),
                 {"seed-select"});
 }
@@ -130,7 +130,7 @@ std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options)
     std::vector<Candidate> candidates = eligible(input, options);
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::weight);
     if (selection.kind == SeedSelection::Kind::random) {
-        // Another multiplier than the generator's own, or neighbouring frames would draw the same numbers shifted.
+        // Not the generator's own constant: with it, neighbouring frames would draw the same numbers, shifted.
         const std::uint64_t seed = selection.number * 0xd1342543de82ef95U + static_cast<std::uint64_t>(input.index);
         candidates = some_of(candidates, selection.count, Random(seed)());
     }

@@ -11,15 +11,15 @@
 
 namespace vvr::fields {
 
-/// What is known of one frame when its seeds are chosen. All planes are of one size.
+/// The input of seed selection for one frame. All planes have the same size.
 struct SeedInput {
-    std::int64_t index = 0;  ///< of the frame
+    std::int64_t index = 0;  ///< number of the frame
     const Flow& flow;
-    const Plane<std::uint8_t>& object;  ///< where it isn't 0 there is one; its value is the criterion "difference"
-    const Plane<std::uint16_t>& age;    ///< frames for which a point has been part of an object; may be empty
+    const Plane<std::uint8_t>& object;  ///< not 0 where there is an object; its value is the criterion "difference"
+    const Plane<std::uint16_t>& age;    ///< number of frames for which a point has been part of an object; may be empty
 };
 
-/// One row of the table of seed orders. The largest weight comes first.
+/// One row of the table of seed orders. Seeds are sorted by weight, the largest first.
 struct SeedOrderRow {
     std::string_view name;
     std::string_view help;
@@ -33,22 +33,23 @@ std::span<const SeedOrderRow> seed_orders();
 struct SeedAreaRow {
     std::string_view name;
     std::string_view help;
-    bool object_alone;  ///< seeds lie where there is an object
+    bool object_alone;  ///< seeds lie on objects only
 };
 
-/// The areas; the first is the default.
+/// All areas; the first is the default.
 std::span<const SeedAreaRow> seed_areas();
 
-/// One more where there is an object, 0 elsewhere: SeedInput::age of the next frame.
-/// \param before empty at the first frame
+/// The next frame's SeedInput::age: one more where there is an object, 0 elsewhere.
+/// \param before age of this frame; empty at the first frame
 Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object);
 
-/// \throws Error usage for anything but "all", "first:N", "random:N", "random:N:NUMBER"
+/// Parses "all", "first:N", "random:N" or "random:N:NUMBER".
+/// \throws Error usage for any other text
 SeedSelection parse_seed_selection(const std::string& text);
 
-/// The seeds of one frame by the three phases of §4.2: points of a grid that lie in the area and move by the
-/// least magnitude or more; in order, the most important first; of which some are taken. Random ones depend on the
-/// frame's index and the seed number alone, and keep their order.
+/// The seeds of one frame, by the three phases of §4.2: finds the grid points in the area with at least the minimum
+/// magnitude, sorts them by importance, selects some. A random selection depends only on the frame's number and the
+/// seed number, and keeps the order.
 std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options);
 
 }  // namespace vvr::fields

@@ -38,7 +38,7 @@ inline constexpr Setting flow_every{
     "flow-every", "FRAMES", "keep flow and seeds of frames whose number is a multiple of this", {1, 1e9}};
 inline constexpr Setting solver{"solver", "NAME", "solver of the method horn-schunck"};
 inline constexpr Setting derivatives{"derivatives", "NAME", "derivatives for the solver jacobi; pyramid has its own"};
-/// Less than this and float can't hold α² beside the squares of the derivatives.
+/// Below this, float can't represent α² beside the squared derivatives.
 inline constexpr Setting alpha{
     "alpha",
     "NUMBER",
@@ -84,8 +84,8 @@ inline constexpr Setting threads{
 
 namespace vvr::fields {
 
-/// Calls `each` for every setting of SeedOptions with the member that holds its value; then, where there are, the table
-/// whose row decides it, and the row's default. The command line and the checks of values follow from this list.
+/// Calls `each` for every setting of SeedOptions with the member that holds its value and, if there is one, the table
+/// whose row has its default, with that default. The command line and the validation follow this list.
 template <class Options, class Each>
 void each_seed_setting(Options& options, const Each& each) {
     each(setting::grid, options.grid);
@@ -95,7 +95,7 @@ void each_seed_setting(Options& options, const Each& each) {
     each(setting::seed_select, options.select);
 }
 
-/// The same for FieldOptions, but for what commands have in other groups: the span, the threads and FlowOptions::every.
+/// The same for FieldOptions, without those that commands have in other groups: span, threads and FlowOptions::every.
 template <class Options, class Each>
 void each_field_setting(Options& options, const Each& each) {
     each(setting::filter, options.filter, filters());

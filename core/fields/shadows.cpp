@@ -14,30 +14,30 @@
 namespace vvr::fields {
 namespace {
 
-// A shadow leaves at least this share of the light, for the sky still shines there. Dark clothes leave less.
+// A shadow keeps at least this share of the light, because the sky still lights it. Dark clothes keep less.
 constexpr float darkest = 0.45F;
 
-// By how much the channels' shares may differ.
+// Largest difference between the channels' ratios.
 constexpr float most_tint = 0.07F;
 
-// And by how much those of a single pixel, which prove less.
+// The same for a single pixel, which proves less.
 constexpr float least_tint = 0.06F;
 
-// A pixel with more than this is none in whatever surroundings.
+// A pixel with a larger difference is no shadow, whatever is around it.
 constexpr float hopeless_tint = 0.3F;
 
-// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is
-// allowed for the share of the light that is missing.
+// A deep shadow gets more of its light from the sky, which is bluer than the sun: so the allowed difference grows by
+// this times the missing share of light.
 constexpr float sky_tint = 0.1F;
 
-/// 1 / (level + 1), for a division takes as long as all the rest.
+/// 1 / (level + 1), as a table: a division takes as long as all the rest.
 constexpr std::array<float, 256> inverses() {
     std::array<float, 256> table{};
     for (std::size_t level = 0; level < table.size(); ++level) table[level] = 1 / (static_cast<float>(level) + 1);
     return table;
 }
 
-/// The channels' shares of the light before that are left, the smallest and the largest.
+/// The smallest and the largest ratio of the channels to the empty scene.
 struct Shares {
     float least = 10;
     float most = 0;
@@ -58,8 +58,8 @@ bool is_darker(const Shares& shares) {
     return shares.least > darkest && shares.most < 1;
 }
 
-/// Sums of a picture's channels over a square of 5 × 5 pixels, of which every second of a row and column counts. At the
-/// picture's edges it is cut.
+/// Sums of the channels over a square of 5 × 5 pixels, of which every second row and column counts. Clipped at the
+/// picture's edges.
 std::array<int, 3> box_sums(const Plane<Bgr>& picture, int i, int j) {
     constexpr int radius = 2;
     std::array<int, 3> sums{};
@@ -72,9 +72,9 @@ std::array<int, 3> box_sums(const Plane<Bgr>& picture, int i, int j) {
     return sums;
 }
 
-/// Whether the pixels about it have kept their colour. Of one pixel alone compression leaves too little colour.
+/// Whether the pixels around it have kept their colour. Compression leaves too little colour in a single pixel.
 bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
-    constexpr float one = 9;  // a level more in each pixel: no share of 0
+    constexpr float one = 9;  // one more level per pixel avoids a ratio of 0
     const std::array<int, 3> now = box_sums(frame.colour, i, j);
     const std::array<int, 3> before = box_sums(empty.colour, i, j);
     std::array<float, 3> shares{};
@@ -96,7 +96,7 @@ struct Point {
     int i, j;
 };
 
-/// The points that are not 0; most are, so eight of a row are looked at at a time.
+/// The points of pixels other than 0. Most pixels are 0, so eight of a row are tested at a time.
 std::vector<Point> points_of(const Plane<std::uint8_t>& object) {
     std::vector<Point> points;
     for (int j = 0; j < object.height(); ++j) {
@@ -128,14 +128,14 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
     if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return {};
-    // The votes of the box around the points and one pixel more on each side, where nobody votes. Points come by rows.
+    // The votes in the points' bounding box, with a margin of one pixel without votes. Points are ordered by rows.
     const auto [left, right] = std::ranges::minmax(points, {}, &Point::i);
     const int i0 = left.i - 1;
     const int j0 = points.front().j - 1;
     Plane<std::int8_t> votes({right.i - left.i + 3, points.back().j - points.front().j + 3});
     for (const auto& [i, j] : points) {
         const Shares shares = shares_of(frame.colour.at(i, j), empty.colour.at(i, j));
-        // Next to its thing a shadow has that thing's colour in its surroundings.
+        // Next to its object, a shadow has that object's colour around it.
         const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
         const float tint = shares.most - shares.least;
         const bool may_be = is_darker(shares) && tint < hopeless_tint;
@@ -143,13 +143,13 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
     std::vector<ShadowPixel> taken;
-    // One pixel proves nothing: most of those about it must look like a shadow too.
+    // One pixel proves nothing: most of its neighbours must look like shadow too.
     for (const auto& [i, j] : points) {
         int sum = 0;
         for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
             for (int x = i - i0 - 1; x <= i - i0 + 1; ++x) sum += votes.at(x, y);
         }
-        // Along a thing's edge half of them are the thing's: there the pixel itself decides.
+        // At an object's edge, half of the neighbours belong to the object: there the pixel itself decides.
         const bool is_taken = sum > 0 || (sum == 0 && votes.at(i - i0, j - j0) > 0);
         if (is_taken) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
     }
@@ -158,7 +158,7 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
 
 void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach, std::uint8_t faint) {
     const std::ptrdiff_t width = object.width();
-    /// Whether one of the next `most` pixels is an object's.
+    /// Whether one of the next `most` pixels belongs to an object.
     const auto is_object_within = [&](const std::uint8_t* from, std::ptrdiff_t step, int most) {
         for (int k = 1; k <= std::min(most, reach); ++k) {
             if (from[k * step] != 0) return true;

@@ -25,28 +25,28 @@ constexpr std::array rows{
 
 // Points all over the picture, so that no object covers most of them.
 constexpr int most_points = 120;
-constexpr double least_quality = 0.01;  // of the best corner
-constexpr int points_per_side = 24;     // at most
+constexpr double least_quality = 0.01;  // relative to the best corner
+constexpr int points_per_side = 24;     // at most, along the longer side
 
-// Windows of 15 pixels at four scales find shifts of some thirty pixels.
+// Windows of 15 pixels on four pyramid levels find shifts of up to about thirty pixels.
 const cv::Size window{15, 15};
 constexpr int top_level = 3;
 
-// A tenth of a pixel is as good as noise and compression allow.
+// Noise and compression allow about a tenth of a pixel.
 const cv::TermCriteria accuracy{cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 12, 0.05};
 
-// Points whose shifts differ by less than this, in pixels, agree; and so many of them prove a shift.
+// Shifts that differ by less than this many pixels agree; this number and share of them prove a shift.
 constexpr float tolerance = 0.75F;
 constexpr int fewest_agreeing = 8;
-constexpr double least_agreeing = 0.25;  // of the points that were found again
+constexpr double least_agreeing = 0.25;  // share of the points that were found again
 
-// From here on, in pixels, edges light up.
+// Pixels; from here on, edges appear in the difference.
 constexpr double least_shake = 0.5;
 
-// Of the frames that the reference is learnt from, so many tell whether the camera shakes.
+// The number of the reference's frames that are tested for camera shake.
 constexpr std::size_t frames_to_tell = 6;
 
-/// The mean of the shifts on which most agree.
+/// The mean of the largest set of shifts that agree.
 Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
     const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
         return std::abs(a.x - b.x) < tolerance && std::abs(a.y - b.y) < tolerance;
@@ -104,7 +104,7 @@ std::span<const StabilizerRow> stabilizers() {
     return rows;
 }
 
-/// What is recognised of the reference.
+/// The corners of the reference that are tracked.
 struct Stabilizer::Landmarks {
     std::vector<cv::Mat> pyramid;
     std::vector<cv::Point2f> points;
@@ -165,7 +165,7 @@ bool camera_shakes(std::span<const video::Frame> frames) {
     oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         moved[k] = is_visible(stabilizer.shift_of(frames[1 + k * (frames.size() - 1) / count].grey)) ? 1 : 0;
     });
-    // One frame alone may be damaged.
+    // A single frame may be damaged.
     return std::ranges::count(moved, 1) >= 2;
 }
 

@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Wide = hn::CappedTag<std::uint16_t, 32>;
 using Narrow = hn::Rebind<std::uint8_t, Wide>;
 
-/// Sums of bytes above each other, in 1/256.
+/// The vertical pass: weighted sums of bytes, in units of 1/256.
 void down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::size_t terms,
           std::uint16_t* HWY_RESTRICT out, std::size_t count) {
     const Wide wide;
@@ -39,7 +39,8 @@ void down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::size_
     }
 }
 
-/// Sums along a row of such sums, `step` apart, as bytes again. Each product loses half of 1/256 on the way.
+/// The horizontal pass over such sums, `step` values apart, rounded to bytes. Each product loses half of 1/256 on
+/// average.
 void along(const std::uint16_t* in, std::size_t step, const std::uint16_t* taps, std::size_t terms,
            std::uint8_t* HWY_RESTRICT out, std::size_t count) {
     const Wide wide;
@@ -73,7 +74,7 @@ HWY_EXPORT(along);
 
 namespace {
 
-/// Weights in 1/256 that add up to 1.
+/// Weights in units of 1/256, with sum 1.
 std::vector<std::uint16_t> taps_of(double sigma) {
     const int radius = std::max(1, static_cast<int>(std::lround(1.5 * sigma)));
     std::vector<std::uint16_t> taps;

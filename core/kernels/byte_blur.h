@@ -9,8 +9,8 @@
 
 namespace vvr::kernels {
 
-/// Weights of a Gaussian of `sigma` at -radius ... radius; their sum is 1.
-/// \param sigma may be 0 where `radius` is
+/// The weights of a Gaussian at -radius … radius, with sum 1.
+/// \param sigma pixels; may be 0 if `radius` is
 inline std::vector<double> gaussian_weights(double sigma, int radius) {
     std::vector<double> weights;
     double sum = 0;
@@ -22,10 +22,11 @@ inline std::vector<double> gaussian_weights(double sigma, int radius) {
     return weights;
 }
 
-/// Smooths 8-bit values with a Gaussian of `sigma` pixels, cut off at 1.5 sigma and at 1 pixel at least; edges are
-/// repeated. Weights are in 1/256. cv::GaussianBlur takes half as long again and rounds otherwise:
-/// a grey level more or less in one pixel out of 3000.
+/// Gaussian smoothing of 8-bit values, with the kernel cut off at 1.5 σ but at least at 1 pixel. Edges are replicated;
+/// weights are multiples of 1/256. cv::GaussianBlur takes 1.5 times as long and rounds differently: by one grey level
+/// in one pixel out of 3000.
 /// \param size of the picture, in pixels of `channels` values each
+/// \param sigma pixels
 /// \param from, to size.width * size.height * channels values, row by row
 void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to);
 

@@ -18,8 +18,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sixteen bits are enough: chroma times a factor is in 1/64 of a level.
-/// \param pixels a multiple of 32
+/// Sixteen bits suffice: chroma times a factor has units of 1/64 level.
 void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::uint8_t* cb, const std::uint8_t* cr,
              std::uint8_t* out, std::size_t pixels) {
     const hn::CappedTag<std::int16_t, 32> wide;
@@ -46,7 +45,7 @@ void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::ui
     }
 }
 
-// By 255/219, rounded: what is to be added to a value is a fraction of it in 1/32768.
+// The scale 255/219 minus 1, in units of 1/32768, rounded.
 constexpr std::int16_t more = 5387;
 
 void full_range_row(const std::uint8_t* luma, std::uint8_t* out, std::size_t pixels) {
@@ -79,7 +78,7 @@ HWY_EXPORT(full_range_row);
 
 namespace {
 
-/// In a quarter of 1/32768: factors reach 2.2.
+/// Fixed point with units of 4/32768, because factors reach 2.2.
 std::int16_t fixed(double value) {
     return static_cast<std::int16_t>(std::lround(value / 4 * 32768));
 }
@@ -101,7 +100,7 @@ ColourMatrix::ColourMatrix(AVColorSpace space, bool full_range) {
 
 void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
             std::span<const std::uint8_t> cr, std::span<Bgr> out) {
-    constexpr std::size_t lanes = 32;  // of the longest vector that is used
+    constexpr std::size_t lanes = 32;  // pixels in the longest vector in use
     const std::size_t whole = out.size() / lanes * lanes;
     const auto bgr = HWY_DYNAMIC_DISPATCH(bgr_row);
     if (whole > 0) bgr(matrix, luma.data(), cb.data(), cr.data(), out.front().data(), whole);

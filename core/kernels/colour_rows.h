@@ -11,9 +11,9 @@ extern "C" {
 
 namespace vvr::kernels {
 
-/// From luma and chroma to blue, green and red, as factors of chroma in 1/8192.
+/// The chroma factors of the conversion from luma and chroma to BGR, in units of 1/8192.
 struct ColourMatrix {
-    /// \param full_range whether chroma uses all of 0..255
+    /// \param full_range whether chroma uses the full range 0 to 255
     ColourMatrix(AVColorSpace space, bool full_range);
 
     std::int16_t red_of_cr = 0;
@@ -24,11 +24,12 @@ struct ColourMatrix {
     friend bool operator==(const ColourMatrix&, const ColourMatrix&) = default;
 };
 
-/// A row of full-range luma and of chroma to BGR, in fixed point: the same on every machine. All spans are as long.
+/// Converts a row of full-range luma and chroma to BGR in fixed point, with the same result on every machine. All spans
+/// have the same length.
 void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
             std::span<const std::uint8_t> cr, std::span<Bgr> out);
 
-/// A row of luma of 16..235 to 0..255; what lies outside is cut off.
+/// Converts a row of luma from 16…235 to 0…255; values outside are clipped.
 void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out);
 
 }  // namespace vvr::kernels

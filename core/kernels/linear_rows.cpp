@@ -1,6 +1,6 @@
 #include "core/kernels/linear_rows.h"
 
-// Vectors whose length only the machine knows can't be members; where there are such, NEON is as well.
+// Vectors of a length known only at run time can't be members. Machines with those have NEON too.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
@@ -17,18 +17,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 using Vec = hn::Vec<Tag>;
 
-// The mask's sums over one row: left + 2 · here + right.
+// The mask's sum over one row: left + 2 · here + right.
 HWY_INLINE Vec across(Tag d, const float* p, Vec here) {
     return hn::MulAdd(hn::Set(d, 2.F), here, hn::Add(hn::LoadU(d, p - 1), hn::LoadU(d, p + 1)));
 }
 
-// The mask over three rows' sums, without its centre.
+// The mask's sum over three rows' sums, without the centre.
 HWY_INLINE Vec mask(Tag d, Vec above, Vec row, Vec below, Vec here) {
     return hn::NegMulAdd(hn::Set(d, 4.F), here, hn::MulAdd(hn::Set(d, 2.F), row, hn::Add(above, below)));
 }
 
-/// Rotations of a vector's lanes by one, up and down. `first` and `last` are the lanes that have to come from the
-/// vector beside.
+/// Rotates a vector's lanes by one, up and down. `first` and `last` select the lanes that come from the adjacent
+/// vector.
 struct Turns {
     using Table = hn::RebindToSigned<Tag>;
     using Indices = decltype(hn::IndicesFromVec(Tag(), hn::Zero(Table())));
@@ -46,11 +46,11 @@ HWY_INLINE Turns turns(Tag d) {
     return {by(lanes - 1), by(1), hn::FirstN(d, 1), hn::Not(hn::FirstN(d, hn::Lanes(d) - 1))};
 }
 
-/// A vector of a row on its way to the sums over the averaging mask. Each point and those above and below it add up to
-/// a sum, above + 2 · here + below, that its neighbours in the row need as well.
+/// Partial sums of the averaging mask for one vector of a row. The column sums, above + 2 · here + below, are used by
+/// the neighbours in the row too.
 struct Sums {
-    Vec without_right;  ///< the mask's sums, but for what the vector to the right has to give
-    Vec up, down;       ///< the columns' sums, turned by a lane each way
+    Vec without_right;  ///< the mask's sums without the share of the vector to the right
+    Vec up, down;       ///< the column sums, rotated by one lane each way
 };
 
 HWY_INLINE Sums add_up(Tag d, const Turns& turn, const Sums& left, Vec above, Vec here, Vec below) {
@@ -61,12 +61,11 @@ HWY_INLINE Sums add_up(Tag d, const Turns& turn, const Sums& left, Vec above, Ve
             hn::TableLookupLanes(sum, turn.down)};
 }
 
-/// Walks along a row of one component of the flow, and with `both` along the next one too: they share two of the four
-/// rows that they are made of.
+/// Computes a row of one flow component and, with `both`, the next row too: they share two of their four input rows.
 template <bool both>
 struct Walk {
-    Sums upper, lower;     ///< at a vector
-    Vec n_upper, n_lower;  ///< the mask's sums of the vector before it
+    Sums upper, lower;     ///< at the current vector
+    Vec n_upper, n_lower;  ///< the mask's sums of the previous vector
 
     HWY_INLINE void step(Tag d, const Turns& turn, const float* p, std::ptrdiff_t pitch) {
         const Vec here = hn::Load(d, p);
@@ -95,7 +94,7 @@ HWY_INLINE void store(Tag d, const RelaxRows& p, std::ptrdiff_t at, Vec n_u, Vec
     hn::Store(hn::MulAdd(hn::Load(d, p.m22 + at), n_v, hn::MulAdd(m12, n_u, hn::Load(d, p.c2 + at))), d, p.next_v + at);
 }
 
-// All loads are aligned; there are nine per point.
+// All loads are aligned: nine per point.
 template <bool both>
 HWY_INLINE void relax_along(Tag d, const Turns& turn, const RelaxRows& p, std::ptrdiff_t first, int width) {
     Walk<both> u, v;
@@ -120,7 +119,7 @@ void relax(const RelaxRows& rows, int width, int count) {
     if (j < count) relax_along<false>(d, turn, p, j * p.pitch, width);
 }
 
-// g gᵀ has rank one, so its inverse needs no determinant that would lose digits: (g gᵀ + a)⁻¹ g = g / (a + |g|²).
+// g gᵀ has rank one, so the inverse needs no determinant, which would lose precision: (g gᵀ + a)⁻¹ g = g / (a + |g|²).
 void invert_rank_one(const float* gx, const float* gy, const float* gt, float a, float* const out[5], int width) {
     const Tag d;
     const Vec va = hn::Set(d, a);
@@ -150,7 +149,7 @@ void invert(const float* const in[5], float a, float* const out[5], int width) {
         const Vec j22 = hn::Load(d, in[2] + x);
         const Vec f1 = hn::Load(d, in[3] + x);
         const Vec f2 = hn::Load(d, in[4] + x);
-        // J is a mean of g gᵀ, so its determinant is not below 0, whatever rounding makes of it.
+        // J is a mean of g gᵀ, so its exact determinant is not negative; rounding may make it so.
         const Vec own = hn::Max(hn::NegMulAdd(j12, j12, hn::Mul(j11, j22)), hn::Zero(d));
         const Vec det = hn::MulAdd(va, hn::Add(hn::Add(j11, j22), va), own);
         const Vec inverse = hn::Div(hn::Set(d, 1.F), det);

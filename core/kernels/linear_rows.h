@@ -4,30 +4,30 @@
 
 namespace vvr::kernels {
 
-/// What a point of one grid needs for one step; all rows start on a cache line and may be read a vector beyond.
+/// The rows that one Jacobi iteration needs. All start on a cache line and may be read one vector beyond their end.
 struct RelaxRows {
     const float* u;
     const float* v;
     const float *m11, *m12, *m22, *c1, *c2;
     float* next_u;
     float* next_v;
-    std::ptrdiff_t pitch;  ///< floats from each row to the next
+    std::ptrdiff_t pitch;  ///< stride from each row to the next, in floats
 };
 
-/// One Jacobi step at `count` rows of `width` points: with the sums n over the averaging mask [1 2 1; 2 0 2; 1 2 1],
-/// next_u = m11 n_u + m12 n_v + c1, next_v = m12 n_u + m22 n_v + c2.
+/// One Jacobi iteration for `count` rows of `width` points. With the sums n over the averaging mask [1 2 1; 2 0 2; 1 2
+/// 1]: next_u = m11 n_u + m12 n_v + c1, next_v = m12 n_u + m22 n_v + c2.
 void relax_rows(const RelaxRows& rows, int width, int count);
 
-/// Coefficients of `relax_rows` from derivatives: M = a (g gᵀ + a)⁻¹ / 12 and c = -(g gᵀ + a)⁻¹ g g_t.
+/// The coefficients of `relax_rows` from derivatives: M = a (g gᵀ + a)⁻¹ / 12 and c = -(g gᵀ + a)⁻¹ g g_t.
 void invert_gradients(const float* gx, const float* gy, const float* gt, float a, float* const m_and_c[5], int width);
 
-/// Coefficients of `relax_rows` from a tensor J and right hand side f: M = a (J + a)⁻¹ / 12 and c = (J + a)⁻¹ f.
+/// The coefficients of `relax_rows` from a tensor J and a right-hand side f: M = a (J + a)⁻¹ / 12 and c = (J + a)⁻¹ f.
 void invert_tensors(const float* const j_and_f[5], float a, float* const m_and_c[5], int width);
 
-/// Tensor and right hand side of derivatives: J = g gᵀ, f = -g g_t.
+/// The tensor and right-hand side from derivatives: J = g gᵀ, f = -g g_t.
 void products(const float* gx, const float* gy, const float* gt, float* const j_and_f[5], int width);
 
-/// Residuals f - J w + a (mean(w) - w) of a row; `above` etc. are rows with a border of one value.
+/// The residuals f - J w + a (mean(w) - w) of a row; `above` etc. are rows with a border of one value.
 struct ResidualRow {
     const float *u_above, *u, *u_below;
     const float *v_above, *v, *v_below;
@@ -38,8 +38,8 @@ void residual_row(const ResidualRow& row, float a, float* r1, float* r2, int wid
 /// out[i] = mean of row[2i], row[2i + 1] of both rows.
 void mean_of_pairs(const float* upper, const float* lower, float* out, int width);
 
-/// fine[2i], fine[2i + 1] += what linear interpolation between the coarse rows gives there: `near` is the one whose
-/// points lie a quarter of their distance away, `far` three quarters. Both have a border of one value.
+/// Adds linearly interpolated coarse values to fine[2i] and fine[2i + 1]. The points of `near` are a quarter of the
+/// coarse spacing away, those of `far` three quarters. Both have a border of one value.
 void add_interpolated(const float* near, const float* far, float* fine, int coarse_width);
 
 }  // namespace vvr::kernels

@@ -15,7 +15,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Catmull and Rom's cubic: weights of the four points about a place `t` past the second.
+/// Catmull-Rom interpolation: the weights of four points around a place `t` past the second, 0 <= t <= 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void cubic(D d, V t, V& w0, V& w1, V& w2, V& w3) {
     const V half = hn::Set(d, 0.5F);
@@ -27,7 +27,7 @@ HWY_INLINE void cubic(D d, V t, V& w0, V& w1, V& w2, V& w3) {
     w3 = hn::Mul(half, hn::Sub(t3, t2));
 }
 
-/// Weights of five points about a place `t` past the third of five points, -1 <= t <= 1.
+/// The same for five points and a place `t` past the third, -1 <= t <= 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void cubic_of_five(D d, V t, V& w0, V& w1, V& w2, V& w3, V& w4) {
     const V zero = hn::Zero(d);
@@ -41,14 +41,14 @@ HWY_INLINE void cubic_of_five(D d, V t, V& w0, V& w1, V& w2, V& w3, V& w4) {
     w4 = hn::IfThenElse(left, zero, c3);
 }
 
-/// A point anywhere, the picture's edges repeated.
+/// One point with any flow; the picture's edges are replicated.
 HWY_INLINE void warp_point(const WarpRow& p, int i) {
     const hn::CappedTag<float, 1> d;
     const float x = static_cast<float>(p.x + i) + p.u[i];
     const float y = static_cast<float>(p.y) + p.v[i];
     const int right = p.next.width() - 1;
     const int bottom = p.next.height() - 1;
-    // A NaN fails every comparison, so it is not known.
+    // NaN fails every comparison, so it counts as unknown.
     const bool known = x >= 0 && y >= 0 && x <= static_cast<float>(right) && y <= static_cast<float>(bottom);
     float value = p.here[i];
     if (known) {
@@ -74,8 +74,8 @@ HWY_INLINE void warp_point(const WarpRow& p, int i) {
     p.known[i] = known ? 1.F : 0.F;
 }
 
-// Flow varies little from point to point: a vector of points is moved by one whole number of pixels and at most one
-// pixel more or less, so that all its taps are loads of neighbours. Only where that isn't so points go one by one.
+// Flow varies little between neighbours. So a whole vector of points is moved by one integer shift and at most one
+// pixel more or less: all taps are then loads of neighbours. Only where this fails, points are processed one by one.
 void warp(const WarpRow& p) {
     const hn::CappedTag<float, 16> d;
     using V = hn::Vec<decltype(d)>;
@@ -121,7 +121,7 @@ void warp(const WarpRow& p) {
     }
 }
 
-// g_t such that g·w + g_t = 0 asks for the whole flow w; all three are 0 where nothing is known.
+// Makes g_t such that g·w + g_t = 0 has the whole flow w as solution; all three are 0 where nothing is known.
 void change_whole(const float* u, const float* v, const float* change, const float* known, float* gx, float* gy,
                   float* gt, int width) {
     const hn::CappedTag<float, 16> d;

@@ -24,8 +24,8 @@ void sum(const float* const* inputs, const float* weights, std::size_t terms, fl
         }
         hn::StoreU(total, d, out + i);
     }
-    // The rest one by one, with the same operations in the same order: a column's value must not depend on where
-    // the row that it is in begins.
+    // The rest, one by one with the same operations in the same order: a value must not depend on its position in the
+    // vector.
     const hn::CappedTag<float, 1> one;
     for (; i < count; ++i) {
         auto total = hn::Mul(hn::Set(one, weights[0]), hn::LoadU(one, inputs[0] + i));

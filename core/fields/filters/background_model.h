@@ -10,8 +10,8 @@
 
 namespace vvr::fields {
 
-/// A filter around one of OpenCV's background models, which learn the scene as frames go by. Shadows are not asked
-/// for: they would come as a third value.
+/// A filter with one of OpenCV's adaptive background models. Their shadow detection is off, because it marks shadows
+/// with a third value.
 class BackgroundModel final : public Filter {
   public:
     explicit BackgroundModel(cv::Ptr<cv::BackgroundSubtractor> model) : model_(std::move(model)) {}
@@ -19,7 +19,7 @@ class BackgroundModel final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         Plane<std::uint8_t> result(input.frame.grey.size());
         cv::Mat out = cv_view(result);
-        // KNN uses the random numbers of the thread that it runs on. Frames run on any thread.
+        // KNN uses the random numbers of the calling thread, and frames run on any thread.
         std::swap(cv::theRNG(), random_);
         model_->apply(input.smooth.colour.empty() ? cv_view(input.smooth.grey) : cv_view(input.smooth.colour), out);
         std::swap(cv::theRNG(), random_);
@@ -31,7 +31,7 @@ class BackgroundModel final : public Filter {
     cv::RNG random_;
 };
 
-// Frames that the models remember: OpenCV's own default.
+// History length of the models, frames: OpenCV's default.
 constexpr int background_history = 500;
 
 }  // namespace vvr::fields

@@ -6,7 +6,7 @@
 namespace vvr::fields {
 namespace {
 
-// Sobel's masks sum up to four times a step's height: a quarter of them, so that black beside white is 255.
+// Sobel masks give four times the height of a step; a quarter of that maps black beside white to 255.
 class Edges final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         cv::Mat x, y, length;

@@ -6,7 +6,7 @@
 namespace vvr::fields {
 namespace {
 
-// Ten pixels per frame, more than CCTV shows at its usual field size, fill the range.
+// The range ends at about ten pixels per frame, more than CCTV shows at its usual field size.
 constexpr float levels_a_pixel = 24;
 
 class FlowMagnitude final : public Filter {

@@ -12,7 +12,7 @@
 namespace vvr::fields {
 namespace {
 
-/// A row's values with its edges repeated `border` times on each side.
+/// A row with its edge values replicated `border` times on each side.
 template <class T>
 void widen(std::span<const T> row, int border, std::vector<float>& wide) {
     const auto edge = static_cast<std::size_t>(border);
@@ -73,7 +73,7 @@ void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<c
     const std::vector<float> change = differentiated_taps(taps);
     result.reset(part.size, derivative_planes);
 
-    // The frame smoothed along t: the part with two more pixels on each side for the derivatives along x and y.
+    // The frame smoothed along t: the part with two more pixels on each side for the differences along x and y.
     constexpr int border = 2;
     const int left = std::max(part.x - border, 0);
     const int right = std::min(part.x + part.size.width + border, frame.width);

@@ -5,11 +5,11 @@
 namespace vvr::fields {
 namespace {
 
-// The method compares patches of 8×8 at a quarter of the size.
+// The method compares patches of 8×8 pixels at a quarter of the size.
 constexpr int smallest_side = 48;
 
 class Dis final : public OpenCvFlow {
-    // An object of its own for each call: it keeps buffers, and calls come from several threads.
+    // One object per call: it has buffers, and calls come from several threads.
     void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const override {
         if (std::min(here.cols, here.rows) < smallest_side) {
             const int right = std::max(0, smallest_side - here.cols);

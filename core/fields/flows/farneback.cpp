@@ -5,7 +5,7 @@
 namespace vvr::fields {
 namespace {
 
-// The settings of OpenCV's documentation for smooth motion of large things.
+// The settings that OpenCV's documentation suggests for smooth motion of large objects.
 class Farneback final : public OpenCvFlow {
     void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const override {
         cv::calcOpticalFlowFarneback(here, next, flow, 0.5, 4, 15, 3, 7, 1.5, 0);

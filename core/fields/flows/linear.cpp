@@ -19,13 +19,13 @@ Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<c
     return result;
 }
 
-/// What a thread keeps from one frame to the next.
+/// A thread's buffers, which it reuses for each frame.
 struct LinearWorkspace {
     PlaneStack derivatives;
     LinearSystem system;
 };
 
-/// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels per frame.
+/// Horn and Schunck's equations, linearized about zero flow: valid up to about two pixels per frame.
 class Jacobi final : public FlowMethod {
   public:
     explicit Jacobi(const SolverSettings& settings)
@@ -39,7 +39,7 @@ class Jacobi final : public FlowMethod {
         return cube_ ? smoothing + 1 : smoothing + 2;
     }
 
-    // What a step tells a point comes from the points beside it.
+    // An iteration uses the neighbours of each point.
     int margin() const override { return iterations_; }
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {smoothed(grey, taps_)}}; }
@@ -61,7 +61,7 @@ class Jacobi final : public FlowMethod {
     }
 
   private:
-    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    // From this frame to the next; at the clip's end, from the previous frame to this one.
     void cube(std::span<const Plane<float>* const> planes, const Rect& part, PlaneStack& result) const {
         const std::size_t middle = planes.size() / 2;
         const std::size_t first = planes[middle + 1] == planes[middle] ? middle - 1 : middle;

@@ -9,12 +9,13 @@
 namespace vvr::fields {
 namespace {
 
-// Rows that one step takes at a time, and steps that run through the picture together, each a row behind the one
-// before: what they touch, some 24 rows of nine planes, stays in the second-level cache. Measured; both are flat.
+// Rows per iteration and turn, and iterations that run through the picture together, each a row behind the previous
+// one. Their working set, some 24 rows of nine planes, fits the second-level cache. Both numbers were measured; the
+// optimum is flat.
 constexpr int rows_at_a_time = 2;
 constexpr int steps_together = 20;
 
-// Below this size no grid is coarser.
+// Grids of this size have no coarser one.
 constexpr int coarsest = 6;
 
 }  // namespace
@@ -64,8 +65,8 @@ void LinearSystem::set(const Plane<float>& new_u, const Plane<float>& new_v) {
     work_.replicate_border(v());
 }
 
-// Step k works a row above step k - 1. Where it writes stands the flow of step k - 2, which nobody needs any more: its
-// last reader was step k - 1 at the row below, just before.
+// Iteration k works a row above iteration k - 1. It overwrites the flow of iteration k - 2, whose last reader was
+// iteration k - 1 at the row below, just before.
 void LinearSystem::relax(int steps) {
     const int height = size().height;
     while (steps > 0) {

@@ -6,43 +6,44 @@
 
 namespace vvr::fields {
 
-/// One grid of the linear equations to which Horn and Schunck's energy leads: at each point
+/// One grid level of the linear system of Horn and Schunck's energy. At each point
 ///
 ///     J w + a (w - mean(w)) = f,   J = g gᵀ,  f = -g g_t,  a = α²
 ///
-/// with the mean over the mask 1/6, 1/12 of [HS81]. Their fixed-point iteration (§4.1) is Jacobi's for it.
+/// where mean is the mask of 1/6 and 1/12 in [HS81]. Their fixed-point iteration (§4.1) is the Jacobi iteration of this
+/// system.
 class LinearSystem {
   public:
     LinearSystem() = default;
     LinearSystem(Size size, float a) { reset(size, a); }
 
-    /// Makes room for equations of so many points.
+    /// Allocates the system for a grid of this size.
     void reset(Size size, float a);
 
-    /// Takes the equations of derivatives.
+    /// Sets J and f from derivatives.
     void load(const PlaneStack& derivatives);
 
     Size size() const { return work_.size(); }
 
-    /// Jacobi steps.
+    /// Does Jacobi iterations.
     void relax(int steps);
 
-    /// Takes w = 0.
+    /// Sets w = 0.
     void clear();
 
-    /// Takes a flow as w.
+    /// Sets w to a flow.
     void set(const Plane<float>& u, const Plane<float>& v);
 
     Flow flow() const { return {work_.plane(u()), work_.plane(v())}; }
 
-    /// Makes `coarse` the same equations on a grid of half the size: J and f are means over 2×2 points, a is a quarter
-    /// because the distance between points is twice as long.
+    /// Restricts the system to a grid of half the size: J and f are means over 2×2 points; a is a quarter, because the
+    /// grid spacing doubles.
     void restrict_to(LinearSystem& coarse) const;
 
-    /// Gives the coarser system the residual of this one as its f, and w = 0.
+    /// Sets f of the coarser system to this system's residual, and its w to 0.
     void restrict_residual(LinearSystem& coarse) const;
 
-    /// Adds the coarser system's w, interpolated linearly.
+    /// Adds the w of the coarser system, interpolated linearly.
     void add(const LinearSystem& coarse);
 
   private:
@@ -56,17 +57,17 @@ class LinearSystem {
     void invert();
 
     float a_ = 0;
-    PlaneStack work_;  ///< flow before and after a step, taking turns, and the coefficients of a step
+    PlaneStack work_;  ///< flow before and after an iteration, alternating, and its coefficients
     PlaneStack data_;  ///< J and f
     int turn_ = 0;
 };
 
-/// Brings a flow nearer to the equations' solution by one V-cycle over ever coarser grids (Brandt 1977). Because
-/// Jacobi's iteration with this mask damps every wave that the coarser grid can't hold by a factor of three or more a
-/// step, a cycle takes the residual down by about ten.
+/// A multigrid solver: one V-cycle over ever coarser grids (Brandt 1977). Jacobi iteration with this mask damps all
+/// waves that the coarser grid can't represent by a factor of three or more per iteration; so a cycle reduces the
+/// residual about tenfold.
 class Multigrid {
   public:
-    /// Does it again, be it for another size, in the same memory.
+    /// Prepares for a system of any size, reusing memory.
     void improve(const PlaneStack& derivatives, float a, const Flow& flow);
 
     LinearSystem& finest() { return grids_.front(); }
@@ -75,7 +76,7 @@ class Multigrid {
     void load(const PlaneStack& derivatives, float a);
 
     std::vector<LinearSystem> grids_;
-    std::size_t used_ = 0;  ///< of them
+    std::size_t used_ = 0;  ///< number of levels in use
 };
 
 }  // namespace vvr::fields

@@ -9,7 +9,7 @@
 
 namespace vvr::fields {
 
-/// A flow method of OpenCV: what they have in common is all but one call.
+/// A flow method of OpenCV. The methods share all but one call.
 class OpenCvFlow : public FlowMethod {
   public:
     int reach() const override { return 1; }
@@ -17,7 +17,7 @@ class OpenCvFlow : public FlowMethod {
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {}}; }
 
-    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    // From this frame to the next; at the clip's end, from the previous frame to this one.
     Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
         const std::size_t first = frames[2] == frames[1] ? 0 : 1;
         const cv::Rect rect(part.x, part.y, part.size.width, part.size.height);

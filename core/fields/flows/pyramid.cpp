@@ -21,7 +21,7 @@ namespace {
 
 constexpr int border = 2;
 
-/// Rows that may be read a vector beyond their end, with a border on each side.
+/// Rows that may be read one vector beyond their end, with a border on each side.
 class WideRows {
   public:
     WideRows(Size size)
@@ -44,16 +44,16 @@ class WideRows {
     Size size_;
 };
 
-/// Derivatives of two frames of which the second is moved back by `flow`, such that the linear equations of them have
-/// the whole flow as their solution, not only what is missing from it. Where the flow leads out of the picture all
-/// are 0: nothing is known there.
+/// Derivatives of two frames after warping the second back by `flow`. The linear equations from them have the whole
+/// flow as solution, not only its increment. Where the flow leads out of the picture, all derivatives are 0, because
+/// nothing is known there.
 ///
-/// \param here part `part` of the first frame; `flow` is of its size
+/// \param here part `part` of the first frame; `flow` has its size
 void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part,
                         PlaneStack& result) {
     const Size size = here.size();
     result.reset(size, derivative_planes);
-    // The mean of both frames has the derivatives midway between them, which errs least.
+    // The derivatives of both frames' mean lie midway between them: the error is least.
     WideRows mean(size), change(size), known(size), here_rows({size.width, 1}), u({size.width, 1}), v({size.width, 1});
     for (int j = 0; j < size.height; ++j) {
         std::ranges::copy(here.row(j), here_rows.row(0));
@@ -76,18 +76,18 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
     }
 }
 
-// The coarsest scale: a picture of less holds nothing that can be followed.
+// The coarsest level: smaller pictures show nothing that can be tracked.
 constexpr int smallest_side = 24;
 
-// The equations are linear in what is missing from the flow and hold for a pixel or so; further than that they are not
-// to be believed, and one wrong leap would be followed by another.
+// Largest increment, pixels. The linearized equations hold for about a pixel; a larger increment may be wrong, and
+// errors would accumulate.
 constexpr float longest_step = 1;
 
 Size half(Size size) {
     return {(size.width + 1) / 2, (size.height + 1) / 2};
 }
 
-/// Half the size. The new points lie between the old ones, so four taps are symmetric: (1, 3, 3, 1)/8.
+/// Half the size. New points lie between old ones, hence the symmetric taps (1, 3, 3, 1)/8.
 Plane<float> downsampled(const Plane<float>& plane) {
     const Size size = half(plane.size());
     auto rows = Plane<float>::for_overwrite({plane.width(), size.height});
@@ -113,10 +113,10 @@ Plane<float> downsampled(const Plane<float>& plane) {
     return result;
 }
 
-/// A flow of half the size, brought to `size`: linear between points, and twice as long.
+/// A flow scaled from half the size to `size`: interpolated linearly, and doubled.
 Plane<float> upsampled(const Plane<float>& coarse, Size size) {
     auto fine = Plane<float>::for_overwrite(size);
-    // A coarse row's worth of values, with its edges repeated.
+    // One coarse row with its edge values replicated.
     std::vector<float> down(static_cast<std::size_t>(coarse.width()) + 2);
     for (int j = 0; j < size.height; ++j) {
         const std::span<const float> near = coarse.row(j / 2);
@@ -132,7 +132,7 @@ Plane<float> upsampled(const Plane<float>& coarse, Size size) {
     return fine;
 }
 
-/// Part `part` of a plane.
+/// The part `part` of a plane.
 Plane<float> cut(const Plane<float>& plane, const Rect& part) {
     auto result = Plane<float>::for_overwrite(part.size);
     for (int j = 0; j < part.size.height; ++j) {
@@ -141,8 +141,8 @@ Plane<float> cut(const Plane<float>& plane, const Rect& part) {
     return result;
 }
 
-/// The median of each value and its eight neighbours. Between the steps it throws out single wrong vectors and keeps
-/// the borders of what moves (Sun, Roth and Black, CVPR 2010).
+/// A 3×3 median filter. Between iterations it removes single outliers and keeps motion boundaries (Sun, Roth and Black,
+/// CVPR 2010).
 Plane<float> median_of_nine(const Plane<float>& plane) {
     auto result = Plane<float>::for_overwrite(plane.size());
     cv::medianBlur(cv_view(plane), cv_view(result), 3);
@@ -167,7 +167,7 @@ class Pyramid final : public FlowMethod {
         return frame;
     }
 
-    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    // From this frame to the next; at the clip's end, from the previous frame to this one.
     Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
         const std::size_t first = frames[2] == frames[1] ? 0 : 1;
         const std::vector<Plane<float>>& here = frames[first]->levels;
@@ -185,7 +185,8 @@ class Pyramid final : public FlowMethod {
     }
 
   private:
-    // The part at every scale; at the finest a little larger than asked for, so that all cover the same points.
+    // The part on every pyramid level; on the finest one slightly larger than requested, so that all levels cover the
+    // same points.
     static std::vector<Rect> parts_of(const Rect& part, const std::vector<Plane<float>>& levels) {
         const int cell = 1 << (levels.size() - 1);
         const int x = part.x / cell * cell;
@@ -216,7 +217,7 @@ class Pyramid final : public FlowMethod {
         });
     }
 
-    /// What a thread keeps from one frame to the next.
+    /// A thread's buffers, which it reuses for each frame.
     struct Workspace {
         PlaneStack derivatives;
         Multigrid grids;

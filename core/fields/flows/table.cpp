@@ -15,7 +15,7 @@ constexpr std::array rows{
     FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }, true},
 };
 
-// In a short clip the whole frame costs little, and a sequence without an empty scene, as of a benchmark, needs it.
+// In a short clip the whole frame costs little, and a sequence without an empty scene, such as a benchmark's, needs it.
 constexpr std::int64_t few_frames = 64;
 
 constexpr std::array areas{
