@@ -85,7 +85,7 @@ constexpr std::size_t idle_share = 4;
 Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value_out_of_range,
                     fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
                                 options.capacity, options.step));
     }
@@ -102,14 +102,14 @@ Layer& Volume::add_layer(Layer layer) {
 void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span<const fields::LabelRun> owners,
                  bool moves) {
     if (field.scalar.size() != size_) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
                                 field.scalar.width(), field.scalar.height(), size_.width, size_.height));
     }
     if (frames_ == 0) coloured_ = !colour.empty();
     if (colour.size() != (coloured_ ? size_ : Size{})) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::not_video,
             fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
                         colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }

@@ -156,7 +156,7 @@ fs::path target_of(const fs::path& path) {
     fs::path target = fs::weakly_canonical(path, error);
     if (error) {
         throw Error(
-            ErrorKind::io,
+            code_of_system_error(error.value()),
             fmt::format("cannot write '{}': it is a link that can't be followed: {}; remove it, or choose another "
                         "name",
                         path.string(), error.message()));

@@ -43,7 +43,7 @@ std::string_view format_of(const std::filesystem::path& name, std::string_view b
     const auto format =
         std::ranges::find_if(read_formats, [&](const ReadFormat& row) { return begin.starts_with(row.first_bytes); });
     if (format != read_formats.end()) return format->name;
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::file_invalid,
                 fmt::format("cannot read picture '{}': it is no PNG, JPEG, TIFF or OpenEXR file, {}", name.string(),
                             begin.empty() ? "but empty" : "whatever its name says; convert it"));
 }
@@ -57,8 +57,9 @@ Samples read_samples(const std::filesystem::path& path) {
     std::array<char, longest_begin> begin{};
     file.read(begin.data(), begin.size());
     if (!file.is_open() || file.bad()) {
-        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}; check its name and permissions",
-                                               path.string(), std::strerror(errno)));
+        throw Error(code_of_system_error(errno),
+                    fmt::format("cannot read picture '{}': {}; check its name and permissions", path.string(),
+                                std::strerror(errno)));
     }
     const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
     return picture_codec().read(path, format_of(path, bytes), std::nullopt);
@@ -124,12 +125,12 @@ const PictureCodec& load() {
         std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
                             [&](const char* words) { return text.find(words) != std::string::npos; });
     if (short_of_memory || !is_memory_available(bytes_of_all)) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::out_of_memory,
                     fmt::format("out of memory for the library that reads and writes pictures: {}; allow the program "
                                 "more",
                                 text));
     }
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::io,
                 fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", text));
 }
 

@@ -123,7 +123,7 @@ struct VideoEncoder::Parts {
         writer.check();
         std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
         av_strerror(result, words.data(), words.size());
-        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", name, words.data()));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", name, words.data()));
     }
 
     void add(const Picture& picture, std::int64_t time) {
@@ -278,7 +278,7 @@ VideoFormat film_format(const std::filesystem::path& path) {
     const Format& format = *std::ranges::find(formats, extension_of(path), &Format::ending);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::io,
                 fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose another ending, or "
                             "single pictures with a field: out.{{frame:4}}.png",
                             path.string(), fmt::join(format.encoders, " or ")));
@@ -298,8 +298,9 @@ bool is_animation(const std::filesystem::path& path) {
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
     if (!is_animation(path_)) {
-        throw Error(ErrorKind::usage, fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
-                                                  fmt::join(animation_extensions(), " ")));
+        throw Error(ErrorCode::output_format_unknown,
+                    fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
+                                fmt::join(animation_extensions(), " ")));
     }
 }
 
@@ -314,7 +315,7 @@ void AnimationFile::add(const Picture& picture) {
 }
 
 void AnimationFile::close() {
-    if (!encoder_) throw Error(ErrorKind::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
+    if (!encoder_) throw Error(ErrorCode::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
     replace_file(path_, encoder_->finish());
     encoder_.reset();
 }

@@ -53,18 +53,18 @@ std::vector<std::byte> encode(const PictureFile& file) {
         // It writes to memory, and OpenEXR says nothing where it has no threads.
         if (why.empty()) {
             throw Error(
-                ErrorKind::limit,
+                ErrorCode::out_of_memory,
                 fmt::format("cannot encode '{}': memory or threads are short; try a smaller picture", file.name),
                 {"size"});
         }
-        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", file.name, why));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", file.name, why));
     }
     const auto whole = std::as_bytes(std::span(encoded.buffer()));
     return {whole.begin(), whole.end()};
 }
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& name, const std::string& why) {
-    throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", name.string(), why));
+    throw Error(ErrorCode::file_invalid, fmt::format("cannot read picture '{}': {}", name.string(), why));
 }
 
 // The largest picture that is read has so many values, over all channels: 2 GB of them. A file of some bytes may say
@@ -84,7 +84,7 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::s
     const bool flat = spec.width > 0 && spec.height > 0 && spec.depth == 1 && spec.nchannels > 0 && !spec.deep;
     if (!flat || static_cast<std::uint64_t>(spec.nchannels) > most_values / spec.image_pixels()) {
         throw Error(
-            ErrorKind::limit,
+            ErrorCode::picture_too_large,
             fmt::format("'{}' says that it has {}x{} pixels of {} channel(s), more than can be read: at most {} "
                         "million values",
                         path.string(), spec.width, spec.height, spec.nchannels, most_values / 1'000'000));
@@ -110,10 +110,10 @@ Samples read(const std::filesystem::path& path, std::string_view format,
 }
 
 void read_bytes(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values) {
-    const auto fail = [&path](const std::string& what) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
+    const auto fail = [&path](const std::string& what, ErrorCode code = ErrorCode::file_invalid) {
+        throw Error(code, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
     };
-    if (!std::filesystem::exists(path)) fail("there is no such file");
+    if (!std::filesystem::exists(path)) fail("there is no such file", ErrorCode::file_not_found);
     const auto input = OIIO::ImageInput::create("png");
     if (!input) fail(OIIO::geterror());
     OIIO::ImageSpec spec;

@@ -113,7 +113,7 @@ const Format& format_of(const std::filesystem::path& path) {
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     if (format != formats.end()) return *format;
     const std::vector<std::string> known = picture_file_extensions();
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
                             did_you_mean(ending, known), fmt::join(known, " ")));
@@ -173,7 +173,7 @@ Metadata attributes_of(const Format& format, const Metadata& metadata) {
 PictureFile describe(const std::filesystem::path& path, const Format& format, Size size, int channels,
                      const Metadata& metadata, int jpeg_quality) {
     if (std::max(size.width, size.height) > format.most_side) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::io,
                     fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} per side; "
                                 "choose a smaller size or another format",
                                 path.string(), size.width, size.height, format.ending, format.most_side));

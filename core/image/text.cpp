@@ -177,13 +177,13 @@ std::string printable(const std::string& text) {
 void check_font(const std::filesystem::path& file) {
     check_is_file(file.string());
     if (std::error_code none; !std::filesystem::exists(file, none)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("font: cannot read '{}': No such file or directory; check the name", file.string()),
                     {"font"});
     }
     if (!Font(file.string()).measure("0", 12)) {
         throw Error(
-            ErrorKind::io,
+            ErrorCode::file_invalid,
             fmt::format("font: '{}' is no font that FreeType can read; give a .ttf or .otf file", file.string()),
             {"font"});
     }

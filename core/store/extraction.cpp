@@ -80,9 +80,10 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
-                                           "another folder",
-                                           path.string(), std::generic_category().message(error)));
+    throw Error(code_of_system_error(error),
+                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
+                            "another folder",
+                            path.string(), std::generic_category().message(error)));
 }
 
 template <class Bytes>
@@ -100,11 +101,11 @@ void check_data_folder(const fs::path& folder) {
         return;
     }
     if (!fs::is_directory(folder)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::not_a_folder,
                     fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
     }
     if (!fs::is_empty(folder) && !is_replaceable(folder)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::folder_not_empty,
                     fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
                                 "a new or an empty folder",
                                 folder.string()));
@@ -247,7 +248,7 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
         if (!parts_.empty()) {
             const std::string what = difference(parts_.back().manifest, part.manifest);
             if (!what.empty()) {
-                throw Error(ErrorKind::usage,
+                throw Error(ErrorCode::extraction_unsuitable,
                             fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
                                         parts_.back().folder.string(), folder, what));
             }
@@ -287,7 +288,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
     const bool asked = frame.index % needs.every == 0;
     const auto fail = [](const fs::path& file, const std::string& what) {
-        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
     };
     if (needs.flow_of_every_frame || (asked && (needs.seeds || needs.flow))) {
         if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
@@ -319,21 +320,21 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
 
 fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     if (needs.flow_of_every_frame && parts_.front().manifest.flow_every != 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
                                 "it again, or render the clip itself",
                                 info_.name),
                     {setting::flow_every.name});
     }
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
                                 "again, or don't show them",
                                 info_.name),
                     {"show"});
     }
     if (needs.colour && !parts_.front().manifest.colour) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
                                 "render the clip itself",
                                 info_.name),

@@ -57,7 +57,7 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     context_.reset(sws_getContext(from.width, from.height, AV_PIX_FMT_GRAY8, to.width, to.height, AV_PIX_FMT_GRAY8,
                                   SWS_AREA | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr));
     if (!context_ || av_frame_get_buffer(scaled_.get(), 0) < 0) {
-        throw Error(ErrorKind::limit, "out of memory for scaling a picture");
+        throw Error(ErrorCode::out_of_memory, "out of memory for scaling a picture");
     }
     sizes_ = std::pair(from, to);
 }

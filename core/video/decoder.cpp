@@ -53,12 +53,12 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::codec_unsupported,
                     fmt::format("'{}': this FFmpeg has no decoder for its video ({}); convert it to H.264 first", name,
                                 avcodec_get_name(parameters.codec_id)));
     }
     codec_.reset(avcodec_alloc_context3(codec));
-    if (!codec_) throw Error(ErrorKind::limit, "out of memory for a video decoder");
+    if (!codec_) throw Error(ErrorCode::out_of_memory, "out of memory for a video decoder");
     demuxer.log().attach(*codec_);
     int code = avcodec_parameters_to_context(codec_.get(), &parameters);
     codec_->pkt_timebase = demuxer.stream().time_base;
@@ -70,7 +70,7 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     errors_at_start_ = demuxer.log().errors();
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
     if (code < 0) {
-        throw Error(code == AVERROR(ENOMEM) ? ErrorKind::limit : ErrorKind::not_video,
+        throw Error(code == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::not_video,
                     fmt::format("'{}': the decoder for its video ({}) does not start: {}", name, codec->name,
                                 demuxer.log().text(code)));
     }
@@ -91,7 +91,8 @@ AvFrame Decoder::next() {
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
         if (code == AVERROR(ENOMEM)) {
-            throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer threads", {"threads"});
+            throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video: try fewer threads",
+                        {"threads"});
         }
 
         // Some decoders hide damage and say so only in the log. Threads may log before their turn; to stop too early

@@ -89,14 +89,15 @@ bool is_playlist(const Input& input) {
     // libav takes the system's codes for its own purposes too: a damaged Matroska file is an "Input/output error", a
     // picture that is too large a "Device or resource busy".
     if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its name, its folder and the permissions",
-                                               input.name, words));
+        throw Error(
+            code_of_system_error(AVUNERROR(code)),
+            fmt::format("cannot read '{}': {}; check its name, its folder and the permissions", input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
+        throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
     }
     const bool of_the_system = AVUNERROR(code) > 0 && AVUNERROR(code) < greatest_errno && !log.has_text();
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::not_video,
                 fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name,
                             of_the_system ? "it is damaged, or its pictures are too large" : words));
 }
@@ -104,28 +105,29 @@ bool is_playlist(const Input& input) {
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
     if (is_local(input) && is_playlist(input)) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::playlist,
                     fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
                                 "files, or their paths, one per line, in a list that ends in .txt",
                                 input.name));
     }
     if (code == AVERROR(ENOMEM)) {
-        throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
+        throw Error(ErrorCode::out_of_memory, fmt::format("'{}': out of memory while opening", input.name));
     }
     if (code == AVERROR(EMFILE) || code == AVERROR(ENFILE)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::too_many_open_files,
                     fmt::format("cannot read '{}': {}; allow more open files (ulimit -n)", input.name, words));
     }
     if (code == AVERROR_EXIT) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::stream_timeout,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
     }
     if (is_local(input)) throw_unreadable_file(input, log, code);
     // What is no camera's device doesn't know the question whether it is one.
     if (code != AVERROR_INVALIDDATA && code != AVERROR(ENOTTY))
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
+        throw Error(ErrorCode::stream_unreachable,
+                    fmt::format("cannot read '{}': {}; check the address", input.name, words));
     throw Error(
-        ErrorKind::not_video,
+        ErrorCode::not_video,
         fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name, words));
 }
 
@@ -193,9 +195,10 @@ void check_host(const Input& input, const AVFormatContext& format) {
     const std::string found = address_of(format);
     const std::string_view host = host_of(found);
     if (host.empty() || host == host_of(input.url)) return;
-    throw Error(ErrorKind::io, fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
-                                           "give its address",
-                                           input.name, host));
+    throw Error(ErrorCode::stream_unreachable,
+                fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
+                            "give its address",
+                            input.name, host));
 }
 
 /// What is here already is to be seen now, and what UDP lost is lost.
@@ -221,7 +224,7 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
 
 int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
     AVFormatContext* opened = avformat_alloc_context();
-    if (!opened) throw Error(ErrorKind::limit, "out of memory for reading a video");
+    if (!opened) throw Error(ErrorCode::out_of_memory, "out of memory for reading a video");
     log_.attach(*opened, watchdog_.get());
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
@@ -247,23 +250,24 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
 
 void Demuxer::choose_stream(const Input& input, Kind kind) {
     if (kind == Kind::picture && !is_picture_format(format_->iformat->name)) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::not_video,
                     fmt::format("'{}' is not a picture but {}", input.name, format_->iformat->name));
     }
 
     const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' has no video: found {}; give a file with a video stream",
-                                                      input.name, streams_found(*format_)));
+        throw Error(ErrorCode::no_video_stream,
+                    fmt::format("'{}' has no video: found {}; give a file with a video stream", input.name,
+                                streams_found(*format_)));
     }
     stream_ = format_->streams[chosen];
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
+        throw Error(ErrorCode::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
     }
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::picture_too_large,
                     fmt::format("'{}' says its pictures are {}x{}: more than the {} megapixels that vvr decodes; "
                                 "scale it down first",
                                 input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
@@ -290,7 +294,7 @@ bool Demuxer::read_any(AVPacket& packet) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
         if (code == AVERROR_EOF || code == AVERROR_EXIT) return false;
-        if (code == AVERROR(ENOMEM)) throw Error(ErrorKind::limit, "out of memory while reading the video");
+        if (code == AVERROR(ENOMEM)) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video");
         if (code < 0) {
             ++damaged_;
             ++errors;

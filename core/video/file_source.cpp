@@ -19,7 +19,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     const auto& name = reader_.input().name;
     if (!first.image) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::no_frame,
             fmt::format(
                 "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
                 name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),

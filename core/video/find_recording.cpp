@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,20 +28,22 @@ namespace fs = std::filesystem;
 constexpr std::string_view list_ending = ".txt";
 
 [[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
-    throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
-                                           "the folder of the list",
-                                           list, number, why));
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
+                            "the folder of the list",
+                            list, number, why));
 }
 
 /// The files that a list names. Others may have written it, so it leads nowhere out of its folder.
 std::vector<std::string> files_of_list(const std::string& list) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes) {
-        throw Error(ErrorKind::limit, fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
-                                                  most_list_bytes / 1024 / 1024));
+        throw Error(ErrorCode::file_too_large,
+                    fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
+                                most_list_bytes / 1024 / 1024));
     }
     std::ifstream text(list);
-    if (!text) throw Error(ErrorKind::io, fmt::format("cannot read '{}'; check its permissions", list));
+    if (!text) throw Error(code_of_system_error(errno), fmt::format("cannot read '{}'; check its permissions", list));
     const fs::path folder = fs::path(list).parent_path();
     const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
     std::vector<std::string> files;
@@ -114,13 +117,14 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
 [[noreturn]] void refuse_part(const std::string& name) {
     std::error_code none;
     if (name == "-" || is_url(name)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::input_unsuitable,
                     fmt::format("'{}' is a stream, and only files can be one recording together", name));
     }
     if (!fs::exists(name, none)) open_file(name);  // says why not
-    throw Error(ErrorKind::usage, fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
-                                              "the others; give video files, or folders of them",
-                                              name));
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
+                            "the others; give video files, or folders of them",
+                            name));
 }
 
 // ---- When each begins
@@ -271,7 +275,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     std::ranges::sort(files, natural_less);
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.empty()) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_invalid,
                     fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};

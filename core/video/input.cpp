@@ -46,16 +46,17 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
 struct stat status_of(const Descriptor& file, const std::string& name) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}", name, std::strerror(errno)));
+        const int why = errno;
+        throw Error(code_of_system_error(why), fmt::format("cannot read '{}': {}", name, std::strerror(why)));
     }
     return status;
 }
 
 void require_bytes(const Descriptor& file, const std::string& name) {
     if (status_of(file, name).st_size == 0) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
-                                                      "was to write it",
-                                                      name));
+        throw Error(ErrorCode::file_empty, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
+                                                       "was to write it",
+                                                       name));
     }
 }
 
@@ -68,8 +69,8 @@ Error failed(const std::string& name, const std::string& where, std::int64_t byt
     const std::string next = why == ENOSPC || why == EDQUOT || why == EFBIG
                                  ? "set TMPDIR to a folder with more room, or give the video as a file"
                                  : "set TMPDIR to a folder that can be written, or give the video as a file";
-    return {ErrorKind::io, fmt::format("cannot keep the stream '{}' in {} after {:.1f} MB: {}; {}", name, where,
-                                       static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
+    return {code_of_system_error(why), fmt::format("cannot keep the stream '{}' in {} after {:.1f} MB: {}; {}", name,
+                                                   where, static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
 }
 
 std::shared_ptr<const Descriptor> make_unlinked(const std::string& name, const std::string& where) {
@@ -106,8 +107,9 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         const auto got = ::read(from.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) {
-            throw Error(ErrorKind::io, fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
-                                                   static_cast<double>(total) / 1e6, std::strerror(errno)));
+            const int why = errno;
+            throw Error(code_of_system_error(why), fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
+                                                               static_cast<double>(total) / 1e6, std::strerror(why)));
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
@@ -119,10 +121,11 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
 
 Input open_stdin() {
     if (::isatty(STDIN_FILENO)) {
-        throw Error(ErrorKind::usage, "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+        throw Error(ErrorCode::input_unsuitable,
+                    "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
     }
     const int fd = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
-    if (fd < 0) throw Error(ErrorKind::io, fmt::format("cannot read stdin: {}", std::strerror(errno)));
+    if (fd < 0) throw Error(code_of_system_error(errno), fmt::format("cannot read stdin: {}", std::strerror(errno)));
     Input input{"-", {}, std::make_shared<Descriptor>(fd)};
     if (!S_ISREG(status_of(*input.file, "-").st_mode)) input.file = spool(*input.file, "-");
     require_bytes(*input.file, "-");
@@ -161,7 +164,7 @@ Input open_input(const std::string& name) {
         return {name, std::string(file_protocol) + name.substr(slashes > 1 ? slashes - 1 : 0), nullptr};
     }
     if (S_ISCHR(mode) || S_ISBLK(mode)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::not_a_file,
                     fmt::format("'{}' is a device, which may have no end; give a file, or watch a camera "
                                 "with vvr watch",
                                 name));
@@ -174,7 +177,7 @@ Input open_input(const std::string& name) {
 Input open_file(const std::string& path) {
     Input input{path, {}, open_descriptor(path)};
     if (!S_ISREG(status_of(*input.file, path).st_mode)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': not a regular file", path));
+        throw Error(ErrorCode::not_a_file, fmt::format("cannot read '{}': not a regular file", path));
     }
     return input;
 }

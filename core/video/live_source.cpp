@@ -73,7 +73,7 @@ void LiveSource::connect() {
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1);
     first_ = decoder_->next();
     if (!first_) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::no_frame,
                     fmt::format("'{}' gives no frame that decodes: {} damaged packets, {}; `ffplay` on it may say more",
                                 input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
     }
@@ -206,7 +206,7 @@ std::unique_ptr<DecodedFrame> LiveSource::next() {
 }
 
 std::vector<Frame> LiveSource::sample(int) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::options_conflict,
                 fmt::format("'{}': a stream that goes on has no median; take the reference running, first or a picture",
                             input_.name),
                 {"reference"});

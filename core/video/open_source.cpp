@@ -44,12 +44,12 @@ Size field_size_for(Size shown, Size asked) {
     Size size = asked == source ? shown : asked;
     if (asked == automatic) size = fit_into(shown, default_long_side);
     if (size.width < 1 || size.height < 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value_out_of_range,
                     fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
     }
     if (std::int64_t{size.width} * size.height > av::max_pixels) {
         throw Error(
-            ErrorKind::limit,
+            ErrorCode::picture_too_large,
             fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
                         size.width, size.height, av::max_pixels / 1'000'000),
             {"field-size"});

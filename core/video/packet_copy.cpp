@@ -152,7 +152,7 @@ class Muxer {
         const auto text = [](const AVCodecParameters* codec) { return codec ? text_of(*codec) : "nothing"; };
         const bool settings = was && is && text(was) == text(is);
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::input_unsuitable,
             fmt::format("'{}' can't be joined to the file before it as it is: it has {}, and that has {}{}; cut "
                         "it exactly, which encodes the video anew",
                         name, text(is), text(was), settings ? " of other settings" : ""),
@@ -165,14 +165,14 @@ class Muxer {
 
     [[noreturn]] void fail(const char* what, int code) const {
         writer_.check();
-        throw Error(ErrorKind::io, fmt::format("cannot {} '{}': {}; try another container, such as .mkv", what,
+        throw Error(ErrorCode::io, fmt::format("cannot {} '{}': {}; try another container, such as .mkv", what,
                                                path_.string(), log_.text(code)));
     }
 
     AVStream* add(const AVStream& from) {
         AVStream* const to = avformat_new_stream(format_.get(), nullptr);
         if (to == nullptr || avcodec_parameters_copy(to->codecpar, from.codecpar) < 0) {
-            throw Error(ErrorKind::limit, "out of memory for copying a video");
+            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video");
         }
         to->codecpar->codec_tag = tag_for(*format_->oformat, *from.codecpar);
         to->time_base = from.time_base;
@@ -347,7 +347,7 @@ bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const So
 void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
                 double rate, const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::copy_impossible,
                     fmt::format("'{}' would not show what '{}' does: {}; choose the ending of that file, or cut it "
                                 "exactly, which encodes the video anew",
                                 path.string(), parts.front().input.name, what),

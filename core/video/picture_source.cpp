@@ -38,8 +38,9 @@ std::vector<std::string> files_in(const fs::path& folder, const std::string& ask
         if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
     }
     if (why) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the folder of '{}': {}; check its name and permissions",
-                                               asked, why.message()));
+        throw Error(
+            code_of_system_error(why.value()),
+            fmt::format("cannot read the folder of '{}': {}; check its name and permissions", asked, why.message()));
     }
     return names;
 }
@@ -52,7 +53,7 @@ std::vector<std::string> pictures_in(const std::string& folder) {
     }
     if (pictures.empty()) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::not_video,
             fmt::format(
                 "'{}' is a folder without frames: {}; give a video file, or a folder of pictures (png, jpg, tif, ...)",
                 folder,
@@ -80,7 +81,7 @@ struct NumberPattern {
 };
 
 [[noreturn]] void throw_bad_pattern(const std::string& name) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::name_pattern_invalid,
                 fmt::format("'{}': a pattern of pictures has one number in its file name, written %d or "
                             "%05d, and %% for a percent sign",
                             name));
@@ -157,7 +158,7 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
         files = expand_glob_pattern(name);
     }
     if (files.empty()) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("cannot read '{}': no file matches this pattern; check it and the folder", name));
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return natural_less(a, b); });
@@ -176,7 +177,7 @@ Picture decode_picture(const std::string& path) {
     Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 25);
     Decoder decoder(demuxer, path, 1);
     Picture picture{decoder.next(), avcodec_get_name(demuxer.stream().codecpar->codec_id)};
-    if (!picture.image) throw Error(ErrorKind::not_video, demuxer.log().text(AVERROR_INVALIDDATA));
+    if (!picture.image) throw Error(ErrorCode::no_frame, demuxer.log().text(AVERROR_INVALIDDATA));
     return picture;
 }
 
@@ -216,7 +217,7 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
         }
     }
     if (info_.frames == 0) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::no_frame,
                     fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, files_.size(), why));
     }
     field_size_ = field_size_for(info_.size, options.field_size);

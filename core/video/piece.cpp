@@ -28,7 +28,7 @@ struct VideoPacket {
 };
 
 [[noreturn]] void throw_no_times(const Input& input, const std::string& what) {
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::copy_impossible,
                 fmt::format("'{}' can't be copied: {}; cut it exactly instead, which decodes it", input.name, what),
                 {"exact"});
 }
@@ -38,7 +38,7 @@ double origin_of(const Input& input, double rate) {
     VideoReader reader(input, rate, 1);
     if (!reader.next().image) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::no_frame,
             fmt::format("'{}' has video, but no frame of it decodes; `ffprobe` on it may say more", input.name));
     }
     return reader.origin();
@@ -200,7 +200,7 @@ double length_of(const Input& input, double rate) {
 
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
     const std::string end = last ? fmt::format("its last frame is at {:.3f} s; ", *last) : "";
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::span_empty,
                 fmt::format("'{}' has no frame {}; {}choose another piece", name, text_of(span), end));
 }
 

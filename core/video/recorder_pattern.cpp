@@ -77,7 +77,7 @@ constexpr std::size_t longest_pattern = 255;
 constexpr std::size_t longest_path = 4096;
 
 [[noreturn]] void refuse(std::string_view pattern, std::string_view why) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::name_pattern_invalid,
                 fmt::format("'{}' is no pattern of names: {}; for example "
                             "'%Y-%m-%d/%H/{{camera}}/%M.%S' is Frigate's",
                             pattern, why),

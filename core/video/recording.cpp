@@ -153,7 +153,7 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     constexpr std::size_t told = 8;
     const std::size_t rest = names.size() - std::min(names.size(), told);
     names.resize(names.size() - rest);
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::recording_mixed,
                 fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
                             "recording all the same",
                             name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
@@ -165,7 +165,7 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();
         if (are_alike(first.header, header)) continue;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::recording_mixed,
                     fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
                                 "are one recording; give one, or join them",
                                 first.segment->path, text_of(first.header), segment->path, text_of(header),

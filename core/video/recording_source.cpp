@@ -40,7 +40,7 @@ double on_clock(double begin, double time, double tick) {
 RecordingSource::RecordingSource(Recording recording, const SourceOptions& options)
     : recording_(std::move(recording)), options_(options) {
     if (!open_next()) {
-        throw Error(ErrorKind::not_video, fmt::format("none of the {} of '{}' can be read: {}",
+        throw Error(ErrorCode::not_video, fmt::format("none of the {} of '{}' can be read: {}",
                                                       counted(std::ssize(recording_.segments), "file"), recording_.name,
                                                       problems_.empty() ? "there is none" : problems_.front()));
     }
@@ -199,7 +199,7 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
 
 /// They were there when the recording was opened.
 void RecordingSource::throw_gone() const {
-    throw Error(ErrorKind::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
+    throw Error(ErrorCode::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
                                            recording_.name, counted(std::ssize(recording_.segments), "file"),
                                            problems_.empty() ? "they hold no frame" : problems_.front()));
 }

@@ -52,8 +52,9 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
         }
     }
     if (why) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the folder '{}': {}; check its permissions",
-                                               folder.string(), why.message()));
+        throw Error(
+            code_of_system_error(why.value()),
+            fmt::format("cannot read the folder '{}': {}; check its permissions", folder.string(), why.message()));
     }
     return files;
 }
@@ -104,9 +105,10 @@ std::vector<std::string> expand_glob(const std::string& pattern) {
     // The system's function calls itself for each part of a path, however many there are.
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;
-        throw Error(ErrorKind::usage, fmt::format("'{}...': a pattern has {} bytes at most, as a path has, and this "
-                                                  "has {}",
-                                                  pattern.substr(0, shown), PATH_MAX - 1, pattern.size()));
+        throw Error(ErrorCode::name_pattern_invalid,
+                    fmt::format("'{}...': a pattern has {} bytes at most, as a path has, and this "
+                                "has {}",
+                                pattern.substr(0, shown), PATH_MAX - 1, pattern.size()));
     }
     glob_t found{};
     const std::unique_ptr<glob_t, void (*)(glob_t*)> owner(&found, &globfree);
