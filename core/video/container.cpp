@@ -21,7 +21,7 @@ constexpr std::array table{
 
 bool holds(const char* muxer, AVCodecID codec) {
     const AVOutputFormat* const format = av_guess_format(muxer, nullptr, nullptr);
-    // Matroska holds what AVI does by AVI's own names; libav calls that unofficial, and every player reads it.
+    // Matroska can hold AVI codecs by their AVI tags. libav calls that unofficial, but every player supports it.
     return format != nullptr && avformat_query_codec(format, codec, FF_COMPLIANCE_UNOFFICIAL) == 1;
 }
 

@@ -66,7 +66,7 @@ class VideoReader {
     /// Restarts at the first frame, or at `start`. Call `next` at least once before.
     void rewind(const SeekPoint& start = {});
 
-    /// Closes the file and frees its index, which is large for a long clip. `next` must not be called before a rewind.
+    /// Closes the file and frees its index, which is large for a long clip. `next` then returns nothing until a rewind.
     void close();
 
     /// Where decoding must begin for the first frame at or after `time`, in seconds.

@@ -34,7 +34,7 @@ constexpr std::string_view list_ending = ".txt";
                             list, number, why));
 }
 
-/// The files that a list names. Others may have written it, so it leads nowhere out of its folder.
+/// The files in a list. Lists are untrusted, so paths outside the list's folder are rejected.
 std::vector<std::string> files_of_list(const std::string& list) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes) {
@@ -74,7 +74,7 @@ bool holds_pictures(const fs::path& folder) {
     return false;
 }
 
-/// Whether a name has to be looked at as a whole by others: a stream, a sequence of pictures, nothing that is there.
+/// Whether a name is a source of its own, not files of a recording: a stream, a picture sequence, or no file at all.
 bool is_single_source(const std::string& name) {
     std::error_code none;
     const fs::file_status status = fs::status(name, none);
@@ -88,7 +88,7 @@ bool is_single_source(const std::string& name) {
     });
 }
 
-/// Whether it is a text: a video may have any name.
+/// Whether a file is a list. Its content decides too, because a video may have any name.
 bool is_list(const std::string& name) {
     std::error_code none;
     if (extension_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
@@ -120,16 +120,16 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
         throw Error(ErrorCode::input_unsuitable,
                     fmt::format("'{}' is a stream, and only files can be one recording together", name));
     }
-    if (!fs::exists(name, none)) open_file(name);  // says why not
+    if (!fs::exists(name, none)) open_file(name);  // throws
     throw Error(ErrorCode::input_unsuitable,
                 fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
                             "the others; give video files, or folders of them",
                             name));
 }
 
-// ---- When each begins
+// ---- Start times
 
-/// The headers of files whose names don't tell when they begin, and first that of one whose name does.
+/// The headers of files whose names have no time, preceded by that of one file whose name has a time.
 std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
     std::vector<Segment*> looked_at;
     const auto told = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
@@ -143,14 +143,15 @@ std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
         try {
             headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
         } catch (const Error&) {
-            continue;  // it is named when it is read
+            continue;  // reported when it is read
         }
     }
     return headers;
 }
 
-/// Whether times make sense for files that follow each other: few begin before the one before has ended.
-/// \param share of the files that may
+/// Whether the times are plausible for consecutive files: few files begin before the previous one ends.
+/// \param spans begin and end of each file, seconds
+/// \param share maximum share of files that overlap
 bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
     constexpr double overlap = 5;  // seconds
     std::ranges::sort(spans);
@@ -194,7 +195,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             recording.name, files));
         return;
     }
-    // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
+    // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
     if (try_times(ClockSource::modified, 0.05, [](const SegmentHeader& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
             return modified_at(file.segment->path).value_or(0) - file.header.length;
@@ -211,7 +212,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         recording.name, files));
 }
 
-/// In the order of time; what has none stays behind the file that it follows by its name.
+/// Sorts by start time. A file without one stays behind its predecessor by name.
 void sort_by_time(std::vector<Segment>& segments) {
     std::optional<std::int64_t> before;
     std::vector<std::pair<std::int64_t, Segment>> keyed;
@@ -224,7 +225,7 @@ void sort_by_time(std::vector<Segment>& segments) {
     for (auto& entry : keyed) segments.push_back(std::move(entry.second));
 }
 
-/// What people call the files: the name that was given, or the folder that all are in.
+/// A name for the recording: the given name, or the common folder of all files.
 std::string name_of(std::span<const std::string> names, const std::vector<std::string>& files) {
     if (names.size() == 1) return names.front();
     fs::path common = fs::path(files.front()).parent_path();

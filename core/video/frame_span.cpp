@@ -24,7 +24,7 @@ std::int64_t day_at(const Clock& clock, double seconds) {
     return static_cast<std::int64_t>(std::floor(clock.at(seconds) / static_cast<double>(day)));
 }
 
-/// Headers lie, so a little more than they say.
+/// The likely end in seconds, with a margin because headers are inaccurate.
 double likely_end(const FrameSpan& span, const VideoInfo& info) {
     constexpr double unknown = 366.0 * day;
     constexpr double more = 60;
@@ -122,7 +122,7 @@ std::string day_times_of(const FrameSpan& span, const WallClock& clock, const Vi
 
 namespace {
 
-/// A time typed with three decimals means the frame that it names, whose own time has more of them.
+/// Seconds. A time typed with three decimals must match a frame whose exact time has more.
 constexpr double slack = 0.0005;
 
 }  // namespace
@@ -142,7 +142,7 @@ bool is_between_parts(const FrameSpan& span, double pts) {
 }
 
 std::string text_of(const FrameSpan& span) {
-    // Milliseconds, without what adding fractions leaves in the fifteenth place.
+    // Rounds to milliseconds, to hide floating-point errors.
     const auto shown = [](double seconds) { return std::round(seconds * 1000) / 1000; };
     const std::string from =
         span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", shown(span.start));

@@ -93,11 +93,11 @@ int write_all(int fd, std::span<const char> bytes) {
     return 0;
 }
 
-/// Copies everything that `from` gives to an unlinked temporary file in $TMPDIR, or /var/tmp: the file vanishes with
-/// its last descriptor, however the program ends.
+/// Copies all bytes of `from` to an unlinked temporary file in $TMPDIR or /var/tmp. The kernel removes the file with
+/// its last descriptor, even if the program crashes.
 ///
-/// \param name of the stream, for messages
-/// \throws Error io when reading or writing fails, a full disk among them
+/// \param name name of the stream, for messages
+/// \throws Error io if reading or writing fails, also if the disk is full
 std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::string& name) {
     const std::string where = folder();
     auto file = make_unlinked(name, where);
@@ -158,8 +158,8 @@ Input open_input(const std::string& name) {
     const auto mode = status_of(*file, name).st_mode;
     if (S_ISREG(mode)) {
         require_bytes(*file, name);
-        // libav opens it by name. The prefix keeps a name such as "cam:1.avi" from being taken for a protocol, and two
-        // slashes from looking like an address.
+        // libav opens it by name. With the prefix, it doesn't parse a name such as "cam:1.avi" as a protocol. Leading
+        // slashes are reduced to one, because "file://" begins a URL.
         const auto slashes = std::min(name.find_first_not_of('/'), name.size());
         return {name, std::string(file_protocol) + name.substr(slashes > 1 ? slashes - 1 : 0), nullptr};
     }
@@ -221,9 +221,9 @@ PipeReader::PipeReader(std::shared_ptr<const Descriptor> pipe, std::shared_ptr<c
 
 int PipeReader::read(void* self, std::uint8_t* buffer, int size) {
     const auto& reader = *static_cast<PipeReader*>(self);
-    constexpr int milliseconds = 100;  // between two looks at the watchdog
+    constexpr int milliseconds = 100;  // between polls of the watchdog
     for (;;) {
-        // The writer of a pipe may take its time; only a request to stop ends the wait.
+        // The writer of a pipe may pause for any time, so there is no timeout; only `stop` ends the wait.
         if (reader.watchdog_->stopped()) return AVERROR_EXIT;
         pollfd waited{reader.pipe_->get(), POLLIN, 0};
         if (::poll(&waited, 1, milliseconds) == 0) continue;

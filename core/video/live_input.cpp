@@ -24,8 +24,8 @@ extern "C" {
 namespace vvr::video {
 namespace {
 
-// libavdevice brings some hundred libraries with it, of windows and sound; so it is loaded only for a device, and is
-// none of what vvr needs to start. Its number is libavformat's.
+// libavdevice depends on about a hundred libraries for windows and sound, so it is loaded only for a device. Its major
+// version equals libavformat's.
 void load_devices(const std::string& name) {
     const std::string library = fmt::format("libavdevice.so.{}", LIBAVFORMAT_VERSION_MAJOR);
     void* const loaded = while_loading([&] { return ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL); });
@@ -49,10 +49,10 @@ Input open_pipe(const std::string& name, int fd) {
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }
 
-/// A pipe that nobody writes to opens at once, and then has `watchdog`'s patience for its first bytes.
+/// Opens a named pipe without blocking, and waits for its first bytes until `watchdog` expires.
 Input open_named_pipe(const std::string& name, const Watchdog& watchdog) {
     Input input = open_pipe(name, ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    constexpr int milliseconds = 100;  // between two looks at the watchdog
+    constexpr int milliseconds = 100;  // between polls of the watchdog
     for (;;) {
         pollfd waited{input.pipe->get(), POLLIN, 0};
         if (::poll(&waited, 1, milliseconds) > 0) return input;

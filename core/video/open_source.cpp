@@ -63,7 +63,7 @@ void FrameSource::seek(double) {
 
 namespace {
 
-/// Of a folder of pictures that has videos too: which of them are not drawn.
+/// A warning if a folder of pictures also has videos, which are ignored.
 std::optional<std::string> videos_beside_pictures(const std::string& folder) {
     std::error_code none;
     if (!std::filesystem::is_directory(folder, none)) return std::nullopt;
@@ -102,7 +102,7 @@ namespace fs = std::filesystem;
 
 using Paths = std::vector<fs::path>;
 
-/// A folder is read as a recording, which has folders in it, as pictures, as an extraction, or as lists or flow.
+/// Adds all files that may be read from a folder: videos of its subfolders, pictures, parts of an extraction, lists.
 void add_folder(const fs::path& folder, Paths& files) {
     std::error_code none;
     const bool extracted = fs::exists(folder / "manifest.json", none);
@@ -117,7 +117,7 @@ void add_folder(const fs::path& folder, Paths& files) {
     }
 }
 
-/// The files that a list names, whatever else is wrong with it.
+/// Adds the files in a list, even if other lines are invalid.
 void add_list(const fs::path& list, Paths& files) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes || none) return;

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of the regular files in a folder, hidden ones left out.
+/// The names of the regular files in a folder, without hidden files.
 std::vector<std::string> files_in(const fs::path& folder, const std::string& asked) {
     std::vector<std::string> names;
     std::error_code why;
@@ -72,7 +72,7 @@ std::vector<std::string> expand_glob_pattern(const std::string& pattern) {
     return files;
 }
 
-/// "frame%05d.png" in parts: the text before and after the number, and its least width.
+/// The parts of "frame%05d.png": the text before and after the number, and its minimum width.
 struct NumberPattern {
     std::string before;
     std::string after;
@@ -123,7 +123,7 @@ bool matches(const NumberPattern& pattern, std::string_view file) {
     const auto number = file.substr(pattern.before.size(), file.size() - pattern.before.size() - pattern.after.size());
     if (number.find_first_not_of("0123456789") != std::string_view::npos) return false;
     if (number.size() < (pattern.zeros ? pattern.width : 1)) return false;
-    // printf pads up to the width and never beyond it.
+    // printf pads only up to the width.
     return number.size() == 1 || number.front() != '0' || (pattern.zeros && number.size() == pattern.width);
 }
 
@@ -181,7 +181,7 @@ Picture decode_picture(const std::string& path) {
     return picture;
 }
 
-/// Nothing for a picture that can't be read or decoded; it is one damaged frame of many.
+/// Null for a picture that can't be read or decoded, which then counts as a damaged frame.
 AvFrame try_decode_picture(const std::string& path) {
     try {
         return decode_picture(path).image;
@@ -190,7 +190,7 @@ AvFrame try_decode_picture(const std::string& path) {
     }
 }
 
-/// The first file at or after `time`; a hair of slack for times typed in decimals.
+/// Index of the first file at or after `time`, with a tolerance for rounded decimals.
 std::size_t file_at(double time, double rate, std::size_t files) {
     return static_cast<std::size_t>(std::clamp(std::ceil(time * rate - 1e-6), 0.0, static_cast<double>(files)));
 }

@@ -14,12 +14,12 @@ namespace vvr::video {
 struct PacketRange {
     std::int64_t first = 0;        ///< index of the key packet in the video stream
     std::int64_t last = 0;         ///< index of the last packet that is needed
-    std::int64_t first_stamp = 0;  ///< presentation timestamp of the key frame, in the stream's time base
+    std::int64_t first_stamp = 0;  ///< of the key frame, in the stream's time base; earlier frames are not shown
     std::int64_t last_stamp = 0;   ///< presentation timestamp of the last frame
     double begin = 0;              ///< time of the key frame
     double end = 0;                ///< time of the last frame
     double wanted = 0;             ///< time of the first requested frame; at least `begin`
-    std::int64_t frames = 0;       ///< requested frames; 0 = none, and the fields above are not set
+    std::int64_t frames = 0;       ///< requested frames; 0 = none, and only `over` is set
     std::optional<double> over{};  ///< time of the clip's last frame if the whole clip comes before the span
     std::int64_t damaged = 0;      ///< packets in the range that the container marks as damaged
     bool ends_early = false;       ///< the clip ends before the span does

@@ -71,7 +71,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Cuts the run of digits off the front of `text`, without its leading zeros.
+/// Removes the leading run of digits from `text` and returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
     const auto first = std::find_if(text.begin(), end, [](char c) { return c != '0'; });
@@ -102,7 +102,7 @@ bool natural_less(std::string_view a, std::string_view b) {
 }
 
 std::vector<std::string> expand_glob(const std::string& pattern) {
-    // The system's function calls itself for each part of a path, however many there are.
+    // glob(3) recurses for each part of a path, without a limit.
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;
         throw Error(ErrorCode::name_pattern_invalid,
