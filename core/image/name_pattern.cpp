@@ -19,7 +19,7 @@ const std::vector<std::string>& counted_things() {
     return names;
 }
 
-// {word:digits} with any word, so that a wrong one is noticed; a run of #; %d.
+// {word:digits} with any word, so that unknown words are reported; a run of #; %d.
 const std::regex& field() {
     static const std::regex expression(R"(\{([^{}:]*)(?::([^{}]*))?\}|(##+)|%(?:0([1-9]))?d)");
     return expression;
@@ -35,7 +35,7 @@ int digits_of(const std::string& text, const std::string& given) {
 
 NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     const std::string name = path.filename().string();
-    // The expressions of the library need stack for each character.
+    // std::regex recurses for each character.
     if (name.size() > NAME_MAX) {
         throw Error(ErrorCode::name_pattern_invalid,
                     fmt::format("'{}...': a name has {} bytes at most, and this has {}", name.substr(0, 40), NAME_MAX,
