@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 7> weekdays{"Sun", "Mon", "Tue", "Wed", "
 constexpr std::array<std::string_view, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                   "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
-/// A wall-clock time in minutes.
+/// A wall-clock time, truncated to the minute.
 struct Minute {
     std::chrono::sys_days day;
     std::string time;
@@ -69,7 +69,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 66;
 
-/// Rounds a time or rate to the precision of containers.
+/// Rounds a time or rate to six decimals, the precision of containers.
 double rounded(double value) {
     return std::round(value * 1e6) / 1e6;
 }
