@@ -67,7 +67,7 @@ class Strip {
         layers_->fill_texels(layers.first, texels_);
     }
 
-    /// Includes the layers that are laid out, in these rows.
+    /// Computes the minimum and maximum of these rows over the filled layers.
     void join(Reach rows) {
         rows_ = intersection(rows, box_rows_);
         whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;

@@ -51,14 +51,15 @@ std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
     return encode(plane.size(), 1, plane.pixels());
 }
 
-/// The same in colour.
+/// Encodes a colour plane.
 std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
     Plane<Bgr> rgb = plane;
     swap_red_and_blue(rgb);
     return encode(plane.size(), 3, {rgb.pixels().front().data(), 3 * rgb.pixels().size()});
 }
 
-/// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
+/// Reads an 8-bit plane with one channel.
+/// \throws Error io if it can't be read, or has another format or size
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<std::uint8_t>::for_overwrite(size);
@@ -66,7 +67,8 @@ Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     return plane;
 }
 
-/// The same for three channels.
+/// Reads a plane with three channels.
+/// \throws Error as `read_grey`
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<Bgr>::for_overwrite(size);
@@ -119,7 +121,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     std::error_code error;
     created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
-    // If the run is killed from here on, the next one recognises the folder as ours.
+    // With this manifest, the next run recognises the folder if this run is killed.
     image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
@@ -130,7 +132,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
 }
 
 DataFolder::~DataFolder() {
-    // Keep the manifest if files remain: without it, the next run would not recognise them as ours.
+    // Keeps the manifest if files remain, so that the next run recognises the folder.
     if (closed_ || !remove_data()) return;
     std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
@@ -148,8 +150,8 @@ bool DataFolder::remove_data() const {
     return removed;
 }
 
-// Doesn't sync each file as `replace_file` does, which would take longer than everything else. The manifest, written
-// last, marks the folder as complete.
+// Doesn't sync each file as `replace_file` does, because that would take longer than everything else. The manifest is
+// written last and marks the folder as complete.
 void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
     const fs::path path = folder_ / file;
     std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));

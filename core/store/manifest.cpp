@@ -26,7 +26,7 @@ constexpr std::int64_t max_count = std::numeric_limits<std::int32_t>::max();
 
 constexpr double max_time = 9.2e12;  // seconds: libav's range in microseconds
 
-/// A JSON object of the file: gives its values by name and checks their types and ranges.
+/// Reads the values of a JSON object by name, and checks their types and ranges.
 class Reader {
   public:
     Reader(const Json& json, std::string name, std::string where = "")
@@ -240,7 +240,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
 
 namespace {
 
-/// A folder's manifest as JSON; nothing if there is no such file.
+/// A folder's manifest as JSON; empty if there is no such file.
 std::optional<Json> manifest_of(const std::filesystem::path& folder) {
     std::error_code none;
     const std::filesystem::path file = folder / stored::manifest;
