@@ -76,7 +76,7 @@ glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
 
 namespace {
 
-/// One in so many layers is for time without motion: `idle_share_read` while the clip is read, `idle_share` at the end.
+/// Share of the layers for time without motion, as 1/n: while the clip is read, and at the end.
 constexpr std::size_t idle_share_read = 8;
 constexpr std::size_t idle_share = 4;
 

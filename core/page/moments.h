@@ -88,8 +88,7 @@ class WatchedFields final : public fields::FieldSource {
     Timeline times_;
     std::optional<Stills> stills_;
     std::optional<Preview> preview_;
-    std::future<void>
-        encoding_;  ///< of the previous frame; runs in parallel, because encoding takes as long as the fields
+    std::future<void> encoding_;  ///< of the previous frame, parallel to the next fields
 };
 
 /// Collects times and stills of the most recent frames of a stream while its fields are read. The number of frames
