@@ -110,7 +110,8 @@ struct Layer {
 };
 
 /// Merges a layer with the next one. Each voxel keeps the colour and owner of the greater value, or of the first if
-/// both are equal. \param values kind of values, which determines how two values merge
+/// both are equal.
+/// \param values kind of values, which determines how two values merge
 void join(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
 
 /// The loss of merging two neighbouring layers, in pixels times frames. A layer of n frames that has u non-zero pixels
@@ -126,8 +127,8 @@ class LayerMerger {
     /// Call it after a layer was appended.
     void add(const std::vector<Layer>& layers);
 
-    /// Merges the two neighbours with the smallest loss; for equal losses of 0, the shortest two. Keeps idle layers if
-    /// only few are left. \param idle minimum number of layers without motion to keep, if possible
+    /// Merges two neighbours: if more than `idle` layers have no motion, the shortest two of these, else the two with
+    /// the smallest loss. \param idle number of layers without motion to keep, if possible
     void merge_cheapest(std::vector<Layer>& layers, std::size_t idle);
 
     /// Merges the shortest two neighbours without motion.

@@ -78,8 +78,8 @@ class Volume {
     /// \throws Error usage for a capacity below 2, or a step or seed interval below 1
     Volume(Size size, const VolumeOptions& options);
 
-    /// Call it after the last frame. For a nonuniform volume, merges layers down to the capacity, and idle layers down
-    /// to a quarter of it if there are others.
+    /// Call it after the last frame. For a nonuniform volume, merges layers down to the capacity, and then layers
+    /// without motion down to a quarter of all layers.
     void settle();
 
     /// Drops the first `layers` layers with their flow and seeds. The first remaining frame becomes frame 0.

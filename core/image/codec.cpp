@@ -93,8 +93,9 @@ constexpr int search = 0;  // AddressSanitizer doesn't support RTLD_DEEPBIND
 constexpr int search = RTLD_DEEPBIND;
 #endif
 
-/// Checks that threads can be started. One of the dependencies, log4cplus, starts a thread per core when loaded, at
-/// least four. If that fails, it aborts or hangs. \throws std::system_error if the threads can't be started
+/// Checks that threads can be started. One of the dependencies, log4cplus, starts a thread per core when loaded, and
+/// at least four. If that fails, it aborts or hangs.
+/// \throws std::system_error if the threads can't be started
 void check_threads() {
     const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
     std::latch all_there(1);

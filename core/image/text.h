@@ -18,7 +18,8 @@ std::string printable(const std::string& text);
 void check_font(const std::filesystem::path& file);
 
 /// Sets the font of all later text; an empty path means fontconfig's sans serif font. The font is global, because
-/// nearly all layout functions measure text. \throws Error as `check_font`
+/// nearly all layout functions measure text.
+/// \throws Error as `check_font`
 void choose_font(const std::filesystem::path& file);
 
 /// The font's file name without folders; empty if there is no font.

@@ -54,8 +54,9 @@ struct Minute {
 };
 
 /// The heading: "back-door · Tue 17 Nov 2026, 07:15", with the end if it is in another minute. Without a clock, only
-/// the name. \param name name of the camera, or of the clip if the camera is unknown \param begin, end seconds of the
-/// clip
+/// the name.
+/// \param name name of the camera, or of the clip if the camera is unknown
+/// \param begin, end seconds of the clip
 std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end) {
     if (!clock) return name;
     const Minute first(clock->at(begin));

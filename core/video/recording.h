@@ -38,9 +38,9 @@ struct SegmentBegin {
 };
 
 /// Places a file in a recording. A file that begins within a second of the previous file's end follows it, because
-/// names have whole seconds and recorders begin files at key frames. \param origin start of the recording, seconds
-/// since 1970 (UTC); none = unknown \param end end of the previous file, seconds of the recording; none = this is the
-/// first file
+/// names have whole seconds and recorders begin files at key frames.
+/// \param origin start of the recording, seconds since 1970 (UTC); none = unknown
+/// \param end end of the previous file, seconds of the recording; none = this is the first file
 SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end);
 
 /// Finds the files of a recording. Names may be files, folders of video files (with their subfolders), globs
@@ -81,9 +81,9 @@ struct SegmentHeader {
     ClipHeader header;
 };
 
-/// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must be
-/// alike. \param headers of these files, preceded by that of one file whose name has a time, if there is one \throws
-/// Error usage if they differ
+/// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must agree.
+/// \param headers of these files, preceded by that of one file whose name has a time, if there is one
+/// \throws Error usage if they differ
 void require_related(const Recording& recording, std::span<const SegmentHeader> headers);
 
 }  // namespace vvr::video
