@@ -127,8 +127,9 @@ class LayerMerger {
     /// Call it after a layer was appended.
     void add(const std::vector<Layer>& layers);
 
-    /// Merges two neighbours: if more than `idle` layers have no motion, the shortest two of these, else the two with
-    /// the smallest loss. \param idle number of layers without motion to keep, if possible
+    /// Merges two neighbours: the shortest two without motion if more than `idle` layers have none, else the two with
+    /// the smallest loss.
+    /// \param idle number of layers without motion to keep, if possible
     void merge_cheapest(std::vector<Layer>& layers, std::size_t idle);
 
     /// Merges the shortest two neighbours without motion.
