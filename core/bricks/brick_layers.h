@@ -12,43 +12,42 @@
 
 namespace vvr::bricks {
 
-/// What a voxel tells beside its scalar.
+/// What a voxel stores besides its scalar.
 enum class ExtraChannel { nothing, colour, identity };
 
-/// Red, green, blue and the scalar of a voxel; or its identity and its scalar: the look, the low and the high byte of
-/// the event's number.
+/// Red, green, blue and scalar of a voxel, or its identity and scalar: the look, then the low and high byte of the
+/// event's number.
 using ColouredTexel = std::array<std::uint8_t, 4>;
 
-/// What goes into a brick's texture: its layers with one more before and after (the neighbour's layer, or the brick's
-/// own end layer repeated where there is no neighbour), so that interpolation is continuous across bricks. It
-/// covers only the box in which something isn't 0, with a border of 0 wherever the box ends before the layers do.
-/// Texels are laid out on demand, some layers at a time: all at once they would be most of the memory that a picture
-/// needs.
+/// The content of a brick's texture. It has one extra layer before and after the brick, so that interpolation is
+/// continuous across bricks: the neighbour's layer, or the brick's end layer repeated if there is no neighbour. It
+/// covers only the box of non-zero voxels, with a border of zeros unless the box ends with the layers. Texels are
+/// generated on demand, a few layers at a time, because all at once they would dominate the memory use of a picture.
 class BrickLayers {
   public:
-    /// \param volume outlives this, and doesn't change
-    /// \param identify outlives this; of a volume that keeps owners
+    /// \param volume must outlive this object, unchanged
+    /// \param identify must outlive this object; only for a volume that keeps owners
     BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = no_identities);
 
     const Brick& brick() const { return brick_; }
-    std::int64_t count() const { return brick_.count + 2; }  ///< of layers
-    Size size() const { return size_; }                      ///< of a whole layer
+    std::int64_t count() const { return brick_.count + 2; }  ///< layers of the texture
+    Size size() const { return size_; }                      ///< size of a whole layer
     ExtraChannel extra_channel() const { return extra_channel_; }
     bool coloured() const { return extra_channel_ != ExtraChannel::nothing; }  ///< texels are ColouredTexels
 
-    /// Whether there is something between two texels; else the nearest one is meant.
+    /// Whether to interpolate between texels; otherwise the nearest texel is used.
     bool interpolated() const { return fields::interpolates(volume_->values()); }
 
-    /// Of the layers' texels, columns of x_C and rows of y_C; never empty.
+    /// The covered box in texels: columns along x_C, rows along y_C. Never empty.
     const PixelBox& box() const { return box_; }
-    std::size_t area() const;  ///< of the box
+    std::size_t area() const;  ///< texels in the box
 
-    /// Lays out the texels of layers from `first` on, as many as `texels` has room for: x_C fastest, then y_C, then
-    /// time. Columns and rows run against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
+    /// Fills `texels` with layers from `first` on: x_C varies fastest, then y_C, then time. Columns and rows are
+    /// reversed relative to the image: x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
     void fill_texels(std::int64_t first, std::span<std::uint8_t> texels) const;
 
-    /// The same with the video's colours, or with identities, of a volume that has them. A voxel without an owner that
-    /// is next to others has the identity of one of these: interpolation makes their values reach into it.
+    /// The same with the video's colours or with identities, if the volume has them. A voxel without an owner gets the
+    /// identity of an adjacent voxel, because interpolation extends that voxel's values into it.
     void fill_texels(std::int64_t first, std::span<ColouredTexel> texels) const;
 
   private:

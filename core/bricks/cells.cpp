@@ -8,8 +8,8 @@ namespace vvr::bricks {
 
 namespace {
 
-// Voxels. Smaller cells leave out more of what is empty, larger ones make fewer triangles; measured on street scenes.
-// A cell's box leaves out what is empty at its sides, but not before and after: hence they are shorter in time.
+// Voxels, measured on street scenes. Smaller cells skip more empty space, larger cells make fewer triangles. A cell's
+// box trims empty space in x and y, but not in time, so cells are shorter in time.
 constexpr int cell_side = 32;
 constexpr int cell_layers = 16;
 
@@ -25,13 +25,13 @@ int cells_along(std::int64_t voxels, int side) {
     return static_cast<int>((voxels + side - 1) / side);
 }
 
-/// First and last of the texels of one axis that touch a cell.
+/// The first and last texel of one axis that touch a cell.
 struct Reach {
     std::int64_t first;
     std::int64_t last;
 };
 
-/// What cell `i` of `cells` touches of `count` texels, `apron` texels more on each side.
+/// The texels, of `count`, that cell `i` of `cells` touches, plus `apron` texels on each side.
 Reach reach(int i, int cells, std::int64_t count, double apron) {
     const double scale = static_cast<double>(count) / cells;
     const auto low = static_cast<std::int64_t>(std::floor(i * scale - 0.5 - apron));
@@ -39,8 +39,8 @@ Reach reach(int i, int cells, std::int64_t count, double apron) {
     return {std::clamp<std::int64_t>(low, 0, count - 1), std::clamp<std::int64_t>(high, 0, count - 1)};
 }
 
-/// The texel layers that cell `i` of `cells` touches in time, `apron` layers more on each side. Texel layer l stands at
-/// (l - 1 + 0.5) / count of the brick: one more layer before the brick than in it.
+/// The texel layers that cell `i` of `cells` touches in time, plus `apron` layers on each side. Texel layer l is at
+/// (l - 1 + 0.5) / count of the brick, because there is one extra layer before the brick.
 Reach layers_reach(int i, int cells, const BrickLayers& layers, double apron) {
     const double scale = static_cast<double>(layers.brick().count) / cells;
     const auto low = static_cast<std::int64_t>(std::floor(i * scale + 0.5 - apron));
@@ -52,8 +52,8 @@ Reach intersection(Reach a, Reach b) {
     return {std::max(a.first, b.first), std::min(a.last, b.last)};
 }
 
-/// The extremes over some layers of each texel of a strip of rows. Whole rows at a time: the compiler makes vectors of
-/// that, and it is as fast as the texels can be read. Outside of the layers' box all is 0.
+/// The minimum and maximum over some layers of each texel in a strip of rows. Processes whole rows, which the compiler
+/// vectorises; the speed is limited by memory bandwidth. Texels outside the layers' box are 0.
 class Strip {
   public:
     explicit Strip(const BrickLayers& layers)
@@ -67,7 +67,7 @@ class Strip {
         layers_->fill_texels(layers.first, texels_);
     }
 
-    /// Of the layers that are laid out.
+    /// Computes the minimum and maximum of these rows over the filled layers.
     void join(Reach rows) {
         rows_ = intersection(rows, box_rows_);
         whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;
@@ -96,7 +96,7 @@ class Strip {
         return range;
     }
 
-    /// The columns and rows of what isn't 0; the first after the last if all is.
+    /// The columns and rows of non-zero texels. If there are none, first is greater than last.
     std::array<Reach, 2> occupied(Reach columns) const {
         std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1},
                                       Reach{rows_.last + 1, rows_.first - 1}};
@@ -130,7 +130,7 @@ class Strip {
     std::vector<std::uint8_t> high_;
 };
 
-/// How far the texels of `reach` are felt, from 0 to 1 over `count` texels, and `more` beyond.
+/// The interval that texels of `reach` influence by interpolation, where `count` texels span 0..1, widened by `more`.
 std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
     const auto n = static_cast<double>(count);
     return {(static_cast<double>(reach.first) - 0.5) / n - more, (static_cast<double>(reach.last) + 1.5) / n + more};
@@ -140,7 +140,7 @@ std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
 
 BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::Layout& layout, double margin) {
     const Size size = layers.size();
-    // In x_C, y_C and t_C; along the arc where it is shortest.
+    // In x_C, y_C and t_C, where the arc is shortest.
     const space::Basis basis = layout.basis({0, 0.5, 0.5});
     const glm::dvec3 around = margin / glm::dvec3(glm::length(basis.x), glm::length(basis.y), glm::length(basis.t));
     const int nx = cells_along(size.width, cell_side);
@@ -153,9 +153,10 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::La
     cells.y = borders(ny);
     cells.t = borders(nt);
 
-    // Between two straight cells lies a sliver that bends out of one and into the other: the apron covers it.
+    // The curved border of two cells deviates from their straight sides. The apron covers that sliver.
     const double bend = layout.sagitta_x(t_span / nt);
-    // The shader rejects what lies outside of the volume. Flat outer faces would cut the curved volume short.
+    // Extends the outer cells, because flat outer faces would clip the curved volume. The shader rejects what is
+    // outside.
     cells.x.front() -= around.x;
     cells.x.back() += 2 * bend + around.x;
     std::vector<Reach> columns;

@@ -87,7 +87,7 @@ PixelBox Sparse<T>::box() const {
 
 template <class T>
 void Sparse<T>::keep_maximum(const Sparse& other) {
-    // Room for what is added and no more: in a long clip it is added to most layers a last time.
+    // Reserves exactly the added tiles, because in a long clip most layers are not extended again.
     std::size_t added_tiles = 0;
     for (std::size_t place = 0; place < held_.size(); ++place) {
         if (held_[place] == none && other.held_[place] != none) ++added_tiles;
@@ -125,7 +125,7 @@ template bool operator==(const OwnerPlane& a, const OwnerPlane& b);
 
 namespace {
 
-/// Pixel by pixel, where either has something.
+/// Merges two planes pixel by pixel where either is non-zero.
 SparsePlane merged_planes(fields::Values values, const SparsePlane& before, const SparsePlane& after) {
     SparsePlane result(before.size());
     const auto visit = [&](const SparsePlane& plane) {
@@ -172,7 +172,7 @@ bool is_gap(const Layer& layer) {
     return layer.missing == layer.frames;
 }
 
-/// Two layers in which nothing moves: two of a gap, or none.
+/// Whether both layers have no motion, and both or neither are gaps.
 bool are_idle(const Layer& a, const Layer& b) {
     return is_idle(a) && is_idle(b) && is_gap(a) == is_gap(b);
 }
@@ -193,7 +193,7 @@ std::optional<std::size_t> least(const std::vector<Layer>& layers, const Of& val
 }  // namespace
 
 double merge_loss(const Layer& a, const Layer& b) {
-    // What lies there while nothing moves is no loss in a layer of any length.
+    // Without motion, stationary pixels are no loss in a layer of any length.
     const std::int64_t in_a = is_idle(a) ? 0 : a.scalar.count();
     const std::int64_t in_b = is_idle(b) ? 0 : b.scalar.count();
     if (in_a == 0 && in_b == 0) return 0;

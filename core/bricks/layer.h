@@ -12,38 +12,38 @@
 
 namespace vvr::bricks {
 
-/// A picture that is 0 in most places, as the scalars of a layer are where nothing moves: only tiles in which something
-/// isn't 0 are held. Of a street that is a twentieth.
+/// A sparse picture: stores only the tiles with non-zero pixels. The scalars of a layer are 0 wherever nothing moves;
+/// for a typical street scene, a twentieth of the tiles is stored.
 template <class T>
 class Sparse {
   public:
     Sparse() = default;
-    explicit Sparse(Size size);  ///< all of it is 0
+    explicit Sparse(Size size);  ///< all pixels are 0
     explicit Sparse(const Plane<T>& whole);
 
     Size size() const { return size_; }
-    bool empty() const { return size_ == Size{}; }  ///< it has no pixels; not: all of them are 0
+    bool empty() const { return size_ == Size{}; }  ///< whether the size is 0, not whether all pixels are 0
 
     T at(int i, int j) const {
         const Tile* const tile = tile_at(tile_index(i, j));
         return tile == nullptr ? T{} : (*tile)[within(i, j)];
     }
 
-    /// Makes a tile where there is none and the value isn't 0.
+    /// Sets a pixel. Allocates its tile if needed.
     void set(int i, int j, T value);
 
     T greatest() const;
 
-    /// Where the tiles lie that are held: all around is 0. Empty when none is.
+    /// The bounding box of the stored tiles. All pixels outside are 0.
     PixelBox box() const;
 
-    /// How many pixels aren't 0.
+    /// The number of non-zero pixels.
     std::int64_t count() const;
 
-    /// Takes on the pixels of a picture of the same size that are greater than its own.
+    /// Sets each pixel to the maximum of itself and that of a picture of the same size.
     void keep_maximum(const Sparse& other);
 
-    /// Calls visit(column, row, values) for each row of each tile that is held: what isn't visited is 0.
+    /// Calls visit(column, row, values) for each row of each stored tile. All other pixels are 0.
     template <class Visit>
     void for_each_run(const Visit& visit) const {
         for (std::size_t place = 0; place < held_.size(); ++place) {
@@ -57,11 +57,11 @@ class Sparse {
         }
     }
 
-    /// How many pixels aren't 0 in one of two pictures of the same size.
+    /// The number of pixels that are non-zero in at least one of two pictures of the same size.
     template <class U>
     friend std::int64_t count_union(const Sparse<U>& a, const Sparse<U>& b);
 
-    /// The same pixels.
+    /// Whether all pixels are equal.
     template <class U>
     friend bool operator==(const Sparse<U>& a, const Sparse<U>& b);
 
@@ -81,8 +81,8 @@ class Sparse {
     }
 
     Size size_;
-    int across_ = 0;                  ///< places in a row of them
-    std::vector<std::int32_t> held_;  ///< of each place the tile that lies there, or none; places in rows from the top
+    int across_ = 0;                  ///< tiles per row
+    std::vector<std::int32_t> held_;  ///< index in `tiles_` per tile position, or none; row by row from the top
     std::vector<Tile> tiles_;
 };
 
@@ -91,50 +91,49 @@ std::int64_t count_union(const Sparse<U>& a, const Sparse<U>& b);
 
 using SparsePlane = Sparse<std::uint8_t>;
 
-/// Whose each pixel is: a number of `Owners`, 0 = nobody's.
+/// The owner of each pixel: a number of `Owners`; 0 = none.
 using OwnerPlane = Sparse<std::uint16_t>;
 
-/// One layer of the volume: of each pixel what its values in `frames` consecutive frames join to, the strongest one
-/// where they are strengths.
+/// One layer of the volume. Each pixel merges its values in `frames` consecutive frames; for strengths, that is the
+/// maximum.
 struct Layer {
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;
     std::int64_t frames = 0;
-    double pts = 0;            ///< seconds, of its first frame
-    double last_pts = 0;       ///< seconds, of its last frame
-    std::int64_t missing = 0;  ///< of the frames, those that never came
-    std::int64_t moving = 0;   ///< of the frames, those in which something moves, where that is told
+    double pts = 0;            ///< time of the first frame, seconds
+    double last_pts = 0;       ///< time of the last frame, seconds
+    std::int64_t missing = 0;  ///< number of missing frames among `frames`
+    std::int64_t moving = 0;   ///< number of frames with motion, if known
     SparsePlane scalar;
-    Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
-    OwnerPlane owner;   ///< in that frame; empty unless owners are kept
+    Plane<Bgr> colour;  ///< from the frame of each scalar; empty unless colours are added
+    OwnerPlane owner;   ///< from the frame of each scalar; empty unless owners are kept
 };
 
-/// Joins a layer with the one after it; each voxel keeps the colour and the owner of the greater value, the first of
-/// two alike.
-/// \param values that say how two values join
+/// Merges a layer with the next one. Each voxel keeps the colour and owner of the greater value, or of the first if
+/// both are equal.
+/// \param values kind of values, which determines how two values merge
 void join(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
 
-/// Pixels times frames in which a layer shows something that was not there, more than its two halves do: what is lost
-/// when neighbours become one layer. A layer of n frames in which u pixels are ever occupied shows n·u. Nothing is lost
-/// where nothing moves.
+/// The loss of merging two neighbouring layers, in pixels times frames. A layer of n frames that has u non-zero pixels
+/// shows n·u. The loss is how much more the merged layer shows than the two layers. It is 0 if nothing moves.
 double merge_loss(const Layer& a, const Layer& b);
 
-/// Decides which neighbours among layers of unequal length are joined, so that the layers go where something moves.
+/// Decides which neighbouring layers are merged when layers have unequal lengths, so that motion gets more layers.
 class LayerMerger {
   public:
-    /// \param values what the layers' values are, which says how two join
+    /// \param values kind of values, which determines how two values merge
     explicit LayerMerger(fields::Values values) : values_(values) {}
 
-    /// A layer was added behind the others.
+    /// Call it after a layer was appended.
     void add(const std::vector<Layer>& layers);
 
-    /// Joins the two neighbours whose joining loses least. Of those that lose nothing it is the shortest two; and where
-    /// only few layers are left for the time in which nothing moves, they stay.
-    /// \param idle layers without motion that are to stay, if possible
+    /// Merges two neighbours: the shortest two without motion if more than `idle` layers have none, else the two with
+    /// the smallest loss.
+    /// \param idle number of layers without motion to keep, if possible
     void merge_cheapest(std::vector<Layer>& layers, std::size_t idle);
 
-    /// Joins the shortest two neighbours in which nothing moves.
-    /// \returns false when there are none
+    /// Merges the shortest two neighbours without motion.
+    /// \returns false if there are none
     bool merge_idle(std::vector<Layer>& layers);
 
   private:
@@ -142,10 +141,10 @@ class LayerMerger {
 
     fields::Values values_;
 
-    std::vector<double> losses_;  ///< of each layer and the one after it
+    std::vector<double> losses_;  ///< of each layer with the next one
 };
 
-/// Whether nothing moves in a layer.
+/// Whether a layer has no frame with motion.
 inline bool is_idle(const Layer& layer) {
     return layer.moving == 0;
 }

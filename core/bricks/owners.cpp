@@ -6,7 +6,7 @@ namespace vvr::bricks {
 
 namespace {
 
-// Field pixels.
+// In field pixels.
 constexpr int reach = 3;
 
 }  // namespace
@@ -34,7 +34,7 @@ void Owners::keep_only(const std::vector<bool>& used) {
         free_.push_back(number);
         return true;
     });
-    // Which number comes next must not hang on the order of a hash table.
+    // Sorted, so that the next number doesn't depend on the order of a hash table.
     std::ranges::sort(free_, std::greater{});
 }
 
@@ -49,8 +49,8 @@ OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const Spars
                                                       static_cast<std::size_t>(run.last - run.first)),
                           number);
     }
-    // Each round reaches a pixel farther. A pixel that several reach at once goes to the first of them in reading
-    // order.
+    // Each round extends owners by one pixel. If several reach a pixel in the same round, the first in row-major order
+    // gets it.
     struct Found {
         int column;
         int row;
@@ -83,7 +83,7 @@ OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const Spars
             ++column;
         }
     });
-    // Runs may name pixels of which the field has none.
+    // Runs may include pixels that are 0 in the field.
     for (const fields::LabelRun& run : runs) {
         std::ranges::fill(whole_.row(run.row).subspan(static_cast<std::size_t>(run.first),
                                                       static_cast<std::size_t>(run.last - run.first)),

@@ -15,38 +15,40 @@ namespace vvr::bricks {
 
 struct Layer;
 
-/// Whose a voxel is, as it is drawn and told.
+/// The identity of a voxel: its appearance and its event.
 struct Identity {
-    std::uint8_t look = 0;     ///< which of the volume's looks it has; 0 = that of what is nobody's
-    std::uint16_t number = 0;  ///< of its event; 0 = of none
+    std::uint8_t look = 0;     ///< index of its appearance; 0 = without owner
+    std::uint16_t number = 0;  ///< number of its event; 0 = none
 
     friend bool operator==(const Identity&, const Identity&) = default;
 };
 
-/// Tells whose the voxels of a track are in a layer. Tracks become events when the clip has ended, so it is asked as
-/// late as the voxels are drawn.
+/// Returns the identity of a track's voxels in a layer. Called only when voxels are drawn, because tracks become events
+/// at the end of the clip.
 using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
 
-/// All is nobody's.
+/// No voxel has an owner.
 inline const Identify no_identities;
 
-/// Short numbers for tracks, as the owners of voxels are kept in 16 bits: 0 is nobody, else 1 + the place in a list.
+/// Maps tracks to 16-bit numbers, which are stored as the owners of voxels. 0 means no owner.
 class Owners {
   public:
-    /// The number of a track; a new one if it has none. 0 when there is no number left.
+    /// The number of a track, assigned on first use. 0 if no number is free.
     std::uint16_t number_of(std::size_t track);
 
-    /// The track of a number that isn't 0.
+    /// The track of a number.
+    /// \pre number != 0
     std::size_t track_of(std::uint16_t number) const { return tracks_[number - std::size_t{1}]; }
 
-    /// How many numbers are left.
+    /// The number of free numbers.
     std::size_t room() const { return free_.size() + most - tracks_.size(); }
 
-    /// Takes the numbers from all tracks but those of `used`, which tells it for each number.
+    /// Frees all numbers that are not in use.
+    /// \param used whether each number is in use, by number
     void keep_only(const std::vector<bool>& used);
 
-    /// Whose the pixels of a field are: its runs, and what lies within `reach` of them and isn't 0. What stands has a
-    /// rim that is never quite still, and a filter's edges are soft: without that they would be nobody's.
+    /// The owners of a field's pixels: of the runs, and of non-zero pixels within `reach` of them. This includes the
+    /// flickering edges of stationary objects and the soft edges of filters.
     OwnerPlane pixels_of(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
 
   private:
@@ -55,7 +57,7 @@ class Owners {
     std::vector<std::size_t> tracks_;
     std::vector<std::uint16_t> free_;
     std::unordered_map<std::size_t, std::uint16_t> numbers_;
-    Plane<std::uint16_t> whole_;  ///< 0 between calls
+    Plane<std::uint16_t> whole_;  ///< all 0 between calls
 };
 
 }  // namespace vvr::bricks

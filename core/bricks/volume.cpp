@@ -13,7 +13,7 @@ namespace vvr::bricks {
 
 namespace {
 
-/// The pixels on both sides of a coordinate, and how far it lies from the first to the second.
+/// The pixels on both sides of a coordinate, and its fractional position between them.
 struct Between {
     Between(double at, int count) {
         const double inside = std::clamp(at, 0.0, count - 1.0);
@@ -68,7 +68,7 @@ glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
     const Layer& low = *(after - 1);
     const glm::dvec2 flow = in_plane(low.packed, point.x, point.y);
     const double share = point.z - static_cast<double>(low.frame);
-    // On a kept frame, where traces without v_t stay, the next one has no weight.
+    // Exactly on a stored frame, the next one has no weight. Traces without v_t stay on such frames.
     if (after == layers_.end() || share == 0) return flow;
     return glm::mix(flow, in_plane(after->packed, point.x, point.y),
                     share / static_cast<double>(after->frame - low.frame));
@@ -76,7 +76,7 @@ glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
 
 namespace {
 
-/// Layers are given room for the time in which nothing moves, one in so many while a clip is read, and at the end.
+/// Share of the layers for time without motion, as 1/n: while the clip is read, and at the end.
 constexpr std::size_t idle_share_read = 8;
 constexpr std::size_t idle_share = 4;
 
@@ -85,7 +85,7 @@ constexpr std::size_t idle_share = 4;
 Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value_out_of_range,
                     fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
                                 options.capacity, options.step));
     }
@@ -102,14 +102,14 @@ Layer& Volume::add_layer(Layer layer) {
 void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span<const fields::LabelRun> owners,
                  bool moves) {
     if (field.scalar.size() != size_) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
                                 field.scalar.width(), field.scalar.height(), size_.width, size_.height));
     }
     if (frames_ == 0) coloured_ = !colour.empty();
     if (colour.size() != (coloured_ ? size_ : Size{})) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::not_video,
             fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
                         colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }
@@ -212,7 +212,7 @@ std::int64_t Volume::step() const {
         1, std::llround(static_cast<double>(frames_) / std::max<double>(1, static_cast<double>(layers()))));
 }
 
-/// Whose the pixels of a field are; empty where that isn't kept.
+/// The owners of a field's pixels; empty if the volume doesn't keep owners.
 OwnerPlane Volume::owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar) {
     if (!options_.keep_owners) return {};
     if (owners_.room() < runs.size()) {
@@ -234,7 +234,7 @@ std::int64_t Volume::missing() const {
 }
 
 double Volume::t_of_frame(double frame) const {
-    // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
+    // The last layer may have fewer frames than the others, but has the same thickness.
     if (!options_.nonuniform) return (frame + 0.5) / static_cast<double>(span() * options_.step);
     double before = frame + 0.5;
     std::int64_t at = 0;
@@ -245,7 +245,7 @@ double Volume::t_of_frame(double frame) const {
     return (static_cast<double>(at) + share) / static_cast<double>(span());
 }
 
-/// The last layer that begins at or before the moment, or the first.
+/// The last layer that begins at or before the time, or the first layer.
 std::int64_t Volume::layer_of(double seconds) const {
     const auto after = std::ranges::upper_bound(layers_, seconds, {}, &Layer::pts);
     return std::max<std::int64_t>(0, after - layers_.begin() - 1);
@@ -255,7 +255,7 @@ double Volume::t_of_seconds(double seconds) const {
     const std::int64_t low = layer_of(seconds);
     const Layer& at = layer(low);
     const auto frames = static_cast<double>(at.frames);
-    // The clip's last layer's own frames tell how long it lasts, else the next layer's beginning.
+    // A layer lasts until the next one begins. The duration of the last layer comes from its own frames.
     double length = low + 1 < layers() ? layer(low + 1).pts - at.pts : 0;
     if (length <= 0 && at.frames > 1) length = (at.last_pts - at.pts) * frames / (frames - 1);
     const double share = length > 0 ? std::clamp((seconds - at.pts) / length, 0.0, 1.0) : 0.5;
@@ -303,7 +303,7 @@ void Volume::merge_pairs() {
 
 void Volume::thin_seeds() {
     options_.seed_interval *= 2;
-    // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
+    // By the frame's index in the clip, like flow, so that both match if reading begins in the middle of the clip.
     std::erase_if(seeded_, [this](const SeededFrame& seeded) { return seeded.index % options_.seed_interval != 0; });
     std::erase_if(seeds_, [this](const FrameSeed& seed) { return !seeded(seed.frame); });
     flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
@@ -316,7 +316,7 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
     std::vector<CompressedIdle> stretches;
     for (std::int64_t i = 0; i < volume.layers();) {
         std::int64_t end = i;
-        // A long idle time may have taken in the last frames of what moved before.
+        // A long idle layer may include the last frames of earlier motion.
         constexpr std::int64_t least_share = 10;
         const auto counts = [](const Layer& layer) {
             return layer.moving * least_share <= layer.frames && layer.missing < layer.frames;
@@ -340,7 +340,7 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
 
 namespace {
 
-/// Cuts between layers whose turns differ.
+/// Cuts a volume between layers with different values of `turn`.
 template <class Turn>
 std::vector<Brick> cut_by_turns(const Volume& volume, const Turn& turn) {
     std::vector<Brick> bricks;

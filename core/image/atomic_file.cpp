@@ -36,15 +36,15 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// How the names of a target's hidden files begin: with a hash, because the target's own name may have the greatest
-/// length that a file system allows.
+/// The prefix of a target's temporary files. It is a hash, because the target's name may already have the maximum
+/// length.
 std::string hidden_prefix(const std::string& name) {
     return fmt::format(".vvr-{:016x}-", fnv1a(name));
 }
 
 constexpr std::string_view hidden_ending = ".part";
 
-/// Whether no other machine can have the file open, so that its lock covers all programs that write it.
+/// Whether the file system is local, so that a lock excludes all other writers.
 bool is_on_this_machine(int file) {
     constexpr std::int64_t zfs = 0x2fc12fc1;
     constexpr std::array<std::int64_t, 8> systems{
@@ -54,16 +54,16 @@ bool is_on_this_machine(int file) {
     return ::fstatfs(file, &system) == 0 && std::ranges::count(systems, std::int64_t{system.f_type}) > 0;
 }
 
-/// Whether a file was last written so long ago that no program can still be writing it.
+/// Whether a file is too old to be still in use by a writer.
 bool is_old(int file) {
     constexpr std::time_t long_enough = 3600;
     struct stat status {};
     return ::fstat(file, &status) == 0 && status.st_mtim.tv_sec < std::time(nullptr) - long_enough;
 }
 
-/// Removes the hidden file of a killed program. A locked file stays, and so does anything but a regular file. Without
-/// locks that reach all machines, a file that may still be written stays too.
-/// \param abandoned whether it is certain that no program is writing it
+/// Removes the temporary file of a killed program. Keeps locked files, anything but regular files, and recent files on
+/// a network file system.
+/// \param abandoned whether the caller knows that no program is writing it
 void remove_if_left(const fs::path& path, bool abandoned) {
     const int file = open_no_follow(path, O_WRONLY);
     if (file < 0) return;
@@ -73,8 +73,8 @@ void remove_if_left(const fs::path& path, bool abandoned) {
     ::close(file);
 }
 
-/// A new file with a hidden name, which is removed unless it was renamed. It is locked as long as it is written, and
-/// every run uses the same names: so a run finds the files of older ones, and whether they are still being written.
+/// A temporary file with a hidden name, removed unless it was renamed. It is locked while it is written. All runs use
+/// the same names, so a run finds abandoned files of earlier runs.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) {
@@ -88,11 +88,11 @@ class TemporaryFile {
             remove_if_left(path_, false);
             if (!create()) ++number;
         }
-        // If two programs wrote at once, the second may have been killed.
+        // A second, concurrent writer may have been killed.
         remove_if_left(numbered(number + 1), false);
     }
     ~TemporaryFile() {
-        // Closed last: once it is unlocked, another run may take the name.
+        // Closed last: without the lock, another run may use the name.
         if (!path_.empty() && is_same_file(file_, path_)) ::unlink(path_.c_str());
         ::close(file_);
     }
@@ -114,7 +114,7 @@ class TemporaryFile {
     const fs::path& path() const { return path_; }
 
     void rename_to(const fs::path& target) {
-        // Closed after that, for the same reason. Errors of the disk come from fsync.
+        // Closed after the rename, for the same reason. fsync reports disk errors.
         if (::fsync(file_) != 0) throw_error("write", target, errno);
         if (!is_same_file(file_, path_)) throw_error("write", target, ENOENT);
         if (::rename(path_.c_str(), target.c_str()) != 0) throw_error("write", target, errno);
@@ -127,8 +127,7 @@ class TemporaryFile {
         const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file < 0 && errno == EEXIST) return false;
         if (file < 0) throw_error("make a file in", std::exchange(path_, {}).parent_path(), errno);
-        // Before it was locked, another run may have taken it for the file of a killed one. Without locks, its age
-        // protects it.
+        // Another run may have removed it as abandoned before it was locked. Without locks, its age protects it.
         lock_file(file, true);
         if (is_same_file(file, path_)) {
             file_ = file;
@@ -149,14 +148,14 @@ class TemporaryFile {
     int file_ = -1;
 };
 
-/// Where the bytes go when `path` is a link to another file.
+/// The file to replace: `path`, or the target of a symbolic link.
 fs::path target_of(const fs::path& path) {
     std::error_code error;
     if (!fs::is_symlink(path, error)) return path;
     fs::path target = fs::weakly_canonical(path, error);
     if (error) {
         throw Error(
-            ErrorKind::io,
+            code_of_system_error(error.value()),
             fmt::format("cannot write '{}': it is a link that can't be followed: {}; remove it, or choose another "
                         "name",
                         path.string(), error.message()));
@@ -195,7 +194,7 @@ void check_file_path(const fs::path& path) {
         throw Error(code_of_system_error(why), fmt::format("cannot write '{}': {}; remove it, or choose another name",
                                                            path.string(), reason(why)));
     }
-    // Permissions do not say everything: a server or a full disk may still refuse. So try.
+    // Permissions are not enough: a server or a full disk may still refuse, so create a file.
     const TemporaryFile probe(target);
 }
 

@@ -10,30 +10,31 @@
 
 namespace vvr::image {
 
-/// Checks that `replace_file` can write to `path`: its folder exists and takes new files, and at `path` there is
-/// nothing, or a file that may be overwritten.
-/// \throws Error io with the next step
+/// Checks that `replace_file` can write to `path`: its folder exists and is writable, and `path` is either free or a
+/// writable regular file.
+/// \throws Error io if it can't
 void check_file_path(const std::filesystem::path& path);
 
-/// Writes `bytes` to a hidden file beside `path` and renames it once it is safely on the disk: `path` holds all of
-/// them, or what it held before. A link is followed, so that it stays a link. Hidden files that killed programs left
-/// for the same `path` are removed once it is certain that no program is writing them: their lock is free, and if other
-/// machines may be writing, they are an hour old.
-/// \throws Error io
+/// Replaces a file atomically: writes `bytes` to a hidden temporary file in the same folder, syncs it and renames it to
+/// `path`. A symbolic link at `path` is followed. Also removes abandoned temporary files of the same `path`: those that
+/// nobody has locked and, on a network file system, that are at least an hour old.
+/// \throws Error io if it can't be written
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// The same, but a link at `path` is replaced itself, as by rename(2): where others may make links, what they lead to
-/// is not theirs to give.
+/// As replace_file, but replaces a symbolic link at `path` itself, like rename(2). Use it in folders where untrusted
+/// users can create links.
 void replace_link(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// As replace_file, of a file that is too large for memory: `write` puts it together. If it throws, `path` stays as it
-/// was. \param check reads the whole file under its hidden name before `path` becomes it; it may throw too \throws
-/// Error io; what `write` and `check` throw
+/// As replace_file, for files that are too large for memory. If `write` or `check` throws, `path` is unchanged.
+///
+/// \param write writes the temporary file
+/// \param check checks the complete temporary file before it is renamed
+/// \throws Error io if it can't be written, and whatever `write` and `check` throw
 void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write,
                   const std::function<void(const std::filesystem::path& written)>& check = {});
 
-/// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. The caller
-/// has to make sure that no program is replacing them now.
+/// Removes abandoned temporary files of `names` in `folder`. The caller must ensure that no program is replacing these
+/// files.
 void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);
 
 }  // namespace vvr::image

@@ -25,10 +25,10 @@ namespace vvr::image {
 
 namespace {
 
-/// A format of the pictures that are read.
+/// A picture format that can be read.
 struct ReadFormat {
-    std::string_view name;         ///< OpenImageIO's
-    std::string_view first_bytes;  ///< of each of its files
+    std::string_view name;         ///< OpenImageIO's name
+    std::string_view first_bytes;  ///< signature of its files
 };
 
 using namespace std::string_view_literals;
@@ -38,12 +38,12 @@ constexpr std::array read_formats{ReadFormat{"png", "\x89PNG\r\n\x1a\n"sv}, Read
 
 constexpr std::size_t longest_begin = 8;
 
-/// \param begin of a file
+/// \param begin first bytes of the file
 std::string_view format_of(const std::filesystem::path& name, std::string_view begin) {
     const auto format =
         std::ranges::find_if(read_formats, [&](const ReadFormat& row) { return begin.starts_with(row.first_bytes); });
     if (format != read_formats.end()) return format->name;
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::file_invalid,
                 fmt::format("cannot read picture '{}': it is no PNG, JPEG, TIFF or OpenEXR file, {}", name.string(),
                             begin.empty() ? "but empty" : "whatever its name says; convert it"));
 }
@@ -57,8 +57,9 @@ Samples read_samples(const std::filesystem::path& path) {
     std::array<char, longest_begin> begin{};
     file.read(begin.data(), begin.size());
     if (!file.is_open() || file.bad()) {
-        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}; check its name and permissions",
-                                               path.string(), std::strerror(errno)));
+        throw Error(code_of_system_error(errno),
+                    fmt::format("cannot read picture '{}': {}; check its name and permissions", path.string(),
+                                std::strerror(errno)));
     }
     const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
     return picture_codec().read(path, format_of(path, bytes), std::nullopt);
@@ -86,15 +87,15 @@ Samples without_pixel_data(Samples samples) {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int search = 0;  // AddressSanitizer refuses any other
+constexpr int search = 0;  // AddressSanitizer doesn't support RTLD_DEEPBIND
 #else
-// Of its 250 libraries the symbols are looked up there first, not in the program's own 150: half the time.
+// Its 250 libraries then resolve symbols among themselves first, not in the program's 150 libraries: half the time.
 constexpr int search = RTLD_DEEPBIND;
 #endif
 
-/// One of its libraries, log4cplus, starts a thread per core as it is loaded, four at least. Where it can't have them
-/// it ends the program or waits for ever, so that is tried first.
-/// \throws std::system_error when there are not so many
+/// Checks that threads can be started. One of the dependencies, log4cplus, starts a thread per core when loaded, and
+/// at least four. If that fails, it aborts or hangs.
+/// \throws std::system_error if the threads can't be started
 void check_threads() {
     const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
     std::latch all_there(1);
@@ -111,25 +112,25 @@ void check_threads() {
 
 const PictureCodec& load() {
     check_threads();
-    // Never closed: some of the libraries that come with it crash when they are.
+    // Never closed, because some of the dependencies crash when unloaded.
     constexpr int how = RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE | search;
     void* const library = while_loading([] { return dlopen(VVR_PICTURE_CODEC, how); });
     void* const codec = library ? dlsym(library, picture_codec_symbol) : nullptr;
     if (codec) return *reinterpret_cast<const PictureCodec* (*)()>(codec)();
     const char* const why = dlerror();
     const std::string text = why == nullptr ? "" : why;
-    // With the 250 libraries it depends on.
+    // Includes the 250 dependencies.
     constexpr std::int64_t bytes_of_all = 200'000'000;
     const bool short_of_memory =
         std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
                             [&](const char* words) { return text.find(words) != std::string::npos; });
     if (short_of_memory || !is_memory_available(bytes_of_all)) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::out_of_memory,
                     fmt::format("out of memory for the library that reads and writes pictures: {}; allow the program "
                                 "more",
                                 text));
     }
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::io,
                 fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", text));
 }
 

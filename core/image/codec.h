@@ -14,12 +14,12 @@
 
 namespace vvr::image {
 
-/// The values of a picture file: any number of channels, pixel by pixel, rows from the top.
+/// The pixel values of a picture file with any number of channels: interleaved, top row first.
 struct Samples {
     Size size;
     std::vector<std::string> channels;  ///< "R", "G", "B", "A", or the file's own names
-    std::vector<float> values;          ///< integers of a file as 0..1
-    Metadata attributes{};              ///< all that the file holds, as text
+    std::vector<float> values;          ///< integers are scaled to 0..1
+    Metadata attributes{};              ///< all attributes of the file, as text
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {
@@ -29,66 +29,67 @@ struct Samples {
     }
 };
 
-/// Reads a PNG, JPEG, TIFF or OpenEXR file: what it is, its first bytes say, whatever its name. Of several pictures in
-/// a file it reads the first.
-/// \throws Error io for any other file, or one that is damaged; limit for a picture that is too large
+/// Reads a PNG, JPEG, TIFF or OpenEXR file. The first bytes determine the format, not the name. Reads only the first of
+/// several pictures.
+/// \throws Error io if the file is damaged or has another format, limit if the picture is too large
 Samples read_samples(const std::filesystem::path& path);
 
-/// Reads a picture from the bytes of a file.
-/// \param name for messages
-/// \throws Error as above
+/// Reads a picture file in memory.
+/// \param name file name for messages
+/// \throws Error as `read_samples`
 Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes);
 
-/// The same without the channels of pixel data, which are indices and seconds, or NaN, and not intensities.
+/// Removes the pixel data channels, whose values are indices, seconds or NaN, not intensities.
 Samples without_pixel_data(Samples samples);
 
 /// The type of a file's colour values.
 enum class Stored { uint8, uint16, half };
 
-/// Names and values of an encoder's options, in OpenImageIO's words.
+/// Names and values of an encoder's options, as OpenImageIO defines them.
 using EncoderOptions = std::vector<std::pair<std::string, int>>;
 
-/// libpng's numbers of the filters that prepare a row for compression.
+/// libpng's constants for row filters.
 namespace png_filter {
-inline constexpr int none = 0x08;  ///< for what is mostly of one value
-inline constexpr int sub = 0x10;   ///< differences from the left neighbour: for pictures nearly as small as the best of
-                                   ///< all, chosen row by row, in half the time
+inline constexpr int none = 0x08;  ///< for mostly uniform pictures
+inline constexpr int sub = 0x10;   ///< difference from the left neighbour: nearly as small as adaptive filters, in half
+                                   ///< the time
 }  // namespace png_filter
 
 /// A picture file to encode.
 struct PictureFile {
-    std::string format;  ///< its ending, without the dot
+    std::string format;  ///< file extension, without the dot
     std::string name;    ///< for error messages
     Size size;
     int colours = 3;  ///< channels: 1 grey, 3 colour, 4 colour and alpha
     Stored stored = Stored::uint8;
-    std::vector<std::string> pixel_data{};  ///< names of further channels, of floats
+    std::vector<std::string> pixel_data{};  ///< names of additional float channels
     Metadata attributes{};
     EncoderOptions options{};
-    /// Pixel by pixel, rows from the top. 8-bit files take 8-bit values, with colours not multiplied by alpha; others
-    /// take floats.
+    /// Interleaved, top row first. 8-bit values with straight alpha for 8-bit formats, floats with premultiplied alpha
+    /// for others.
     std::span<const std::byte> values{};
 };
 
-/// What vvr uses of OpenImageIO. With the 250 libraries it depends on, it takes 0.2 s to load. So it is in a library of
-/// our own, made of core/image/oiio.cpp, which is loaded with the first picture.
+/// The functions that use OpenImageIO. OpenImageIO and its 250 dependencies take 0.2 s to load. Therefore these
+/// functions are in a library of their own (core/image/oiio.cpp), which is loaded on first use.
 struct PictureCodec {
-    /// The bytes of a picture file; same picture, same bytes.
-    /// \throws Error io when OpenImageIO refuses
+    /// Encodes a picture file. The output is deterministic.
+    /// \throws Error io if OpenImageIO fails
     std::vector<std::byte> (*encode)(const PictureFile& file);
-    /// Reads a file, or its bytes where they are given, by the reader of one format. \throws Error io, or limit for a
-    /// picture that is too large
+    /// Reads a file, or `bytes` if given, with the reader of one format.
+    /// \throws Error io if it can't be read, limit if the picture is too large
     Samples (*read)(const std::filesystem::path& path, std::string_view format,
                     std::optional<std::span<const std::byte>> bytes);
-    /// Reads 8-bit values of a PNG of this size and number of channels. \throws Error io for any other
+    /// Reads an 8-bit PNG of this size and number of channels into `values`.
+    /// \throws Error io for any other file
     void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);
 };
 
-/// Loads the library at the first call; from any thread.
-/// \throws Error io when it can't be loaded
+/// Loads the library at the first call. Thread-safe.
+/// \throws Error io if it can't be loaded, limit if out of memory
 const PictureCodec& picture_codec();
 
-/// The one name that the library exports, of a function that returns a pointer to the codec.
+/// The only symbol that the library exports: a function that returns a pointer to the codec.
 inline constexpr const char* picture_codec_symbol = "vvr_picture_codec";
 
 }  // namespace vvr::image

@@ -21,7 +21,7 @@ std::string size_text(Size size) {
     return fmt::format("{}x{}", size.width, size.height);
 }
 
-/// The answer for pictures whose values can't be compared.
+/// The result for pictures whose values can't be compared; empty if they can.
 std::optional<Comparison> refusal(const Samples& a, const Samples& b) {
     const auto refuse = [](Verdict verdict, std::string reason) {
         Comparison comparison;
@@ -58,7 +58,7 @@ float largest(std::span<const float> a, std::span<const float> b) {
     return most;
 }
 
-/// Patches overlap by half, so that none can hide on the border of two.
+/// The largest mean difference of a patch. Patches overlap by half, so a change on a border is not missed.
 double worst_patch(const Plane<float>& pixels) {
     constexpr int stride = patch_size / 2;
     double worst = 0;
@@ -175,7 +175,7 @@ Picture difference_picture(const Samples& a, const Comparison& comparison) {
 std::string difference_letters(const Plane<float>& pixels, double level, int columns) {
     constexpr std::string_view letters = ".:-=+*#%@";
     const int width = std::clamp(columns, 1, std::max(1, pixels.width()));
-    // A letter is about twice as high as it is wide.
+    // A character is about twice as high as wide.
     const double wanted = 0.5 * width * pixels.height() / std::max(1, pixels.width());
     const int height = std::clamp(static_cast<int>(std::lround(wanted)), 1, std::max(1, pixels.height()));
     const std::string edge = fmt::format("+{:-<{}}+\n", "", width);

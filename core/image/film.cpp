@@ -36,8 +36,8 @@ struct Free {
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;
 
-/// x264's own settings. Its code for AVX-512 makes other bytes by chance, as it reads memory that nobody has set (x264
-/// 164), so processors that have AVX-512 take the code for AVX2. Asking others for that would end the program.
+/// x264's own options. Its AVX-512 code reads uninitialised memory, so its output is not deterministic (x264 164).
+/// Therefore processors with AVX-512 use the AVX2 code. On other processors, requesting AVX2 could crash.
 const char* x264_settings() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512bw")) return "log=-1:asm=AVX2";
@@ -45,7 +45,7 @@ const char* x264_settings() {
     return "log=-1";
 }
 
-/// A file in memory.
+/// Writes a file to memory.
 WriteAt into(std::vector<std::byte>& file) {
     return [&file](std::int64_t offset, std::span<const std::byte> bytes) {
         const auto at = static_cast<std::size_t>(offset);
@@ -68,7 +68,7 @@ struct VideoEncoder::Parts {
         check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
         container.reset(made);
         container->pb = writer.context();
-        container->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
+        container->flags |= AVFMT_FLAG_BITEXACT;  // no library version, no random IDs
         for (const auto& [key, value] : format.tags) av_dict_set(&container->metadata, key.c_str(), value.c_str(), 0);
 
         const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
@@ -80,7 +80,7 @@ struct VideoEncoder::Parts {
         context->time_base = {1, ticks};
         context->framerate = {rate, 1};
         context->gop_size = key_frames;
-        context->thread_count = 1;  // the bytes depend on the number of threads
+        context->thread_count = 1;  // the output depends on the number of threads
         context->flags |= AV_CODEC_FLAG_BITEXACT;
         context->log_level_offset = 1000;  // keep encoders' messages off stderr
         if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -103,13 +103,13 @@ struct VideoEncoder::Parts {
         frame->width = size.width;
         frame->height = size.height;
         check(av_frame_get_buffer(frame.get(), 0));
-        // Encoders read beyond the ends of rows; what is there is the same in each run.
+        // Encoders read beyond the ends of rows, so the padding must be deterministic.
         for (const AVBufferRef* const buffer : frame->buf) {
             if (buffer != nullptr) std::memset(buffer->data, 0, buffer->size);
         }
     }
 
-    /// Muxers free their last packet only with the trailer, so it is written even if the film is not wanted.
+    /// Always writes the trailer, because muxers free their last packet only then.
     ~Parts() {
         if (unfinished) av_write_trailer(container.get());
     }
@@ -123,7 +123,7 @@ struct VideoEncoder::Parts {
         writer.check();
         std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
         av_strerror(result, words.data(), words.size());
-        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", name, words.data()));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", name, words.data()));
     }
 
     void add(const Picture& picture, std::int64_t time) {
@@ -180,11 +180,11 @@ struct VideoEncoder::Parts {
     }
 
     void paint(const Plane<Bgr>& picture) {
-        // A row more than is shown: libswscale reads up to 16 bytes at a time, past the end of the last row.
+        // One extra row, because libswscale reads up to 16 bytes past the end of the last row.
         Plane<Bgr> bgr({size.width, size.height + 1});
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
-                // A single row or column is repeated.
+                // Repeats a single row or column.
                 bgr.at(i, j) = picture.at(std::min(i, picture.width() - 1), std::min(j, picture.height() - 1));
             }
         }
@@ -199,7 +199,7 @@ struct VideoEncoder::Parts {
         sws_scale(scaler.get(), from.data(), stride.data(), 0, size.height, frame->data, frame->linesize);
     }
 
-    /// Takes the packets that the encoder has ready to the container.
+    /// Writes the encoder's available packets to the container.
     void drain() {
         for (;;) {
             const int result = avcodec_receive_packet(context.get(), packet.get());
@@ -212,10 +212,10 @@ struct VideoEncoder::Parts {
         }
     }
 
-    bool unfinished = false;  ///< there is a header and no trailer
+    bool unfinished = false;  ///< the header is written, the trailer is not
     std::string name;
     Size size;
-    std::vector<std::byte> memory;  ///< the file, if it goes nowhere else
+    std::vector<std::byte> memory;  ///< the file, if it is kept in memory
     AvWriter writer;
     Ptr<AVFormatContext> container;
     Ptr<AVCodecContext> context;
@@ -224,7 +224,7 @@ struct VideoEncoder::Parts {
     Ptr<AVFrame> frame;
     Ptr<SwsContext> scaler;
     std::optional<Palette> palette;
-    std::int64_t duration = 1;  ///< in ticks, of the picture before the last; used for the last one too
+    std::int64_t duration = 1;  ///< ticks; of the last but one picture, and also used for the last
 };
 
 bool has_encoder(const std::string& encoder) {
@@ -258,7 +258,7 @@ std::vector<std::byte> VideoEncoder::finish() {
 
 namespace {
 
-/// One kind of animated file. The first of its encoders that the installed libav has is used.
+/// An animation format. The first encoder that libav has is used.
 struct Format {
     std::string_view ending;
     const char* muxer;
@@ -273,12 +273,12 @@ constexpr std::array formats{
     Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
 };
 
-/// \throws Error io when libav has none of the encoders
+/// \throws Error io if libav has none of the encoders
 VideoFormat film_format(const std::filesystem::path& path) {
     const Format& format = *std::ranges::find(formats, extension_of(path), &Format::ending);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
-    throw Error(ErrorKind::io,
+    throw Error(ErrorCode::io,
                 fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose another ending, or "
                             "single pictures with a field: out.{{frame:4}}.png",
                             path.string(), fmt::join(format.encoders, " or ")));
@@ -298,8 +298,9 @@ bool is_animation(const std::filesystem::path& path) {
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
     if (!is_animation(path_)) {
-        throw Error(ErrorKind::usage, fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
-                                                  fmt::join(animation_extensions(), " ")));
+        throw Error(ErrorCode::output_format_unknown,
+                    fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
+                                fmt::join(animation_extensions(), " ")));
     }
 }
 
@@ -314,7 +315,7 @@ void AnimationFile::add(const Picture& picture) {
 }
 
 void AnimationFile::close() {
-    if (!encoder_) throw Error(ErrorKind::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
+    if (!encoder_) throw Error(ErrorCode::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
     replace_file(path_, encoder_->finish());
     encoder_.reset();
 }

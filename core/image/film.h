@@ -13,46 +13,46 @@
 
 namespace vvr::image {
 
-/// How libav encodes a film.
+/// How libav encodes a video.
 struct VideoFormat {
     std::string muxer;
     std::string encoder;
-    std::string options;   ///< libav's, of the encoder and the muxer: "crf=17,preset=medium"
-    bool palette = false;  ///< 256 colours, made from the first picture
-    std::vector<std::pair<std::string, std::string>> tags{};  ///< of the container: libav's keys, and what they say
+    std::string options;   ///< libav's options for encoder and muxer: "crf=17,preset=medium"
+    bool palette = false;  ///< 256 colours, chosen from the first picture
+    std::vector<std::pair<std::string, std::string>> tags{};  ///< metadata: libav's keys and their values
 };
 
 /// Whether the installed libav has an encoder.
 bool has_encoder(const std::string& encoder);
 
-/// Pictures of one size as a film, in memory or in a file. Films with a palette keep the size, others have even sides:
-/// an odd last row or column is dropped. Same pictures, same bytes.
+/// Encodes pictures of one size as a video, in memory or to a file. Unless the video has a palette, its sides are even:
+/// an odd last row or column is dropped. The output is deterministic.
 class VideoEncoder {
   public:
-    /// \param name for messages
-    /// \param ticks unit of times, per second
-    /// \param rate pictures per second, about
-    /// \param key_frames pictures from one key frame to the next
-    /// \param write_at takes the bytes, and outlives this; empty = they are kept in memory
-    /// \throws Error io when libav can't
+    /// \param name file name for messages
+    /// \param ticks time base: ticks per second
+    /// \param rate approximate pictures per second
+    /// \param key_frames pictures per key frame
+    /// \param write_at writes the output; what it refers to must outlive the encoder. Empty = keep the file in memory
+    /// \throws Error io if libav fails
     VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
                  WriteAt write_at = {});
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-    /// \param time in ticks, later than that of the picture before
-    /// \throws Error io when it can't be encoded
+    /// \param time ticks, greater than that of the previous picture
+    /// \throws Error io if encoding fails
     void add(const Picture& picture, std::int64_t time);
 
-    /// The same for a film without a palette.
+    /// The same, for a video without a palette.
     void add(const Plane<Bgr>& picture, std::int64_t time);
 
-    /// Size so far.
+    /// Bytes written so far.
     std::size_t bytes() const;
 
-    /// The whole file; empty where it went elsewhere. Call it once, after the last picture.
-    /// \throws Error io
+    /// Finishes the file and returns its bytes; empty if `write_at` wrote them. Call it once, after the last picture.
+    /// \throws Error io if encoding or writing fails
     std::vector<std::byte> finish();
 
   private:
@@ -61,35 +61,35 @@ class VideoEncoder {
     std::unique_ptr<Parts> parts_;
 };
 
-/// Endings of the animated files that can be written, with their dots.
+/// The extensions of animations that can be written, with their dots.
 std::vector<std::string> animation_extensions();
 
-/// Whether a name ends like an animated file.
+/// Whether a file name has the extension of an animation.
 bool is_animation(const std::filesystem::path& path);
 
-/// Pictures of one size as an animated file. The encoded file is held in memory and replaces `path` as a whole, as a
-/// picture does. GIFs run in an endless loop, with a palette made from the first picture. Videos have even sides: an
-/// odd last row or column is dropped. Same pictures, same bytes.
+/// Writes pictures of one size as an animation. The encoded file is kept in memory and replaces `path` atomically. GIFs
+/// loop forever, with a palette chosen from the first picture. Videos have even sides: an odd last row or column is
+/// dropped. The output is deterministic.
 class AnimationFile {
   public:
     /// \param rate pictures per second
-    /// \throws Error usage for another ending, io when libav has no encoder for it
+    /// \throws Error usage for an unknown extension
     AnimationFile(std::filesystem::path path, int rate);
     ~AnimationFile();
     AnimationFile(const AnimationFile&) = delete;
     AnimationFile& operator=(const AnimationFile&) = delete;
 
-    /// \throws Error io when it can't be encoded
+    /// \throws Error io if encoding fails, or if libav has no encoder for the format
     void add(const Picture& picture);
 
-    /// Writes the file. Without this call there is none.
-    /// \throws Error io
+    /// Writes the file. Without this call, no file is written.
+    /// \throws Error io if it can't be written or has no pictures
     void close();
 
   private:
     std::filesystem::path path_;
     int rate_;
-    std::unique_ptr<VideoEncoder> encoder_;  ///< from the first picture on
+    std::unique_ptr<VideoEncoder> encoder_;  ///< created with the first picture
     std::int64_t pictures_ = 0;
 };
 

@@ -19,7 +19,7 @@ const std::vector<std::string>& counted_things() {
     return names;
 }
 
-// {word:digits} with any word, so that a wrong one is noticed; a run of #; %d.
+// {word:digits} with any word, so that unknown words are reported; a run of #; %d.
 const std::regex& field() {
     static const std::regex expression(R"(\{([^{}:]*)(?::([^{}]*))?\}|(##+)|%(?:0([1-9]))?d)");
     return expression;
@@ -27,17 +27,19 @@ const std::regex& field() {
 
 int digits_of(const std::string& text, const std::string& given) {
     if (text.size() == 1 && text[0] >= '1' && text[0] <= '9') return text[0] - '0';
-    throw Error(ErrorKind::usage, fmt::format("'{}': a field has 1 to 9 digits, as {{frame:4}} has", given));
+    throw Error(ErrorCode::name_pattern_invalid,
+                fmt::format("'{}': a field has 1 to 9 digits, as {{frame:4}} has", given));
 }
 
 }  // namespace
 
 NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     const std::string name = path.filename().string();
-    // The expressions of the library need stack for each character.
+    // std::regex recurses for each character.
     if (name.size() > NAME_MAX) {
-        throw Error(ErrorKind::usage, fmt::format("'{}...': a name has {} bytes at most, and this has {}",
-                                                  name.substr(0, 40), NAME_MAX, name.size()));
+        throw Error(ErrorCode::name_pattern_invalid,
+                    fmt::format("'{}...': a name has {} bytes at most, and this has {}", name.substr(0, 40), NAME_MAX,
+                                name.size()));
     }
     std::smatch match;
     if (!std::regex_search(name, match, field())) return;
@@ -45,7 +47,8 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     before_ = match.prefix();
     after_ = match.suffix();
     if (std::regex_search(after_, field())) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
+        throw Error(ErrorCode::name_pattern_invalid,
+                    fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
     }
     const std::string given = match[0];
     if (given.front() == '#') {
@@ -55,7 +58,7 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     } else {
         counts_ = match[1];
         if (std::ranges::count(counted_things(), counts_) == 0) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::name_pattern_invalid,
                         fmt::format("'{}' in '{}' is not a field; there are {{frame:4}}, {{brick:4}}, "
                                     "#### and %04d{}",
                                     given, path.string(), did_you_mean(counts_, counted_things())));

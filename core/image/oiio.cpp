@@ -1,4 +1,4 @@
-// All that vvr uses of OpenImageIO: a library of this one file, which core/image/codec.cpp loads.
+// All uses of OpenImageIO. This file is a library of its own, which core/image/codec.cpp loads.
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
@@ -23,7 +23,7 @@ OIIO::TypeDesc type_of(Stored stored) {
     return OIIO::TypeDesc::UNKNOWN;
 }
 
-/// Colours keep the format's own type; half floats would round times and frame numbers.
+/// Adds float channels. Colours keep the format's type, but half floats would round times and frame numbers.
 void add_pixel_data_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& names) {
     spec.channelformats.assign(static_cast<std::size_t>(spec.nchannels), spec.format);
     for (const std::string& name : names) {
@@ -39,7 +39,7 @@ std::vector<std::byte> encode(const PictureFile& file) {
     if (!file.pixel_data.empty()) add_pixel_data_channels(spec, file.pixel_data);
     for (const auto& [name, value] : file.attributes) spec.attribute(name, value);
     for (const auto& [name, value] : file.options) spec.attribute(name, value);
-    // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
+    // Otherwise OpenImageIO writes the current time, and the output would not be deterministic.
     spec.attribute("DateTime", "");
     const bool bytes = file.stored == Stored::uint8;
     if (bytes) spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -50,30 +50,29 @@ std::vector<std::byte> encode(const PictureFile& file) {
                       output->close();
     if (!done) {
         const std::string why = output ? output->geterror() : OIIO::geterror();
-        // It writes to memory, and OpenEXR says nothing where it has no threads.
+        // It writes to memory, so without a message it is a lack of threads, which OpenEXR doesn't report.
         if (why.empty()) {
             throw Error(
-                ErrorKind::limit,
+                ErrorCode::out_of_memory,
                 fmt::format("cannot encode '{}': memory or threads are short; try a smaller picture", file.name),
                 {"size"});
         }
-        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", file.name, why));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", file.name, why));
     }
     const auto whole = std::as_bytes(std::span(encoded.buffer()));
     return {whole.begin(), whole.end()};
 }
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& name, const std::string& why) {
-    throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", name.string(), why));
+    throw Error(ErrorCode::file_invalid, fmt::format("cannot read picture '{}': {}", name.string(), why));
 }
 
-// The largest picture that is read has so many values, over all channels: 2 GB of them. A file of some bytes may say
-// that it has more.
+// Limit for the values of a picture over all channels: 2 GB. A small file may claim more.
 constexpr std::uint64_t most_values = 500'000'000;
 
-/// Opens a picture by the reader of its own format. The name counts for nothing, and no other reader has a try: there
-/// are dozens, and some end the program where a file is not as they expect.
-/// \param memory the file's bytes; null = it is read by its name
+/// Opens a picture with the reader of its format only. OpenImageIO would otherwise try dozens of readers, and some of
+/// them crash on unexpected files.
+/// \param memory the file's bytes; null = read `path`
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::string_view format,
                                        OIIO::Filesystem::IOMemReader* memory) {
     auto input = OIIO::ImageInput::create(std::string(format));
@@ -84,7 +83,7 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::s
     const bool flat = spec.width > 0 && spec.height > 0 && spec.depth == 1 && spec.nchannels > 0 && !spec.deep;
     if (!flat || static_cast<std::uint64_t>(spec.nchannels) > most_values / spec.image_pixels()) {
         throw Error(
-            ErrorKind::limit,
+            ErrorCode::picture_too_large,
             fmt::format("'{}' says that it has {}x{} pixels of {} channel(s), more than can be read: at most {} "
                         "million values",
                         path.string(), spec.width, spec.height, spec.nchannels, most_values / 1'000'000));
@@ -110,10 +109,10 @@ Samples read(const std::filesystem::path& path, std::string_view format,
 }
 
 void read_bytes(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values) {
-    const auto fail = [&path](const std::string& what) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
+    const auto fail = [&path](const std::string& what, ErrorCode code = ErrorCode::file_invalid) {
+        throw Error(code, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
     };
-    if (!std::filesystem::exists(path)) fail("there is no such file");
+    if (!std::filesystem::exists(path)) fail("there is no such file", ErrorCode::file_not_found);
     const auto input = OIIO::ImageInput::create("png");
     if (!input) fail(OIIO::geterror());
     OIIO::ImageSpec spec;

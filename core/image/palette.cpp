@@ -10,7 +10,7 @@ namespace vvr::image {
 namespace {
 
 constexpr std::size_t most_colours = 256;
-// Colours with these upper bits of each channel in common are treated as one.
+// Upper bits per channel. Colours with the same upper bits are treated as one.
 constexpr int bits = 6;
 
 int level(float value) {
@@ -47,18 +47,18 @@ std::vector<Entry> histogram(const Picture& picture) {
     return bins;
 }
 
-/// Colours that one colour of the palette will represent.
+/// A box of colours, which one palette colour represents.
 struct Box {
     std::span<Entry> entries;
     std::array<double, 3> mean{};
     std::size_t widest = 0;
-    double error = 0;  ///< squared, along the channel where it is largest
+    double error = 0;  ///< squared error along the channel where it is largest
 
     explicit Box(std::span<Entry> inside) : entries(inside) {
         double pixels = 0;
         std::array<double, 3> squares{};
         for (const Entry& entry : entries) {
-            // The root, so that a large plain background leaves colours for small things in front of it.
+            // The square root leaves colours for small objects in front of a large plain background.
             const double weight = std::sqrt(entry.pixels);
             pixels += weight;
             for (std::size_t c = 0; c < 3; ++c) {

@@ -8,12 +8,12 @@
 
 namespace vvr::image {
 
-/// Up to 256 colours that represent those of a picture, for formats that hold no more.
+/// A palette of up to 256 colours for a picture.
 class Palette {
   public:
     using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
-    /// Chooses them by median cut: the colours are split where most pixels differ most.
+    /// Chooses the colours by median cut: it splits the box of colours with the largest error.
     explicit Palette(const Picture& picture);
 
     const std::vector<Colour>& colours() const { return colours_; }
@@ -23,7 +23,7 @@ class Palette {
 
   private:
     std::vector<Colour> colours_;
-    std::vector<int> known_;  ///< earlier answers by the colour's upper bits; -1 = none
+    std::vector<int> known_;  ///< cached results of `nearest` by the colour's upper bits; -1 = none
 };
 
 }  // namespace vvr::image

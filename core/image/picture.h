@@ -13,39 +13,39 @@
 
 namespace vvr::image {
 
-/// Red, green, blue, alpha, 0..1, colours multiplied by alpha.
+/// Red, green, blue, alpha, 0..1, premultiplied.
 using Rgba = glm::vec4;
 
-/// What each pixel of a picture shows, as planes of the picture's size; empty unless asked for.
+/// What each pixel of a picture shows, as planes of the picture's size. Empty unless requested.
 struct PixelData {
-    Plane<float> depth;  ///< along the view direction, from the eye or from the plane that parallel rays start on, in
-                         ///< units of the layout's radii; NaN where there is nothing
-    Plane<float> time;   ///< seconds of the clip; NaN where nothing has a time
-    Plane<float> frame;  ///< index in the clip; -1 where nothing has a time
-    Plane<float> object{};  ///< number of the event; 0 where there is none. Empty where objects have no colours
+    Plane<float> depth;     ///< along the view direction, from the eye or from the plane where parallel rays start,
+                            ///< in P-space units; NaN = nothing visible
+    Plane<float> time;      ///< seconds of the clip; NaN = none
+    Plane<float> frame;     ///< index in the clip; -1 = none
+    Plane<float> object{};  ///< number of the event; 0 = none. Empty if objects have no colours
 
     bool empty() const { return frame.empty(); }
 };
 
-/// A picture in sRGB as it goes to a file or comes from one, top row first.
+/// An sRGB picture for a file, top row first.
 struct Picture {
     Plane<Rgba> pixels;
     PixelData pixel_data{};
 };
 
-/// A drawn picture as it goes to a file.
+/// Converts a rendered picture to a picture for a file.
 Picture to_picture(Plane<Rgba> drawn);
 
-/// Settings of a picture: name and value, in the order given. In a file their names begin with `vvr:`.
+/// Settings of a picture: names and values, in order. In a file, the names begin with `vvr:`.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Sets a value, in place of the one that has its name.
+/// Sets a value, and replaces an earlier value of that name.
 void put(Metadata& settings, std::string_view name, const std::string& value);
 
-/// The value of that name; empty where there is none.
+/// The value of that name, or an empty string.
 std::string value_of(const Metadata& settings, std::string_view name);
 
-/// One plane of a picture's pixel data, and the channel of a file that holds it.
+/// A plane of the pixel data and the name of its channel in a file.
 struct PixelDataChannel {
     std::string_view name;
     Plane<float> PixelData::*plane;
@@ -58,17 +58,16 @@ inline constexpr std::array pixel_data_channels{
     PixelDataChannel{"object", &PixelData::object},
 };
 
-/// Draws a line with round ends and smooth edges over a picture. Positions and width are in pixels; the centre of the
-/// first pixel is 0,0. A line of no length is a dot.
+/// Draws an antialiased line with round caps over a picture. Positions and width are in pixels; the centre of the first
+/// pixel is 0,0. A line of zero length is a dot.
 void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, double width, const Rgba& colour);
 
-/// A plane of bytes, of BGR or of RGBA floats at another size. Where it shrinks, each pixel is the mean of those that
-/// it covers; where it grows, values are interpolated.
+/// Resizes a plane of bytes, BGR or RGBA floats: by area averaging to shrink, by interpolation to grow.
 template <class T>
 Plane<T> resized(const Plane<T>& plane, Size size);
 
-/// The levels of a texture below the picture itself, down to a single pixel. Each has half the width and height of the
-/// level before, rounded down, and each of its pixels is the mean of those that it covers there.
+/// The mipmap levels of a texture, without the picture itself, down to a single pixel. Each level has half the width
+/// and height of the previous one, rounded down, by area averaging.
 std::vector<Plane<std::uint8_t>> mip_levels(const Plane<std::uint8_t>& picture);
 std::vector<Plane<Bgr>> mip_levels(const Plane<Bgr>& picture);
 

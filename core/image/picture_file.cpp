@@ -32,7 +32,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::size_t signature = 8;
-constexpr std::size_t word = 4;  // bytes of a chunk's length, of its name, and of its checksum
+constexpr std::size_t word = 4;  // bytes of a chunk's length, type and checksum, each
 
 const std::uint8_t* raw(Bytes bytes) {
     return reinterpret_cast<const std::uint8_t*>(bytes.data());
@@ -46,22 +46,23 @@ void append_number(std::vector<std::byte>& to, std::size_t number) {
     for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::byte>(number >> shift));
 }
 
-/// \param text keyword, a zero and the text
+/// Appends an iTXt chunk.
+/// \param text keyword, a zero byte and the text
 void append_utf8_chunk(std::vector<std::byte>& to, Bytes text) {
     using namespace std::literals;
     const auto key_end = std::ranges::find(text, std::byte{0});
     std::vector<std::byte> chunk;
     append(chunk, std::as_bytes(std::span("iTXt"sv)));
     append(chunk, {text.begin(), key_end});
-    append(chunk, std::as_bytes(std::span("\0\0\0\0\0"sv)));  // not compressed, of no language, keyword not translated
+    append(chunk, std::as_bytes(std::span("\0\0\0\0\0"sv)));  // not compressed, no language, no translated keyword
     append(chunk, {key_end + 1, text.end()});
     append_number(to, chunk.size() - word);
     append(to, chunk);
     append_number(to, ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0U, raw(chunk), chunk.size()));
 }
 
-/// A PNG file whose texts beyond ASCII are marked as UTF-8: they become chunks iTXt. Readers take the chunks tEXt, all
-/// that OpenImageIO writes, for Latin-1.
+/// Converts a PNG file's texts beyond ASCII to iTXt chunks, which are UTF-8. OpenImageIO writes only tEXt chunks, which
+/// readers decode as Latin-1.
 std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png) {
     const Bytes whole(png);
     std::vector<std::byte> marked(png.begin(), png.begin() + signature);
@@ -82,18 +83,18 @@ std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png) {
 
 constexpr std::string_view setting_prefix = "vvr:";
 constexpr const char* lines_attribute = "ImageDescription";
-// A part of a JPEG file ends at 64 KB, and libjpeg ends the program where a text is longer.
+// A JPEG segment has at most 64 KB, and libjpeg aborts the program for a longer text.
 constexpr std::size_t longest_description = 60'000;
 
-/// One kind of picture file.
+/// A picture file format.
 struct Format {
     std::string_view ending;
     Stored stored;
-    bool alpha;       ///< holds transparency
-    bool settings;    ///< holds attributes of any name; else the settings become lines of the description
-    bool pixel_data;  ///< holds further channels of floats
-    int most_side;    ///< pixels, where the encoder would end the program for more
-    /// What becomes of the encoder's bytes of an 8-bit file; null = they stay.
+    bool alpha;       ///< supports transparency
+    bool settings;    ///< supports any attribute; else the settings become lines of the description
+    bool pixel_data;  ///< supports additional float channels
+    int most_side;    ///< pixels; for more, the encoder would abort the program
+    /// Post-processes the encoded bytes of an 8-bit file; null = none.
     std::vector<std::byte> (*finished)(const std::vector<std::byte>&);
 };
 
@@ -113,7 +114,7 @@ const Format& format_of(const std::filesystem::path& path) {
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     if (format != formats.end()) return *format;
     const std::vector<std::string> known = picture_file_extensions();
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
                             did_you_mean(ending, known), fmt::join(known, " ")));
@@ -121,16 +122,17 @@ const Format& format_of(const std::filesystem::path& path) {
 
 std::uint8_t byte_of(float value) {
     constexpr float to_nearest = 0.5F;  // std::lround takes five times as long
-    // std::clamp would pass on NaN.
+    // Maps NaN to 0; std::clamp would not.
     return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + to_nearest);
 }
 
-/// The values of an 8-bit file, pixel by pixel: `channels` is 3, or 4 with alpha.
+/// The interleaved values of an 8-bit file.
+/// \param channels 3, or 4 with alpha
 std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
     std::vector<std::uint8_t> values;
     values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
     for (const Rgba& pixel : picture.pixels.pixels()) {
-        // Where an 8-bit file holds alpha, its colours are not multiplied by it.
+        // 8-bit formats have straight alpha.
         const float over_alpha = channels == 4 && pixel.a > 0 ? 1 / pixel.a : 1;
         for (int c = 0; c < 3; ++c) values.push_back(byte_of(over_alpha * pixel[c]));
         if (channels == 4) values.push_back(byte_of(pixel.a));
@@ -138,8 +140,7 @@ std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
     return values;
 }
 
-/// The values of a file of floats, pixel by pixel: `channels` of colour and alpha, and `pixel_data` after them unless
-/// it is empty.
+/// The interleaved values of a float file: `channels` of colour and alpha, followed by `pixel_data` unless it is empty.
 std::vector<float> floats_of(const Picture& picture, int channels, const PixelData& pixel_data) {
     const auto pixels = picture.pixels.pixels();
     std::vector<float> values;
@@ -169,11 +170,11 @@ Metadata attributes_of(const Format& format, const Metadata& metadata) {
     return attributes;
 }
 
-/// What is known of a file before its values are.
+/// A picture file without its values.
 PictureFile describe(const std::filesystem::path& path, const Format& format, Size size, int channels,
                      const Metadata& metadata, int jpeg_quality) {
     if (std::max(size.width, size.height) > format.most_side) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::io,
                     fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} per side; "
                                 "choose a smaller size or another format",
                                 path.string(), size.width, size.height, format.ending, format.most_side));
@@ -216,7 +217,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
     const bool opaque = std::ranges::all_of(picture.pixels.pixels(), [](const Rgba& pixel) { return pixel.a >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
     PictureFile file = describe(path, format, picture.pixels.size(), channels, metadata, jpeg_quality);
-    // TIFF would need an Exif block to say it, and integers in it are taken for sRGB anyway.
+    // TIFF would need an Exif block for it, and readers assume sRGB for its integers anyway.
     if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", "sRGB");
     if (format.stored == Stored::uint8) {
         const std::vector<std::uint8_t> values = bytes_of(picture, channels);
@@ -248,7 +249,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
 }
 
 void write_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata) {
-    // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
+    // Encoded in memory, so that our own checked write detects a full disk.
     replace_file(path, encode_picture(path, std::move(picture), metadata));
 }
 

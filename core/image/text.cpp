@@ -47,10 +47,10 @@ void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane
     }
 }
 
-/// A font file's letters, by FreeType. For one thread at a time.
+/// A font, rendered by FreeType. Not thread-safe.
 class Font {
   public:
-    /// \param file of the font; if FreeType can't read it, no text can be drawn
+    /// \param file font file; if FreeType can't read it, no text is drawn
     explicit Font(const std::string& file) {
         FT_Library library = nullptr;
         if (FT_Init_FreeType(&library) != 0) return;
@@ -59,8 +59,8 @@ class Font {
         if (FT_New_Face(library, file.c_str(), 0, &face) == 0) face_.reset(face);
     }
 
-    /// The box of a line of UTF-8 whose baseline begins at 0,0.
-    /// \param size of the letters, in pixels
+    /// The bounding box of a line of UTF-8 text whose baseline begins at 0,0, in pixels.
+    /// \param size font size, pixels
     std::optional<PixelBox> measure(const std::string& text, int size) {
         constexpr int far = std::numeric_limits<int>::max();
         PixelBox box{far, far, -far, -far};
@@ -74,8 +74,8 @@ class Font {
         return box;
     }
 
-    /// Draws a line of UTF-8 over `pixels`, its baseline from `x`,`y` on.
-    /// \returns false if there is no font; nothing is drawn then
+    /// Draws a line of UTF-8 text over `pixels`. Its baseline begins at `x`,`y`.
+    /// \returns false if there is no font, and then draws nothing
     bool draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour) {
         return for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
             blend(letter, x + left, y + top, colour, pixels);
@@ -83,7 +83,7 @@ class Font {
     }
 
   private:
-    /// Calls `use` with each letter of a line of UTF-8 and the place of its bitmap's corner.
+    /// Calls `use` with each glyph of a line of UTF-8 text and the position of its bitmap's corner.
     bool for_letters(const std::string& text, int size,
                      const std::function<void(const FT_Bitmap&, int left, int top)>& use) const {
         if (!face_ || FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size)) != 0) return false;
@@ -91,7 +91,7 @@ class Font {
         for (std::string_view rest = text; !rest.empty();) {
             const Character character = first_character(rest).value_or(Character{U'?', 1});
             rest.remove_prefix(character.length);
-            // A letter that can't be loaded is left out.
+            // Skips a glyph that can't be loaded.
             if (FT_Load_Char(face_.get(), character.code, FT_LOAD_RENDER) != 0) continue;
             const FT_GlyphSlot letter = face_->glyph;
             use(letter->bitmap, x + letter->bitmap_left, -letter->bitmap_top);
@@ -104,7 +104,7 @@ class Font {
     std::unique_ptr<std::remove_pointer_t<FT_Face>, CloseFace> face_;
 };
 
-/// The file of fontconfig's sans serif font, empty when there is none.
+/// The file of fontconfig's sans serif font; empty if there is none.
 std::string find_font() {
     const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
     const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(
@@ -126,7 +126,7 @@ void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
     FcStrListDone(list);
 }
 
-/// The font of all text, found when it is first needed.
+/// The font of all text, loaded on first use.
 struct TextFont {
     std::mutex mutex;
     std::string file;
@@ -138,7 +138,7 @@ TextFont& text_font() {
     return font;
 }
 
-/// Calls `use` with the font of all text, one thread at a time.
+/// Calls `use` with the font of all text. Thread-safe.
 template <class Use>
 auto with_font(const Use& use) {
     TextFont& text = text_font();
@@ -177,13 +177,13 @@ std::string printable(const std::string& text) {
 void check_font(const std::filesystem::path& file) {
     check_is_file(file.string());
     if (std::error_code none; !std::filesystem::exists(file, none)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("font: cannot read '{}': No such file or directory; check the name", file.string()),
                     {"font"});
     }
     if (!Font(file.string()).measure("0", 12)) {
         throw Error(
-            ErrorKind::io,
+            ErrorCode::file_invalid,
             fmt::format("font: '{}' is no font that FreeType can read; give a .ttf or .otf file", file.string()),
             {"font"});
     }

@@ -10,32 +10,34 @@
 
 namespace vvr::image {
 
-/// Text for one line: a space for each control character, `?` for each byte that is not UTF-8.
+/// Makes text printable on one line: replaces control characters by spaces, and bytes that are not UTF-8 by `?`.
 std::string printable(const std::string& text);
 
-/// \throws Error io for a file that FreeType can't read letters of
+/// Checks a font file.
+/// \throws Error io if it doesn't exist or FreeType can't read it
 void check_font(const std::filesystem::path& file);
 
-/// Has all text from now on drawn with the letters of a font file; of fontconfig's sans serif font if it is empty. A
-/// process has one font: nearly all functions that lay out text measure it.
-/// \throws Error io as check_font
+/// Sets the font of all later text; an empty path means fontconfig's sans serif font. The font is global, because
+/// nearly all layout functions measure text.
+/// \throws Error as `check_font`
 void choose_font(const std::filesystem::path& file);
 
-/// The name of the font's file, without folders; empty where there is none.
+/// The font's file name without folders; empty if there is no font.
 std::string font_name();
 
-/// The box of a line of text whose baseline begins at 0,0.
-/// \returns nothing if fontconfig finds no font
+/// The bounding box of a line of text whose baseline begins at 0,0, in pixels.
+/// \param size font size, pixels
+/// \returns empty if there is no font
 std::optional<PixelBox> measure_text(const std::string& text, int size);
 
-/// Draws a line of text over a picture, its baseline from `x`,`y` on, in pixels.
-/// \returns false if there is no font; nothing is drawn then
+/// Draws a line of text over a picture. Its baseline begins at `x`,`y`, in pixels.
+/// \returns false if there is no font, and then draws nothing
 bool draw_text(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour);
 
-/// The same with the text's middle at `x`.
+/// The same, with the text centred at `x`.
 bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour);
 
-/// The files and folders that fontconfig reads to find a font, its caches among them. Some may not be there.
+/// The files and folders that fontconfig reads, including its caches. Some may not exist.
 std::vector<std::filesystem::path> font_places();
 
 }  // namespace vvr::image

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Also the class of a badge, in CSS.
+/// The name of an emphasis, which is also a CSS class.
 std::string_view name_of(events::Emphasis emphasis) {
     switch (emphasis) {
         case events::Emphasis::none:

@@ -4,7 +4,7 @@
 
 namespace vvr::page {
 
-/// What scripts know of the kinds of events, those that tell most first.
+/// The kinds of events for the page's scripts, most informative first.
 nlohmann::ordered_json json_of_kinds();
 
 }  // namespace vvr::page

@@ -53,9 +53,9 @@ namespace {
 constexpr int still_side = 240;
 constexpr int small_still_side = 200;
 constexpr std::size_t few_stills =
-    Stills::most / 2;  // where there is a film too, stills are only the first that is seen of a moment
+    Stills::most / 2;  // with a preview, a still is shown only until the preview has loaded
 
-/// Whether all browsers of the last years play such a file.
+/// Whether all current browsers play such a file.
 bool browsers_play(const video::VideoInfo& info) {
     const auto is_one_of = [](const std::string& name, std::initializer_list<std::string_view> names) {
         return std::ranges::find(names, name) != names.end();
@@ -94,7 +94,7 @@ void WatchedFields::begin() {
     if (info().rate > 0) expected.seconds = static_cast<double>(expected.frames) / info().rate;
     times_ = {};
     preview_.reset();
-    // With pictures of only two frames, a film is of no use.
+    // A preview of two frames would be useless.
     if (has_pictures() && with_preview_) {
         const Preview::Use use = browsers_play(info()) ? Preview::Use::fallback : Preview::Use::instead;
         preview_.emplace(info().size, expected, use);
@@ -122,7 +122,7 @@ void WatchedFields::encode(const fields::Field& field, Plane<Bgr>&& picture) {
 namespace {
 
 constexpr int recent_still_side = 200;
-constexpr std::int64_t most_stills = 40;  // a page that is sent again and again is small
+constexpr std::int64_t most_stills = 40;  // live pages are sent often, so they must be small
 
 }  // namespace
 

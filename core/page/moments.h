@@ -16,24 +16,25 @@
 
 namespace vvr::page {
 
-/// Consecutive frames at a steady rate.
+/// Consecutive frames at a constant rate.
 struct ConstantRateFrames {
     std::int64_t first = 0;  ///< index in the clip
     std::int64_t count = 1;
-    double begin = 0;  ///< seconds, of the first
-    double step = 0;   ///< seconds from each to the next; 0 where there is only one
+    double begin = 0;  ///< time of the first frame, seconds
+    double step = 0;   ///< seconds per frame; 0 for a single frame
 
     double at(std::int64_t frame) const { return begin + static_cast<double>(frame - first) * step; }
 };
 
-/// The times of a clip's frames in few numbers: a clip at a steady rate is one stretch, of any length and with any
-/// rounding by its container. Memory grows only with the changes of the rate.
+/// Stores the times of a clip's frames compactly, as stretches of constant rate. Memory grows only with the number of
+/// rate changes. Rounding by the container doesn't start a new stretch.
 class Timeline {
   public:
-    /// The greatest error of a frame's time, in seconds: less than the shortest time that a screen shows a frame.
+    /// Maximum error of a frame's time, seconds: less than a screen's refresh period.
     static constexpr double tolerance = 0.001;
 
-    /// \param frame greater than the one before; so is its time in most clips
+    /// \param frame index, greater than the previous one
+    /// \param seconds usually greater than the previous time
     void add(std::int64_t frame, double seconds);
 
     std::vector<ConstantRateFrames> stretches() const;
@@ -49,22 +50,22 @@ class Timeline {
     std::int64_t first_ = 0;
     std::int64_t count_ = 0;
     double begin_ = 0;
-    double least_ = 0;  ///< any step from this to `most_` keeps all frames of the stretch within the tolerance
-    double most_ = 0;
+    double least_ = 0;  ///< smallest step that keeps all frames of the stretch within the tolerance
+    double most_ = 0;   ///< largest such step
 };
 
-/// What a page needs to know about the moments of a clip.
+/// The times, stills and preview of a clip, for a page.
 struct Moments {
     std::vector<ConstantRateFrames> times;
     std::vector<Still> stills;
     std::optional<EncodedVideo> preview;
-    std::string problem{};  ///< why the preview could not be made; empty = it could, or none was due
+    std::string problem{};  ///< why encoding the preview failed; empty = no error
 };
 
-/// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
+/// Collects times, stills and a preview while fields are read, so that a page needs no second pass over the clip.
 class WatchedFields final : public fields::FieldSource {
   public:
-    /// \param with_preview small where browsers play the clip itself
+    /// \param with_preview whether to make a preview; it is small if browsers can play the clip
     WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview);
 
     const video::VideoInfo& info() const override { return fields_->info(); }
@@ -87,14 +88,14 @@ class WatchedFields final : public fields::FieldSource {
     Timeline times_;
     std::optional<Stills> stills_;
     std::optional<Preview> preview_;
-    std::future<void> encoding_;  ///< of the frame before: an encoder takes as long as the fields do
+    std::future<void> encoding_;  ///< of the previous frame, parallel to the next fields
 };
 
-/// Takes times and stills from the fields of a stream as they come, and keeps those of its last frames. Its memory is
-/// bounded by the number of frames that are kept.
+/// Collects times and stills of the most recent frames of a stream while its fields are read. The number of frames
+/// bounds its memory.
 class RecentMoments final : public fields::FieldSource {
   public:
-    /// \param frames that are kept
+    /// \param frames number of frames to keep
     RecentMoments(std::unique_ptr<fields::FieldSource> fields, std::int64_t frames);
 
     const video::VideoInfo& info() const override { return fields_->info(); }
@@ -104,7 +105,7 @@ class RecentMoments final : public fields::FieldSource {
     bool has_pictures() const override { return fields_->has_pictures(); }
     fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
 
-    /// The moments from this frame on, until the last of a picture. There is no preview.
+    /// The moments of the frames from `first` to `last`, inclusive, without a preview.
     Moments since(std::int64_t first, std::int64_t last = std::numeric_limits<std::int64_t>::max()) const;
 
   private:

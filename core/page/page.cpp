@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 7> weekdays{"Sun", "Mon", "Tue", "Wed", "
 constexpr std::array<std::string_view, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                   "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
-/// What a clock on a wall shows.
+/// A wall-clock time, truncated to the minute.
 struct Minute {
     std::chrono::sys_days day;
     std::string time;
@@ -53,9 +53,9 @@ struct Minute {
     }
 };
 
-/// Whose page it is: "back-door · Tue 17 Nov 2026, 07:15", with the minute of the end if that is another. Where the
-/// time of day is not known, the name alone.
-/// \param name of the camera, or of the clip where that is not known
+/// The heading: "back-door · Tue 17 Nov 2026, 07:15", with the end if it is in another minute. Without a clock, only
+/// the name.
+/// \param name name of the camera, or of the clip if the camera is unknown
 /// \param begin, end seconds of the clip
 std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end) {
     if (!clock) return name;
@@ -70,13 +70,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 66;
 
-/// Times and rates as exact as a container's.
+/// Rounds a time or rate to six decimals, the precision of containers.
 double rounded(double value) {
     return std::round(value * 1e6) / 1e6;
 }
 
-/// A number for each pixel, as a picture, in three bytes. All browsers decode PNG, and nothing else is as small without
-/// a decoder of our own.
+/// A PNG with one number per pixel in three bytes. All browsers decode PNG, and no other format is as small without our
+/// own decoder.
 template <class ValueOf>
 Json json_of_pixels(const Plane<float>& pixels, const ValueOf& value_of) {
     Plane<Bgr> picture(pixels.size());
@@ -90,7 +90,7 @@ Json json_of_pixels(const Plane<float>& pixels, const ValueOf& value_of) {
     return {{"src", data_url("image/png", image::encode_picture("pixels.png", picture))}, {"sum", sum}};
 }
 
-/// The frame of each pixel: 0 = none, else one more than the frame counted from `first`.
+/// The frame of each pixel: 0 = none, else frame - first + 1.
 Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
     Json json = json_of_pixels(frames, [first](float frame) {
         return frame < 0 ? 0 : std::max<std::int64_t>(std::llround(frame) - first + 1, 1);
@@ -99,7 +99,7 @@ Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
     return json;
 }
 
-/// From an event's number in the picture to its place in the list, plus 1; 0 = it is not in the list.
+/// Maps an event's number in the picture to its index in the list plus 1; 0 = not in the list.
 class Places {
   public:
     explicit Places(const PageContent& content) {
@@ -118,7 +118,7 @@ class Places {
     std::unordered_map<std::size_t, std::int64_t> places_;
 };
 
-/// The place of the event that each pixel shows, plus 1: 0 = none.
+/// The event that each pixel shows, as index plus 1; 0 = none.
 Json json_of_objects(const Plane<float>& objects, const Places& places) {
     if (objects.empty()) return {};
     return json_of_pixels(objects,
@@ -138,8 +138,8 @@ Json json_of(const PageContent::Segment& segment) {
     return {segment.url, rounded(segment.begin), rounded(segment.length)};
 }
 
-/// What the clock on the wall shows at second 0, in seconds since 1970-01-01 00:00 on that clock, where it leaps and by
-/// how much, its zone, and what tells it.
+/// The wall clock: its time at second 0 (seconds since 1970-01-01 00:00 on that clock), its jumps, its time zone and
+/// its source.
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
     Json leaps = Json::array();
@@ -167,7 +167,7 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place) : Json();
 }
 
-/// Where an object was and when, as fractions of the picture's width and height: so the page needs no field size.
+/// An object's path in fractions of the picture's width and height, so the page needs no field size.
 Json json_of(const std::vector<events::PathPoint>& path, Size field) {
     const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
     Json json = Json::array();
@@ -177,7 +177,7 @@ Json json_of(const std::vector<events::PathPoint>& path, Size field) {
     return json;
 }
 
-/// The way of an object as the index of an archive has it.
+/// An object's path in the format of an archive's index.
 Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
     const glm::dvec2 size(shown.width, shown.height);
     const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
@@ -268,14 +268,14 @@ Json json_of(const PageContent& content) {
     return json;
 }
 
-/// A moment as the page's script writes it: "1:15.2", tenths cut off as clocks do.
+/// A time in the format of the page's script: "1:15.2", truncated to tenths.
 std::string moment_text(double seconds, const WallClock& clock) {
     const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
     const std::int64_t whole = tenths / 10;
     return fmt::format("{}.{}", labels::format_moment(static_cast<double>(whole), clock), tenths % 10);
 }
 
-/// What there is to read where no script runs: each event in a line.
+/// A list of the events for browsers without scripts.
 std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
@@ -289,7 +289,7 @@ std::string list_of(const PageContent& content) {
     return list;
 }
 
-/// The picture: as `-o FILE.png` writes it, or small where it is sent again and again.
+/// The picture as a URL: the PNG that `-o FILE.png` writes, or a smaller file for a live page.
 std::string url_of_picture(const PageContent& content) {
     constexpr int live_quality = 88;
     if (!content.live)
@@ -298,7 +298,7 @@ std::string url_of_picture(const PageContent& content) {
     return data_url("image/jpeg", image::encode_picture("page.jpg", colours, content.settings, live_quality));
 }
 
-/// When the last frame has been shown.
+/// The end of the last frame, seconds.
 double end_of(const std::vector<ConstantRateFrames>& times) {
     const ConstantRateFrames& last = times.back();
     return last.at(last.first + last.count);
@@ -310,13 +310,13 @@ std::int64_t frames_in(const std::vector<ConstantRateFrames>& times) {
     return frames;
 }
 
-/// What tells the time of day.
+/// The source of the time of day.
 std::string told_by(const PageContent& content) {
     const std::string_view words = row_of(source_of(content)).words;
     return content.clock ? fmt::format("times of day {}", words) : std::string(words);
 }
 
-/// In which direction time runs in the picture, for people.
+/// The direction of time in the picture, as text.
 std::string time_direction(const image::Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &image::Metadata::value_type::first);
     const auto row = layout == settings.end()
@@ -333,7 +333,7 @@ std::string make_page(const PageContent& content) {
     const std::string style = std::string(shared_files::theme_css) + std::string(page_files::page_css);
     const std::string script =
         joined(joined(std::string(shared_files::common_js), shared_script::files), page_script::files);
-    // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
+    // Replaces bytes that are not UTF-8 by U+FFFD. The clip's URL is already escaped.
     const auto shown = [](const std::string& text) {
         return html_text(Json::parse(json_text(text)).get<std::string>());
     };

@@ -12,25 +12,25 @@
 
 namespace vvr::page {
 
-/// What the page of a stream says beside its picture.
+/// The state of a live stream, for its page.
 struct LiveState {
-    std::string text;           ///< of the connection, in a line for people
+    std::string text;           ///< state of the connection, one line
     std::int64_t written = 0;   ///< seconds since 1970
-    double brick_seconds = 10;  ///< from one picture to the next
+    double brick_seconds = 10;  ///< seconds per picture
 };
 
-/// Where a page belongs in an archive.
+/// A page's place in an archive.
 struct PageIndex {
     std::string url;   ///< of the index, relative to the page
-    std::string clip;  ///< the clip's path as the index writes it
+    std::string clip;  ///< the clip's path in the index
 };
 
-/// What a page shows.
+/// The content of a page.
 struct PageContent {
-    std::string name;      ///< of the clip, for people
-    std::string camera;    ///< empty = nothing tells it
-    std::string file;      ///< the clip's own name, where `name` or `camera` is another; else empty
-    std::string clip_url;  ///< of the clip, relative to the page; empty = there is no file to play
+    std::string name;      ///< display name of the clip
+    std::string camera;    ///< empty = unknown
+    std::string file;      ///< the clip's file name if it differs from `name` and `camera`; else empty
+    std::string clip_url;  ///< relative to the page; empty = no file to play
 
     /// A file of a recording.
     struct Segment {
@@ -38,23 +38,23 @@ struct PageContent {
         double begin = 0;  ///< seconds of the recording
         double length = 0;
     };
-    std::vector<Segment> segments;   ///< instead of a clip, in order
-    std::string piece_extension;     ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
-    std::vector<std::string> names;  ///< how files' names tell camera and time, as it was said
-    WallClock clock;                 ///< that the picture shows
-    Size shown;                      ///< size of the clip's picture
-    Size field;                      ///< size of the field, whose pixels are the unit of events
-    image::Picture picture;          ///< with its pixel data
+    std::vector<Segment> segments;   ///< of a recording, in order, instead of a clip
+    std::string piece_extension;     ///< extension for parts cut from the clip; empty = `vvr cut` chooses
+    std::vector<std::string> names;  ///< the user's patterns of file names
+    WallClock clock;                 ///< wall clock of the picture
+    Size shown;                      ///< display size of the clip
+    Size field;                      ///< field size; events are in field pixels
+    image::Picture picture;          ///< includes pixel data
     image::Metadata settings;        ///< of the picture
     Moments moments;
-    std::optional<std::vector<events::Event>> events;  ///< if they were searched for
-    std::vector<std::size_t> numbers;                  ///< of the events in the picture; empty = their places, plus 1
-    std::vector<glm::vec3> colours;     ///< of the events in the picture, sRGB; empty where they have none
-    std::vector<Plane<Bgr>> portraits;  ///< of the events; empty where there is none
+    std::optional<std::vector<events::Event>> events;  ///< none = not detected
+    std::vector<std::size_t> numbers;                  ///< numbers of the events in the picture; empty = index plus 1
+    std::vector<glm::vec3> colours;                    ///< of the events in the picture, sRGB; empty = no colours
+    std::vector<Plane<Bgr>> portraits;                 ///< of the events; an empty plane = none
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
 
-    /// A part of the picture that stands for an event.
+    /// A part of the picture that shows an event.
     struct Region {
         PixelBox box;
         std::size_t number = 0;  ///< of the event
@@ -62,9 +62,8 @@ struct PageContent {
     std::vector<Region> regions;
 };
 
-/// A page that needs only a browser, and no file but the clip: the picture, the moment and the event that each of its
-/// pixels shows, and stills and a preview of these moments. The page of a stream asks its server for newer ones. Same
-/// content, same text.
+/// Makes a self-contained HTML page: the picture, the time and event of each pixel, stills and a preview. It refers
+/// only to the clip's file. The page of a stream requests updates from its server. The output is deterministic.
 std::string make_page(const PageContent& content);
 
 }  // namespace vvr::page

@@ -15,18 +15,18 @@ namespace vvr::page {
 
 namespace {
 
-constexpr int ticks = 1000;  // per second; WebM's unit
+constexpr int ticks = 1000;  // per second, as in WebM
 
-/// A container and its encoder. Options forbid frames that refer to later ones, so every player shows them in order.
+/// A container and its encoder. The options disable B-frames, so that every player shows the frames in order.
 struct Kind {
     const char* type;
     const char* muxer;
     const char* encoder;
     const char* options;
-    std::array<int, 2> crf;  ///< of each Use: the constant rate factor, less is better
+    std::array<int, 2> crf;  ///< constant rate factor per Use; lower is better
 };
 
-/// The first whose encoder is installed is taken.
+/// The first with an installed encoder is used.
 constexpr std::array kinds{
     Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0", {29, 32}},
     Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
@@ -37,8 +37,8 @@ std::int64_t step_for(const ExpectedLength& expected) {
     return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
 }
 
-constexpr std::array long_sides{384, 256};  // pixels, of each Use
-constexpr int key_seconds = 5;              // from one key frame to the next: so many are decoded to go to a moment
+constexpr std::array long_sides{384, 256};  // pixels, per Use
+constexpr int key_seconds = 5;              // key frame interval: a seek decodes up to this much
 
 std::size_t place_of(Preview::Use use) {
     return static_cast<std::size_t>(use);
@@ -59,7 +59,7 @@ void Preview::begin() {
         given_up_ = true;
         return;
     }
-    // The encoder gets a bit rate that fills most of the budget; if it takes more, `add` notices.
+    // The bit rate uses most of the size limit; `add` checks whether the encoder exceeds the limit.
     constexpr double highest = 1'500'000;
     const double seconds = std::max(1.0, expected_.seconds);
     const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
@@ -99,7 +99,7 @@ void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& pictu
     }
     if ((frame - first_frame_) % video_.step != 0) return;
     std::int64_t tick = std::llround((seconds - video_.begin) * ticks);
-    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames have the same time
+    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // timestamps must increase
     last_tick_ = tick;
     encoder_->add(image::resized(picture, size_), tick);
     ++taken_;

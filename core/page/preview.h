@@ -11,46 +11,46 @@
 
 namespace vvr::page {
 
-/// A small film in a file format that browsers play.
+/// A small video in a format that browsers play.
 struct EncodedVideo {
-    std::string type;  ///< "video/mp4"
+    std::string type;  ///< MIME type, such as "video/mp4"
     std::vector<std::byte> bytes;
-    double begin = 0;       ///< seconds of the clip at its beginning
-    std::int64_t step = 1;  ///< it shows every `step`-th frame
+    double begin = 0;       ///< start in the clip, seconds
+    std::int64_t step = 1;  ///< has every `step`-th frame of the clip
 };
 
-/// The length of a clip as its header says; 0 = unknown.
+/// The length of a clip according to its header; 0 = unknown.
 struct ExpectedLength {
     std::int64_t frames = 0;
     double seconds = 0;
 };
 
-/// Makes the preview of a clip frame by frame. Gives up if it can't be both small and useful, or if libav can't encode
-/// it: a page is of use without it.
+/// Encodes the preview of a clip frame by frame. Gives up if the preview would be too large or too coarse, or if libav
+/// fails, because a page also works without it.
 class Preview {
   public:
     static constexpr std::size_t most_bytes = 8'000'000;
-    static constexpr std::int64_t most_frames = 6000;  ///< of longer clips only every n-th frame is taken
-    static constexpr double least_rate = 2;            ///< pictures per second; with fewer, stills show as much
+    static constexpr std::int64_t most_frames = 6000;  ///< longer clips use every n-th frame
+    static constexpr double least_rate = 2;            ///< pictures per second; for fewer, stills are enough
 
-    /// What a preview is for.
+    /// The purpose of a preview.
     enum class Use {
         instead,   ///< the browser can't play the clip itself
-        fallback,  ///< it can, unless the clip has gone: small
+        fallback,  ///< the browser can play the clip, but the clip may be missing: a small preview
     };
 
-    /// \param clip size of its pictures
+    /// \param clip size of the clip's pictures
     Preview(Size clip, const ExpectedLength& expected, Use use = Use::instead);
 
-    /// Whether there is going to be one, as far as it is known by now.
+    /// False once the preview has been given up.
     bool is_possible() const { return !given_up_; }
 
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
 
-    /// Nothing if the clip is too long, or if libav has no encoder for a format that browsers play. Call it once.
+    /// The preview. Empty if it was given up, or if libav has no encoder for a format that browsers play. Call it once.
     std::optional<EncodedVideo> finish();
 
-    /// What libav said where it could not encode it; empty = it could.
+    /// libav's error message if encoding failed, else empty.
     const std::string& problem() const { return problem_; }
 
   private:

@@ -16,7 +16,7 @@ std::string make_region_editor(const RegionEditorContent& content) {
     const bool masks = content.roi.empty() && !content.mask.empty();
     const nlohmann::ordered_json data{{"option", masks ? "mask" : "roi"},
                                       {"regions", masks ? content.mask : content.roi}};
-    // Bytes that are not UTF-8 become U+FFFD.
+    // Replaces bytes that are not UTF-8 by U+FFFD.
     const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
     const std::string style = std::string(shared_files::theme_css) + std::string(page_files::region_editor_css);
     const std::string script = std::string(shared_files::common_js) + std::string(page_files::region_editor_js);

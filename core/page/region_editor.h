@@ -6,17 +6,17 @@
 
 namespace vvr::page {
 
-/// What a page shows on which regions are drawn.
+/// The content of a page for drawing regions.
 struct RegionEditorContent {
-    std::string name;    ///< of the clip, for people
-    std::string moment;  ///< of the frame, for people
-    Plane<Bgr> frame;    ///< at the size of the clip's picture, whose pixels are the unit of regions
-    std::string roi;     ///< polygons to begin with, as in FieldOptions; empty = none
-    std::string mask;    ///< the same of where not to look; of the two only one is edited, `roi` if there is one
+    std::string name;    ///< display name of the clip
+    std::string moment;  ///< time of the frame, as text
+    Plane<Bgr> frame;    ///< at the clip's display size; regions are in its pixels
+    std::string roi;     ///< initial polygons, as in FieldOptions; empty = none
+    std::string mask;    ///< initial polygons to exclude; edited only if `roi` is empty
 };
 
-/// A page that needs only a browser, and no other file: regions are drawn on the frame, and it gives the option for
-/// them. Same content, same text.
+/// Makes a self-contained HTML page where the user draws regions on the frame and copies the option for them. The
+/// output is deterministic.
 std::string make_region_editor(const RegionEditorContent& content);
 
 }  // namespace vvr::page

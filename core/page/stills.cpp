@@ -47,7 +47,7 @@ namespace {
 constexpr Bgr mark{{15, 72, 217}};
 constexpr int line = 2;  // pixels
 
-/// What tells more is greater.
+/// A key to rank events; more informative events are greater.
 auto worth(const events::Event& event) {
     return std::tuple(-row_of(event.kind).rank, events::stationary_seconds(event),
                       event.last.seconds - event.first.seconds);

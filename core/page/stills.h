@@ -10,29 +10,28 @@
 
 namespace vvr::page {
 
-/// A small picture of a moment.
+/// A small picture of one frame.
 struct Still {
     std::int64_t frame = 0;  ///< index in the clip
     double seconds = 0;
     Plane<Bgr> picture;
 };
 
-/// Keeps stills spread evenly over a stream of frames of unknown length: the stream is cut into stretches of equal
-/// length, and each keeps the frame with most activity. When there are too many stretches, neighbours are joined in
-/// pairs.
+/// Keeps stills spread evenly over a stream of unknown length. It divides the stream into stretches of equal length and
+/// keeps the most active frame of each. When there are too many stretches, it merges neighbours in pairs.
 class Stills {
   public:
-    /// Of at least as many frames, more than half as many stills are kept.
+    /// Maximum number of stills. For at least as many frames, more than half of it are kept.
     static constexpr std::size_t most = 160;
 
-    /// \param size of the stills
-    /// \param most that are kept, an even number
+    /// \param size size of the stills
+    /// \param most_kept maximum number of stills, even
     explicit Stills(Size size, std::size_t most_kept = most) : size_(size), most_(most_kept) {}
 
-    /// \param activity pixels that are not quiet, or any other measure
+    /// \param activity any measure, such as the number of moving pixels
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity);
 
-    /// In order of time. Call it once.
+    /// The stills in order of time. Call it once.
     std::vector<Still> take();
 
   private:
@@ -50,10 +49,10 @@ class Stills {
     std::vector<Kept> kept_;
 };
 
-/// The still that tells most of a clip, with a frame around what it tells of: of the kind of the best rank, of what
-/// stood for longest, of what was there for longest. Without events it is the one in the middle.
-/// \param field size of the field, whose pixels are the unit of events
-/// \returns nothing where there are no stills
+/// The most informative still of a clip, with a border around the event that it shows. Events are ranked by kind, then
+/// by how long the object stood, then by duration. Without events, it is the middle still.
+/// \param field field size; events are in field pixels
+/// \returns empty if there are no stills
 std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
 
 }  // namespace vvr::page

@@ -61,7 +61,7 @@ std::string html_text(std::string_view text) {
 }
 
 std::string script_json(const std::string& json) {
-    // In JSON these three occur only in strings, where an escape means the same.
+    // In JSON, these characters occur only in strings, where they can be escaped.
     return replaced(json, [](char c) -> std::string_view {
         switch (c) {
             case '<':
@@ -77,7 +77,7 @@ std::string script_json(const std::string& json) {
 }
 
 std::string base64(std::span<const std::byte> bytes) {
-    // libav's encoder counts in int and needs space for a zero at the end. A multiple of three bytes needs no padding.
+    // libav's encoder counts in int and appends a zero. Parts with a multiple of three bytes need no padding.
     constexpr std::size_t part = 3 << 20;
     std::string text;
     text.reserve(bytes.size() / 3 * 4 + 8);
@@ -99,7 +99,7 @@ std::string policy_hash(std::string_view text) {
 }
 
 std::string url_of_path(std::string_view path) {
-    // Without it, a first part with a colon would be a scheme.
+    // Without "./", a first part with a colon would be a URL scheme.
     std::string url = "./";
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);
@@ -109,7 +109,7 @@ std::string url_of_path(std::string_view path) {
 }
 
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file) {
-    // Browsers resolve `..` in the URL's text, so links are not followed here either.
+    // Browsers resolve `..` in the URL's text, so symbolic links are not resolved here.
     const auto whole = [](const std::filesystem::path& path) {
         return std::filesystem::absolute(path).lexically_normal();
     };

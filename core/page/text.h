@@ -8,36 +8,36 @@
 #include <utility>
 #include <vector>
 
-// How texts and bytes are written in a page. Names come from outside: nothing in them may act as HTML or script.
+// Encodes text and bytes for a page. Names are untrusted, so all text is escaped.
 namespace vvr::page {
 
-/// Text for use between tags, or in a quoted attribute.
+/// Escapes text for HTML content or a quoted attribute.
 std::string html_text(std::string_view text);
 
-/// JSON for use in a <script>: it has no `<`, so it can't end the element.
+/// Escapes JSON for a <script> element: without `<`, it can't end the element.
 std::string script_json(const std::string& json);
 
 std::string base64(std::span<const std::byte> bytes);
 
-/// A `data:` URL with the bytes in it.
+/// A `data:` URL that contains the bytes.
 std::string data_url(const std::string& type, std::span<const std::byte> bytes);
 
-/// The text's SHA-256 in the form in which a Content-Security-Policy allows a script or a style.
+/// The text's SHA-256 as a source of a Content-Security-Policy, for a script or a style.
 std::string policy_hash(std::string_view text);
 
-/// The relative URL from a page to a file: it stays valid when both are moved together. Bytes of the name with a
-/// meaning in URLs are escaped, in any encoding.
+/// The relative URL from a page to a file, which stays valid if both are moved together. Reserved and non-ASCII bytes
+/// are percent-encoded.
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file);
 
-/// A path below the folder of the page as a relative URL.
+/// The relative URL of a path below the page's folder.
 std::string url_of_path(std::string_view path);
 
-/// Puts values in the places `{{name}}` of a text. Places inside values are not filled.
-/// \throws std::out_of_range for a name that has no value
+/// Replaces the placeholders `{{name}}` of a text by values. Values are not searched for placeholders.
+/// \throws std::out_of_range for an unknown name
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values);
 
-/// Texts one after the other.
-/// \param files name and text of each, as they are embedded
+/// Concatenates texts, beginning with `before`.
+/// \param files name and text of each embedded file
 std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files);
 
 }  // namespace vvr::page

@@ -45,7 +45,7 @@ GlyphMesh arrow_mesh(int sides) {
 
     const auto n = static_cast<std::uint32_t>(sides);
     for (std::uint32_t ring = 0; ring < rings.size(); ++ring) {
-        if (ring == 1 || ring == 3 || ring == 5) continue;  // between a ring and its repetition is nothing
+        if (ring == 1 || ring == 3 || ring == 5) continue;  // no faces between a ring and its repetition
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t a = ring * n + i;
             const std::uint32_t b = ring * n + (i + 1) % n;

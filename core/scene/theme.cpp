@@ -120,8 +120,8 @@ struct ObjectStateStyle {
 // extinction tell it from a trail that runs along the arc.
 constexpr std::array states{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, ObjectStateStyle{3, 0.45F}};
 
-// Leaves, rain and changes of light belong to no object: visible where there is nothing else, but not mistaken for an
-// object. At a sixth, a whole frame of brighter light stays transparent.
+// Leaves, rain and changes of light belong to no object. They are visible where there is nothing else, but fainter than
+// objects. At a sixth, a whole frame of brighter light stays transparent.
 constexpr float nobodys_extinction = 1.0F / 6;
 
 }  // namespace

@@ -42,7 +42,7 @@ glm::vec3 hue_colour(double lightness, double chroma, double degrees);
 /// \param direction x to the right, y down; any length but 0
 glm::vec3 direction_colour(const glm::dvec2& direction);
 
-/// A colour as pixels store it, clipped to what a screen can show.
+/// A colour as 8-bit BGR, clipped to 0..1.
 Bgr bgr_of(const glm::vec3& colour);
 
 /// The colours of time, first to last, sRGB: 256 of increasing lightness and changing hue.
@@ -55,11 +55,11 @@ enum class ObjectState {
     marked,  ///< stationary, in a dark stripe
 };
 
-/// The place in `object_palette` of an object.
-/// \param colour as `colours_of` gives it
+/// The index of an object in `object_palette`.
+/// \param colour as returned by `colours_of`
 std::uint8_t palette_index(int colour, ObjectState state);
 
-/// The palette of objects, what is nobody's first: colour, and a factor on the extinction.
+/// The palette of objects: colour, and a factor on the extinction. The first entry is for motion without an object.
 std::vector<glm::vec4> object_palette(const Theme& theme);
 
 }  // namespace vvr::scene

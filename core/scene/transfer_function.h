@@ -24,7 +24,7 @@ struct TransferPoint {
 class TransferFunction {
   public:
     /// \param points ascending in value; the function is constant before the first and after the last
-    /// \throws Error usage for no points, values that descend, and extinctions that are negative or not finite
+    /// \throws Error usage for no points, descending values, or extinctions that are negative or not finite
     explicit TransferFunction(std::vector<TransferPoint> points);
 
     /// Colour (xyz, sRGB) and extinction (w) of a value in 0..255.
@@ -66,12 +66,12 @@ double extinction_of(double opacity);
 
 /// Parses a transfer function: one point per line, `value red green blue opacity`, separated by blanks or commas; `#`
 /// starts a comment. Values 0..255 ascend; the other numbers are 0..1, colours in sRGB.
-/// \param name of the file, for messages
-/// \throws Error usage with the line, what was found and what is allowed
+/// \param name name of the file, for messages
+/// \throws Error usage for an invalid line; the message has the line, what was found and what is allowed
 TransferFunction parse_transfer(const std::string& text, const std::string& name);
 
-/// The transfer function with that name, else the one in that file.
-/// \throws Error usage as `parse_transfer` and if it is neither a name nor a file, io for an unreadable file
+/// The transfer function with that name, or else from that file.
+/// \throws Error usage as `parse_transfer`, or if it is neither a name nor a file; io if the file can't be read
 TransferFunction find_transfer(const std::string& name_or_file);
 
 }  // namespace vvr::scene

@@ -51,14 +51,15 @@ std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
     return encode(plane.size(), 1, plane.pixels());
 }
 
-/// The same in colour.
+/// Encodes a colour plane.
 std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
     Plane<Bgr> rgb = plane;
     swap_red_and_blue(rgb);
     return encode(plane.size(), 3, {rgb.pixels().front().data(), 3 * rgb.pixels().size()});
 }
 
-/// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
+/// Reads an 8-bit plane with one channel.
+/// \throws Error io if it can't be read, or has another format or size
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<std::uint8_t>::for_overwrite(size);
@@ -66,7 +67,8 @@ Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     return plane;
 }
 
-/// The same for three channels.
+/// Reads a plane with three channels.
+/// \throws Error as `read_grey`
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<Bgr>::for_overwrite(size);
@@ -80,9 +82,10 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
-                                           "another folder",
-                                           path.string(), std::generic_category().message(error)));
+    throw Error(code_of_system_error(error),
+                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
+                            "another folder",
+                            path.string(), std::generic_category().message(error)));
 }
 
 template <class Bytes>
@@ -100,11 +103,11 @@ void check_data_folder(const fs::path& folder) {
         return;
     }
     if (!fs::is_directory(folder)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::not_a_folder,
                     fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
     }
     if (!fs::is_empty(folder) && !is_replaceable(folder)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::folder_not_empty,
                     fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
                                 "a new or an empty folder",
                                 folder.string()));
@@ -118,7 +121,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     std::error_code error;
     created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
-    // If the run is killed from here on, the next one recognises the folder as ours.
+    // With this manifest, the next run recognises the folder if this run is killed.
     image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
@@ -129,7 +132,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
 }
 
 DataFolder::~DataFolder() {
-    // Keep the manifest if files remain: without it, the next run would not recognise them as ours.
+    // Keeps the manifest if files remain, so that the next run recognises the folder.
     if (closed_ || !remove_data()) return;
     std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
@@ -147,8 +150,8 @@ bool DataFolder::remove_data() const {
     return removed;
 }
 
-// Doesn't sync each file as `replace_file` does, which would take longer than everything else. The manifest, written
-// last, marks the folder as complete.
+// Doesn't sync each file as `replace_file` does, because that would take longer than everything else. The manifest is
+// written last and marks the folder as complete.
 void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
     const fs::path path = folder_ / file;
     std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));
@@ -247,7 +250,7 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
         if (!parts_.empty()) {
             const std::string what = difference(parts_.back().manifest, part.manifest);
             if (!what.empty()) {
-                throw Error(ErrorKind::usage,
+                throw Error(ErrorCode::extraction_unsuitable,
                             fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
                                         parts_.back().folder.string(), folder, what));
             }
@@ -287,7 +290,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
     const bool asked = frame.index % needs.every == 0;
     const auto fail = [](const fs::path& file, const std::string& what) {
-        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
     };
     if (needs.flow_of_every_frame || (asked && (needs.seeds || needs.flow))) {
         if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
@@ -319,21 +322,21 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
 
 fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     if (needs.flow_of_every_frame && parts_.front().manifest.flow_every != 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
                                 "it again, or render the clip itself",
                                 info_.name),
                     {setting::flow_every.name});
     }
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
                                 "again, or don't show them",
                                 info_.name),
                     {"show"});
     }
     if (needs.colour && !parts_.front().manifest.colour) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
                                 "render the clip itself",
                                 info_.name),

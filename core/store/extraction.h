@@ -12,8 +12,8 @@
 
 namespace vvr::store {
 
-/// Checks that data files can be written to `folder`: it doesn't exist, is empty, or holds an extraction of ours.
-/// \throws Error io with the next step
+/// Checks that data files can be written to `folder`: it doesn't exist, is empty, or holds an extraction.
+/// \throws Error io if they can't
 void check_data_folder(const std::filesystem::path& folder);
 
 /// Writes the data files of Fig. 3 to a folder. Until `close`, the manifest marks them as unfinished; destruction
@@ -22,17 +22,17 @@ class DataFolder {
   public:
     /// Creates the folder, or deletes an older extraction in it.
     /// \param colour whether to store every frame's picture
-    /// \param flow_every store flow and seeds of frames whose index is a multiple of it; 0 = of none
-    /// \throws Error io
+    /// \param flow_every store flow and seeds of frames whose index is a multiple of it; 0 = never
+    /// \throws Error io if the folder can't be written
     DataFolder(std::filesystem::path folder, std::int64_t flow_every, bool colour);
     ~DataFolder();
     DataFolder(const DataFolder&) = delete;
     DataFolder& operator=(const DataFolder&) = delete;
 
-    /// Adds the next frame, in colour, and its field.
+    /// Adds the next frame and its field.
     void add(const video::Frame& frame, const fields::Field& field);
 
-    /// Writes the rest, the manifest last. Fills in what only this class knows: the frames, `flow_every`, `colour` and
+    /// Writes the remaining files, the manifest last. Sets the manifest's `frames`, `flow_every`, `colour` and
     /// `reference`.
     void close(Manifest manifest, const fields::Reference& reference);
 
@@ -49,18 +49,18 @@ class DataFolder {
     Plane<Bgr> last_;
 };
 
-/// Reads fields that `vvr extract` wrote, from one folder or from several with consecutive parts of a clip.
+/// Reads the fields that `vvr extract` wrote, from one folder, or from several with consecutive parts of a clip.
 class StoredFields final : public fields::FieldSource {
   public:
     /// Reads the manifests. Data files are read and checked on demand.
     /// \throws Error io or not_video for an invalid manifest, usage for parts that don't belong together
     explicit StoredFields(std::span<const std::string> folders);
 
-    /// The whole clip as its container described it if the parts cover it, else the stored part.
+    /// The clip as its container described it if the parts cover it, else the stored part.
     const video::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return parts_.front().manifest.field_size; }
 
-    /// The number that the clip itself gives, so that both make the same picture.
+    /// The same number as for the clip itself, so that both make the same picture.
     std::int64_t expected_frames() const override;
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return parts_.front().manifest.colour; }

@@ -26,7 +26,7 @@ constexpr std::int64_t max_count = std::numeric_limits<std::int32_t>::max();
 
 constexpr double max_time = 9.2e12;  // seconds: libav's range in microseconds
 
-/// A JSON object of the file: gives its values by name and checks their types and ranges.
+/// Reads the values of a JSON object by name, and checks their types and ranges.
 class Reader {
   public:
     Reader(const Json& json, std::string name, std::string where = "")
@@ -35,7 +35,7 @@ class Reader {
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", name_, what));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': {}; run `vvr extract` again", name_, what));
     }
 
     const Json& at(const char* key) const {
@@ -127,7 +127,7 @@ StoredFrame read_frame(const Json& json, std::size_t number, const std::string& 
 std::vector<StoredFrame> read_frames(const Reader& reader, const std::string& name) {
     const Json& list = reader.at("frames");
     if (!list.is_array()) reader.fail("'frames' is not a list");
-    if (list.empty()) throw Error(ErrorKind::not_video, fmt::format("'{}': it lists no frames", name));
+    if (list.empty()) throw Error(ErrorCode::no_frame, fmt::format("'{}': it lists no frames", name));
     std::vector<StoredFrame> frames;
     frames.reserve(list.size());
     for (const Json& entry : list) {
@@ -207,7 +207,7 @@ std::string unfinished_manifest() {
 Manifest parse_manifest(std::string_view text, const std::string& name) {
     const Json json = parse_json(text);
     if (json.is_discarded()) {
-        throw Error(ErrorKind::io, fmt::format("'{}': not JSON; run `vvr extract` again", name));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': not JSON; run `vvr extract` again", name));
     }
     const Reader reader(json, name);
     if (reader.text("format") != format_name) reader.fail(fmt::format("'format' is not '{}'", format_name));
@@ -240,7 +240,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
 
 namespace {
 
-/// A folder's manifest as JSON; nothing if there is no such file.
+/// A folder's manifest as JSON; empty if there is no such file.
 std::optional<Json> manifest_of(const std::filesystem::path& folder) {
     std::error_code none;
     const std::filesystem::path file = folder / stored::manifest;

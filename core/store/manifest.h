@@ -25,11 +25,11 @@ struct StoredFrame {
 
 /// The manifest of a folder of data files (`manifest.json`, in docs/formats.md).
 struct Manifest {
-    video::VideoInfo clip;  ///< the whole clip, even if only a part is stored; its name is the title only
+    video::VideoInfo clip;  ///< the whole clip, even if only a part is stored; `name` is only its title
     video::FrameSpan span;  ///< the requested part
     Size field_size;
     std::int64_t flow_every = 1;
-    std::int64_t damaged = 0;  ///< packets that did not decode, in or next to these frames
+    std::int64_t damaged = 0;  ///< packets in or next to these frames that did not decode
     bool colour = false;       ///< whether every frame's picture is stored
     bool reference = false;    ///< whether there was a reference (the empty scene)
     std::vector<std::pair<std::string, std::string>> settings;  ///< options by long name, as text
@@ -53,21 +53,22 @@ std::filesystem::path colour_file(std::int64_t index);
 std::filesystem::path seed_file(std::int64_t index);
 }  // namespace stored
 
-/// The file's text.
+/// The text of a manifest file.
 std::string format_manifest(const Manifest& manifest);
 
-/// The file's text until all other files are written.
+/// The text of the manifest file until all other files are written.
 std::string unfinished_manifest();
 
-/// \param name of the file, for messages
+/// Parses a manifest file.
+/// \param name name of the file, for messages
 /// \throws Error io if it isn't a manifest, isn't finished or is invalid; not_video if it has no frames
 Manifest parse_manifest(std::string_view text, const std::string& name);
 
-/// Whether `folder` has a manifest of ours, finished or not, or one that isn't even JSON, which its reader will report.
+/// Whether `folder` has a manifest of vvr, finished or not, or one that isn't JSON, which `parse_manifest` reports.
 /// Manifests of other programs don't count.
 bool is_data_folder(const std::filesystem::path& folder);
 
-/// Whether the content of `folder` may be replaced: it has a readable manifest of ours.
+/// Whether the content of `folder` may be replaced: it has a readable manifest of vvr.
 bool is_replaceable(const std::filesystem::path& folder);
 
 }  // namespace vvr::store

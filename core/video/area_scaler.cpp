@@ -29,8 +29,8 @@ cv::Mat AreaScaler::operator()(const cv::Mat& from, cv::Size to) {
     return larger;
 }
 
-/// Both libraries average areas to within a grey level of each other. OpenCV is seven times as fast at a half, and
-/// swscale two to ten times as fast at any other ratio; but its filters have a greatest length.
+/// Both libraries average areas, and differ by at most one grey level. OpenCV is seven times faster at a ratio of 1/2.
+/// swscale is two to ten times faster at other ratios, but its filters have a maximum length.
 cv::Mat AreaScaler::shrink(const cv::Mat& from, cv::Size to) {
     constexpr int longest_filter = 64;
     const bool is_half = from.cols == 2 * to.width && from.rows == 2 * to.height;
@@ -49,7 +49,7 @@ cv::Mat AreaScaler::shrink(const cv::Mat& from, cv::Size to) {
 
 void AreaScaler::prepare(cv::Size from, cv::Size to) {
     sizes_.reset();
-    // A frame of libav's has the padding at its rows' ends that swscale may write to.
+    // swscale may write to the row padding, which libav allocates.
     scaled_ = av::make_frame();
     scaled_->width = to.width;
     scaled_->height = to.height;
@@ -57,7 +57,7 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     context_.reset(sws_getContext(from.width, from.height, AV_PIX_FMT_GRAY8, to.width, to.height, AV_PIX_FMT_GRAY8,
                                   SWS_AREA | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr));
     if (!context_ || av_frame_get_buffer(scaled_.get(), 0) < 0) {
-        throw Error(ErrorKind::limit, "out of memory for scaling a picture");
+        throw Error(ErrorCode::out_of_memory, "out of memory for scaling a picture");
     }
     sizes_ = std::pair(from, to);
 }

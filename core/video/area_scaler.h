@@ -15,11 +15,11 @@ struct SwsFree {
     void operator()(SwsContext* context) const;
 };
 
-/// Scales planes of 8 bits: area averaging where the picture shrinks, linear where it grows, each way by itself.
-/// What it returns is valid until its next call.
+/// Scales 8-bit planes. Each axis is scaled separately: by area averaging to shrink, by linear interpolation to grow.
+/// The result is valid until the next call.
 class AreaScaler {
   public:
-    /// \param from rows with libav's padding behind them, one or two channels
+    /// \param from one or two channels; rows need libav's padding
     cv::Mat operator()(const cv::Mat& from, cv::Size to);
 
   private:

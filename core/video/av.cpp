@@ -25,15 +25,15 @@ void AvFrameFree::operator()(AVFrame* frame) const {
 namespace av {
 namespace {
 
-// Its address, as that of Log::interrupted, marks a context as ours, so that the log callback, which libav calls for
-// every context of the process, never takes another library's opaque pointer for a Log. Decoders have no use for an
-// encoder's callback.
+// libav calls the log callback for every context of the process. The address of this function, like that of
+// Log::interrupted, marks our contexts, so that the callback never casts another library's opaque pointer to a Log.
+// Decoders don't use this encoder callback.
 int never_encode(AVCodecContext*, AVPacket*, int) {
     return AVERROR(ENOSYS);
 }
 
 Error out_of_memory() {
-    return {ErrorKind::limit, "out of memory for a video frame: try fewer threads", {"threads"}};
+    return {ErrorCode::out_of_memory, "out of memory for a video frame: try fewer threads", {"threads"}};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
     if (buffer) context.reset(avio_alloc_context(buffer, buffer_size, 0, self, read, nullptr, seek));
     if (!context) {
         av_free(buffer);
-        throw Error(ErrorKind::limit, "out of memory for reading a video");
+        throw Error(ErrorCode::out_of_memory, "out of memory for reading a video");
     }
     return context;
 }
@@ -86,7 +86,7 @@ void Log::attach(AVCodecContext& context) {
 }
 
 void Log::receive(void* context, int level, const char* format, va_list arguments) {
-    // Filling holes in a damaged frame is no error to libav, and with threads the frame's own mark of it gets lost.
+    // libav logs error concealment below the error level, and with threads loses the frame's own error flag.
     const bool is_concealment = std::string_view(format).starts_with("concealing");
     if (!context || (level > AV_LOG_ERROR && !is_concealment)) return;
     const AVClass* kind = *static_cast<const AVClass**>(context);

@@ -18,18 +18,18 @@ extern "C" {
 
 namespace vvr::video {
 
-/// Ends reads of a live stream from outside: when somebody asks for it, or when nothing has come for too long. A reader
-/// asks `expired`, from any thread.
+/// Interrupts blocking reads of a live stream, on request or after a timeout. Readers poll `expired`; all functions may
+/// be called from any thread.
 class Watchdog {
   public:
-    /// \param patience how long a read may take
+    /// \param patience timeout of one read, seconds
     explicit Watchdog(std::chrono::duration<double> patience)
         : patience_(std::chrono::duration_cast<Clock::duration>(patience)) {}
 
-    /// A read begins now.
+    /// Restarts the timeout. Call it when a read begins.
     void feed() { fed_ = Clock::now(); }
 
-    /// No read goes on, nor begins any more.
+    /// Interrupts the current read and all later ones.
     void stop() { stopped_ = true; }
 
     bool stopped() const { return stopped_; }
@@ -45,7 +45,7 @@ class Watchdog {
 
 }  // namespace vvr::video
 
-// Owners of libav's objects, and what libav says of its errors.
+// RAII owners of libav objects, and libav's error messages.
 namespace vvr::video::av {
 
 struct Free {
@@ -57,7 +57,7 @@ struct Free {
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;
 
-/// Options for libav by name; what it doesn't know is left alone.
+/// Options for libav by name. libav ignores names that it doesn't know.
 class Dictionary {
   public:
     Dictionary() = default;
@@ -78,23 +78,23 @@ class Dictionary {
 Ptr<AVPacket> make_packet();
 AvFrame make_frame();
 
-/// What calls `read` for bytes, and `seek` where there is one, with `self`.
+/// An I/O context that calls `read`, and `seek` if it is not null, with `self`.
 /// \throws Error limit when there is no memory
 Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
                              std::int64_t (*seek)(void*, std::int64_t, int) = nullptr);
 
-/// The last error that libav logged on the contexts that carry this log. Nothing of libav's reaches stderr.
-/// A context finds its log through its own fields, so decoders in other threads don't mix.
+/// Collects the errors that libav logs for the attached contexts, and keeps libav off stderr. Each context points to
+/// its log, so logs of several threads stay separate.
 class Log {
   public:
-    /// \param watchdog ends the context's reads; none = nothing does. Has to outlive the context.
+    /// \param watchdog interrupts the context's reads and must outlive it; none = no timeout
     void attach(AVFormatContext& context, const Watchdog* watchdog = nullptr);
     void attach(AVCodecContext& context);
 
-    /// The logged text where there is one, else the words for `code`.
+    /// The last logged error, or else libav's message for `code`.
     std::string text(int code) const;
 
-    /// Whether there is a logged text.
+    /// Whether an error was logged.
     bool has_text() const;
 
     /// Errors logged so far.
@@ -111,7 +111,7 @@ class Log {
     std::int64_t errors_ = 0;
 };
 
-/// No picture of more pixels is decoded: three times an 8K frame.
+/// Pictures with more pixels are not decoded. The limit is three 8K frames.
 inline constexpr std::int64_t max_pixels = 100'000'000;
 
 }  // namespace vvr::video::av

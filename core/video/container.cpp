@@ -21,7 +21,7 @@ constexpr std::array table{
 
 bool holds(const char* muxer, AVCodecID codec) {
     const AVOutputFormat* const format = av_guess_format(muxer, nullptr, nullptr);
-    // Matroska holds what AVI does by AVI's own names; libav calls that unofficial, and every player reads it.
+    // Matroska can hold AVI codecs by their AVI tags. libav calls that unofficial, but every player supports it.
     return format != nullptr && avformat_query_codec(format, codec, FF_COMPLIANCE_UNOFFICIAL) == 1;
 }
 
@@ -45,8 +45,8 @@ std::span<const ContainerRow> containers() {
 const ContainerRow& container_of(const std::filesystem::path& path) {
     const auto row = std::ranges::find(table, extension_of(path), &ContainerRow::name);
     if (row != table.end()) return *row;
-    throw Error(ErrorKind::usage, fmt::format("cannot write '{}': the name of a clip ends in {}", path.string(),
-                                              fmt::join(names_of(table), ", ")));
+    throw Error(ErrorCode::output_format_unknown, fmt::format("cannot write '{}': the name of a clip ends in {}",
+                                                              path.string(), fmt::join(names_of(table), ", ")));
 }
 
 std::vector<const AVStream*> media_of(const AVFormatContext& clip) {
@@ -66,7 +66,7 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
     for (const ContainerRow& row : table) {
         if (holds_all(row, clip)) others.push_back(row.name);
     }
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::options_conflict,
                 fmt::format("cannot write '{}': {} can't hold {}; {}cut it exactly, which encodes the video anew",
                             path.string(), container.name, name_of(**refused),
                             others.empty() ? "" : fmt::format("choose {}, or ", fmt::join(others, ", "))),

@@ -10,26 +10,26 @@
 
 namespace vvr::video {
 
-/// One row of the table of containers that clips are written in.
+/// A container format that clips can be written in.
 struct ContainerRow {
-    std::string_view name;  ///< the file's ending
-    const char* muxer;      ///< libav's name
+    std::string_view name;  ///< file extension, with its dot
+    const char* muxer;      ///< libav's name of the muxer
 };
 
 std::span<const ContainerRow> containers();
 
-/// The container of a file's ending.
-/// \throws Error usage where there is none
+/// The container for a file extension.
+/// \throws Error usage for an unknown extension
 const ContainerRow& container_of(const std::filesystem::path& path);
 
-/// The streams of a clip that are copied: picture, sound and text.
+/// The streams of a clip that are copied: video, audio and subtitles.
 std::vector<const AVStream*> media_of(const AVFormatContext& clip);
 
-/// \throws Error usage where the container can't hold a stream, which names some that can
+/// \throws Error usage if the container can't hold a stream of the clip; the message names containers that can
 void check_container(const ContainerRow& container, const AVFormatContext& clip, const std::filesystem::path& path);
 
-/// The ending of a file that can hold what a clip has: the clip's own, else the first in the table; empty where none
-/// can.
+/// The extension of a container that can hold the clip's streams: the clip's own, or else the first in the table that
+/// fits. Empty if none fits.
 std::string_view extension_for(const Input& clip, double rate);
 
 }  // namespace vvr::video

@@ -14,11 +14,11 @@
 namespace vvr::video {
 namespace {
 
-// A stream of nothing but errors has to end some time; a quarter of an hour of them is no clip any more.
+// Consecutive failures after which reading ends: about a quarter of an hour of frames.
 constexpr int max_failures = 20'000;
 
-// Each decoder thread holds frames of its own: fewer of them when the pictures are huge. Small ones are decoded sooner
-// than they are handed from thread to thread.
+// Each decoder thread holds its own frames, so huge pictures get fewer threads. For small pictures, the overhead of
+// threads exceeds the gain.
 int thread_count(int asked, std::int64_t pixels) {
     constexpr std::int64_t pixels_in_flight = 256'000'000;
     constexpr std::int64_t small = 200'000;
@@ -28,16 +28,16 @@ int thread_count(int asked, std::int64_t pixels) {
     return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
 }
 
-// Decoders that stop at the first damage if asked to, so that their frames never depend on a race.
-// Not so MPEG-4's, which fails an assertion with threads and ends the program, and those of HEVC and VP8, where damage
-// often passes unnoticed.
+// Codecs whose decoders reliably stop at the first damage on request, so that frames never depend on a race. MPEG-4 is
+// not among them, because its decoder fails an assertion with threads. HEVC and VP8 are not, because their decoders
+// often miss damage.
 bool stops_cleanly(AVCodecID codec) {
     constexpr std::array known{AV_CODEC_ID_H264, AV_CODEC_ID_VP9,    AV_CODEC_ID_AV1,       AV_CODEC_ID_MJPEG,
                                AV_CODEC_ID_FFV1, AV_CODEC_ID_PRORES, AV_CODEC_ID_MPEG2VIDEO};
     return std::find(known.begin(), known.end(), codec) != known.end();
 }
 
-/// Whether the codec has frames that need others.
+/// Whether the codec has frames that refer to other frames.
 bool leans_on_others(const Demuxer& demuxer) {
     const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
@@ -53,12 +53,12 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::codec_unsupported,
                     fmt::format("'{}': this FFmpeg has no decoder for its video ({}); convert it to H.264 first", name,
                                 avcodec_get_name(parameters.codec_id)));
     }
     codec_.reset(avcodec_alloc_context3(codec));
-    if (!codec_) throw Error(ErrorKind::limit, "out of memory for a video decoder");
+    if (!codec_) throw Error(ErrorCode::out_of_memory, "out of memory for a video decoder");
     demuxer.log().attach(*codec_);
     int code = avcodec_parameters_to_context(codec_.get(), &parameters);
     codec_->pkt_timebase = demuxer.stream().time_base;
@@ -70,7 +70,7 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     errors_at_start_ = demuxer.log().errors();
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
     if (code < 0) {
-        throw Error(code == AVERROR(ENOMEM) ? ErrorKind::limit : ErrorKind::not_video,
+        throw Error(code == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::not_video,
                     fmt::format("'{}': the decoder for its video ({}) does not start: {}", name, codec->name,
                                 demuxer.log().text(code)));
     }
@@ -91,11 +91,11 @@ AvFrame Decoder::next() {
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
         if (code == AVERROR(ENOMEM)) {
-            throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer threads", {"threads"});
+            throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video: try fewer threads",
+                        {"threads"});
         }
 
-        // Some decoders hide damage and say so only in the log. Threads may log before their turn; to stop too early
-        // does no harm.
+        // Some decoders report damage only in the log. Threads may log early; stopping too early is harmless.
         bad_packet = bad_packet || code < 0 || demuxer_->log().errors() > (threaded_ ? errors_at_start_ : errors);
         const bool bad_frame = has_frame && is_damaged(*frame);
         bad_packets_ += bad_packet;
@@ -108,7 +108,7 @@ AvFrame Decoder::next() {
     return nullptr;
 }
 
-// A damaged packet shows in both counts, or in one of them.
+// A damaged packet is in one or both of the counts.
 std::int64_t Decoder::damaged() const {
     return std::max(bad_packets_, bad_frames_) + demuxer_->damaged();
 }
@@ -160,8 +160,8 @@ SeekPoint VideoReader::find(double time) const {
     const auto packet = av::make_packet();
     std::int64_t packets = 0;
     std::int64_t frames = 0;
-    // Decoding begins a key frame earlier than it need: frames that follow a key frame and are shown before it, and
-    // streams that heal over some frames, come out whole then.
+    // Decoding begins one key frame early. Then leading frames, which follow a key frame but are shown before it, and
+    // streams with gradual refresh are intact.
     std::int64_t last_key = 0;
     std::int64_t key_before = 0;
     std::int64_t keys = 0;
@@ -169,7 +169,7 @@ SeekPoint VideoReader::find(double time) const {
     while (demuxer.read(*packet)) {
         const auto pts = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
         const auto dts = demuxer.seconds(packet->dts);
-        // Without times in order the count of frames would be a guess.
+        // Without ascending timestamps, the frame count would be a guess.
         if (!pts || !dts || *dts < last_dts) return {};
         if (*dts >= end) break;
         last_dts = *dts;
@@ -181,7 +181,7 @@ SeekPoint VideoReader::find(double time) const {
         }
         ++packets;
     }
-    // Some files call each packet a key frame, and of these codecs few are.
+    // Some files mark every packet as a key frame, which is implausible for these codecs.
     if (keys == packets && leans_on_others(demuxer)) return {};
     return {key_before, frames};
 }
@@ -208,7 +208,7 @@ VideoReader::Timed VideoReader::next() {
     return {};
 }
 
-/// Decodes again from a little before the damage, passing over the frames that were given already.
+/// Decodes again from shortly before the damage, and skips the frames that were already returned.
 void VideoReader::fall_back_to_one_thread() {
     threads_ = 1;
     const auto near = given_ > 0 ? find(last_) : SeekPoint{};

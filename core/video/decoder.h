@@ -10,26 +10,26 @@
 
 namespace vvr::video {
 
-/// Decodes the packets of one demuxer, in order. Must not outlive it.
+/// Decodes the packets of one demuxer, in order. The demuxer must outlive the decoder.
 class Decoder {
   public:
-    /// More than one thread decodes an intact stream to the same frames as one thread does. What libav makes of a
-    /// damaged one depends on which thread was the faster, so such a decoder stops at the first damage instead.
+    /// For an intact stream, the frames don't depend on the number of threads. For a damaged stream, libav's
+    /// multithreaded output depends on a race, so a decoder with several threads stops at the first damage.
     ///
-    /// \param threads 0 = one for each core, or one alone for small pictures
-    /// \throws Error not_video when there is no decoder for the stream
+    /// \param threads 0 = one per core, or a single one for small pictures
+    /// \throws Error not_video if FFmpeg has no decoder for the stream
     Decoder(Demuxer& demuxer, const std::string& name, int threads);
 
-    /// The next frame that decodes; nothing at the end, after very many failures in a row, or when it has stopped.
+    /// The next frame that decodes. Null at the end, after too many consecutive failures, and once stopped.
     AvFrame next();
 
-    /// Whether it met damage that only a decoder of one thread may pass.
+    /// Whether a decoder with several threads has stopped at damage.
     bool stopped() const { return stopped_; }
 
-    /// The frame of one key packet by itself; nothing when it doesn't decode alone. Not to be mixed with `next`.
+    /// Decodes one key packet on its own. Null if it needs other packets. Don't mix with calls of `next`.
     AvFrame decode_alone(const AVPacket& packet);
 
-    /// Packets that failed to be read or decoded, or gave a damaged frame.
+    /// Packets that could not be read or decoded, or that gave a damaged frame.
     std::int64_t damaged() const;
 
   private:
@@ -38,48 +38,48 @@ class Decoder {
     av::Ptr<AVPacket> packet_ = av::make_packet();
     std::int64_t bad_packets_ = 0;
     std::int64_t bad_frames_ = 0;
-    std::int64_t errors_at_start_ = 0;  ///< in the log
+    std::int64_t errors_at_start_ = 0;  ///< errors in the log when the decoder was opened
     bool threaded_ = false;
     bool stopped_ = false;
 };
 
-/// Where decoding has to begin so that the first frame at or after a time comes out whole.
+/// Where decoding must begin so that the first frame at or after a time is intact.
 struct SeekPoint {
-    std::int64_t packets = 0;  ///< packets to pass over undecoded; 0 = decode from the first
-    std::int64_t frames = 0;   ///< frames before the time; only where `packets` isn't 0
+    std::int64_t packets = 0;  ///< packets to skip without decoding; 0 = decode from the first
+    std::int64_t frames = 0;   ///< frames before the time; set only if `packets` isn't 0
 };
 
-/// The frames of one container in order, with their times. Decodes with several threads until the first damage, and
-/// with one from there on, so that a damaged clip gives the same frames at every run.
+/// Reads the frames of one container in order, with their times. It decodes with several threads up to the first damage
+/// and with one thread after it, so a damaged clip gives the same frames in every run.
 class VideoReader {
   public:
     struct Timed {
-        AvFrame image;    ///< none at the end
+        AvFrame image;    ///< null at the end
         double time = 0;  ///< seconds from the clip's first frame
     };
 
-    /// \throws Error as Demuxer and Decoder do
+    /// \throws Error as Demuxer and Decoder
     VideoReader(Input input, double rate, int threads);
 
     Timed next();
 
-    /// Begins again: at the first frame, or where `start` says. The clip's first frame has to have been read once.
+    /// Restarts at the first frame, or at `start`. Call `next` at least once before.
     void rewind(const SeekPoint& start = {});
 
-    /// Gives back what reading takes, of a long clip above all its index. Until the next rewind there are no frames.
+    /// Closes the file and frees its index, which is large for a long clip. `next` then returns nothing until a rewind.
     void close();
 
-    /// Where to begin for the first frame at or after `time`, in seconds.
+    /// Where decoding must begin for the first frame at or after `time`, in seconds.
     SeekPoint find(double time) const;
 
-    /// Packets and frames that were damaged since the last rewind, or `forget_damage`.
+    /// Damaged packets or frames since the last rewind or call of `forget_damage`.
     std::int64_t damaged() const { return (decoder_ ? decoder_->damaged() : damaged_) - forgotten_; }
     void forget_damage() { forgotten_ = decoder_->damaged(); }
 
-    Demuxer& demuxer() const { return *demuxer_; }  ///< only while it isn't closed
+    Demuxer& demuxer() const { return *demuxer_; }  ///< not after `close`
     const Input& input() const { return input_; }
 
-    /// The first frame's time on the container's own clock, seconds.
+    /// Presentation time of the first frame on the container's clock, seconds.
     double origin() const { return origin_.value_or(0); }
 
   private:
@@ -93,15 +93,15 @@ class VideoReader {
     std::unique_ptr<Decoder> decoder_;
     StampClock clock_{0};
     std::optional<double> origin_;
-    std::int64_t damaged_ = 0;  ///< when it was closed
+    std::int64_t damaged_ = 0;  ///< count of the closed decoder
 
     SeekPoint start_;
-    std::int64_t given_ = 0;  ///< frames since the last rewind
-    double last_ = 0;         ///< time of the last of them
+    std::int64_t given_ = 0;  ///< frames returned since the last rewind
+    double last_ = 0;         ///< time of the last returned frame, seconds
     std::int64_t forgotten_ = 0;
 
-    std::int64_t pass_frames_ = 0;      ///< frames to decode and not to give
-    std::optional<double> pass_until_;  ///< decode and skip frames up to this time, itself included
+    std::int64_t pass_frames_ = 0;      ///< frames still to decode and discard
+    std::optional<double> pass_until_;  ///< frames up to and including this time are discarded
 };
 
 }  // namespace vvr::video

@@ -59,10 +59,10 @@ std::string name_of(const AVStream& stream) {
 
 namespace {
 
-constexpr int max_read_errors = 100;  // in a row
-constexpr int greatest_errno = 4096;  // libav's own codes are beyond
+constexpr int max_read_errors = 100;  // consecutive
+constexpr int greatest_errno = 4096;  // libav's own codes are greater
 
-/// Whether the system itself fails to read a file, of which the first bytes stand for all.
+/// Whether the operating system fails to read the beginning of a file.
 bool has_read_error(const std::string& name) {
     constexpr std::size_t looked_at = 1 << 24;
     std::ifstream file(name, std::ios::binary);
@@ -71,7 +71,7 @@ bool has_read_error(const std::string& name) {
     return file.bad();
 }
 
-/// Whether libav would take a file for a list of others.
+/// Whether libav detects a file as a playlist.
 bool is_playlist(const Input& input) {
     constexpr std::size_t looked_at = 4096;
     std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
@@ -87,17 +87,18 @@ bool is_playlist(const Input& input) {
 
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    // libav takes the system's codes for its own purposes too: a damaged Matroska file is an "Input/output error", a
-    // picture that is too large a "Device or resource busy".
+    // libav also uses system error codes for other errors: EIO for a damaged Matroska file, EBUSY for a picture that is
+    // too large.
     if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its name, its folder and the permissions",
-                                               input.name, words));
+        throw Error(
+            code_of_system_error(AVUNERROR(code)),
+            fmt::format("cannot read '{}': {}; check its name, its folder and the permissions", input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
+        throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
     }
     const bool of_the_system = AVUNERROR(code) > 0 && AVUNERROR(code) < greatest_errno && !log.has_text();
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::not_video,
                 fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name,
                             of_the_system ? "it is damaged, or its pictures are too large" : words));
 }
@@ -105,28 +106,29 @@ bool is_playlist(const Input& input) {
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
     if (is_local(input) && is_playlist(input)) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::playlist,
                     fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
                                 "files, or their paths, one per line, in a list that ends in .txt",
                                 input.name));
     }
     if (code == AVERROR(ENOMEM)) {
-        throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
+        throw Error(ErrorCode::out_of_memory, fmt::format("'{}': out of memory while opening", input.name));
     }
     if (code == AVERROR(EMFILE) || code == AVERROR(ENFILE)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::too_many_open_files,
                     fmt::format("cannot read '{}': {}; allow more open files (ulimit -n)", input.name, words));
     }
     if (code == AVERROR_EXIT) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::stream_timeout,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
     }
     if (is_local(input)) throw_unreadable_file(input, log, code);
-    // What is no camera's device doesn't know the question whether it is one.
+    // A device that is not a camera fails with ENOTTY.
     if (code != AVERROR_INVALIDDATA && code != AVERROR(ENOTTY))
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
+        throw Error(ErrorCode::stream_unreachable,
+                    fmt::format("cannot read '{}': {}; check the address", input.name, words));
     throw Error(
-        ErrorKind::not_video,
+        ErrorCode::not_video,
         fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name, words));
 }
 
@@ -134,7 +136,7 @@ bool is_picture_format(std::string_view name) {
     return name.ends_with("_pipe") || name == "gif" || name == "apng" || name == "mjpeg" || name == "ico";
 }
 
-// libav draws text files as pictures of a terminal.
+// libav decodes text files as pictures of a terminal.
 bool is_text_art(AVCodecID codec) {
     return codec == AV_CODEC_ID_ANSI || codec == AV_CODEC_ID_BINTEXT || codec == AV_CODEC_ID_XBIN ||
            codec == AV_CODEC_ID_IDF;
@@ -148,7 +150,7 @@ std::string streams_found(const AVFormatContext& format) {
     return found.empty() ? "no stream at all" : found;
 }
 
-/// Reads ahead until the streams' parameters are known.
+/// Reads packets until the streams' parameters are known. Returns libav's error code.
 int probe_streams(AVFormatContext& format) {
     std::vector<av::Dictionary> options(format.nb_streams);
     std::vector<AVDictionary*> pointers;
@@ -161,12 +163,12 @@ int probe_streams(AVFormatContext& format) {
     return code;
 }
 
-/// Whether a server is asked for it. `file://...` is an address too, but of what is here.
+/// Whether the input comes from a server. A `file://` URL does not.
 bool is_remote(const Input& input) {
     return is_url(input.url) && !is_local(input);
 }
 
-/// The host of an address, and its port where that is not the usual one.
+/// The host of a URL, with its port if the URL has one.
 std::string_view host_of(std::string_view url) {
     const auto scheme = url.find("://");
     if (scheme == std::string_view::npos) return {};
@@ -179,7 +181,7 @@ std::string_view host_of(std::string_view url) {
     return url;
 }
 
-/// Where a server has led libav: HTTP keeps it with the connection, RTSP in place of the address.
+/// The URL after redirects. For HTTP it is an option of the connection, for RTSP it replaces the original URL.
 std::string address_of(const AVFormatContext& format) {
     std::uint8_t* location = nullptr;
     if (format.pb != nullptr && av_opt_get(format.pb, "location", AV_OPT_SEARCH_CHILDREN, &location) >= 0) {
@@ -189,17 +191,18 @@ std::string address_of(const AVFormatContext& format) {
     return format.url != nullptr ? format.url : "";
 }
 
-/// A server may lead to another place of its own, not to another host, which nobody has asked for.
+/// Rejects a redirect to another host, which the user did not ask for.
 void check_host(const Input& input, const AVFormatContext& format) {
     const std::string found = address_of(format);
     const std::string_view host = host_of(found);
     if (host.empty() || host == host_of(input.url)) return;
-    throw Error(ErrorKind::io, fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
-                                           "give its address",
-                                           input.name, host));
+    throw Error(ErrorCode::stream_unreachable,
+                fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
+                            "give its address",
+                            input.name, host));
 }
 
-/// What is here already is to be seen now, and what UDP lost is lost.
+/// Sets options for low delay: no buffering, and no wait for lost UDP packets.
 void set_live(av::Dictionary& options) {
     options.set("fflags", "nobuffer");
     options.set("analyzeduration", "2000000");
@@ -212,7 +215,7 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
     if (input.file) reader_ = std::make_unique<FileReader>(input.file);
     if (input.pipe) pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
     int code = open(input, rate, "prefer_tcp");
-    // Some RTSP servers know no RTP within TCP, and say so in a way that libav takes for a refusal.
+    // Some RTSP servers don't support RTP over TCP and answer "400 Bad Request".
     if (code == AVERROR_HTTP_BAD_REQUEST && input.url.starts_with("rtsp")) code = open(input, rate, "");
     if (code >= 0 && is_remote(input)) check_host(input, *format_);
     if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
@@ -222,7 +225,7 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
 
 int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
     AVFormatContext* opened = avformat_alloc_context();
-    if (!opened) throw Error(ErrorKind::limit, "out of memory for reading a video");
+    if (!opened) throw Error(ErrorCode::out_of_memory, "out of memory for reading a video");
     log_.attach(*opened, watchdog_.get());
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
@@ -240,7 +243,7 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
         if (input.format.empty()) options.set("format_whitelist", formats_of_clips());
     }
     const AVInputFormat* const format = input.format.empty() ? nullptr : av_find_input_format(input.format.c_str());
-    // libav frees the context itself when it can't open it.
+    // On failure, libav frees the context and sets the pointer to null.
     const int code = avformat_open_input(&opened, input.url.c_str(), format, options.get());
     format_.reset(opened);
     return code;
@@ -248,23 +251,24 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
 
 void Demuxer::choose_stream(const Input& input, Kind kind) {
     if (kind == Kind::picture && !is_picture_format(format_->iformat->name)) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::not_video,
                     fmt::format("'{}' is not a picture but {}", input.name, format_->iformat->name));
     }
 
     const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' has no video: found {}; give a file with a video stream",
-                                                      input.name, streams_found(*format_)));
+        throw Error(ErrorCode::no_video_stream,
+                    fmt::format("'{}' has no video: found {}; give a file with a video stream", input.name,
+                                streams_found(*format_)));
     }
     stream_ = format_->streams[chosen];
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
+        throw Error(ErrorCode::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
     }
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::picture_too_large,
                     fmt::format("'{}' says its pictures are {}x{}: more than the {} megapixels that vvr decodes; "
                                 "scale it down first",
                                 input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
@@ -291,7 +295,7 @@ bool Demuxer::read_any(AVPacket& packet) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
         if (code == AVERROR_EOF || code == AVERROR_EXIT) return false;
-        if (code == AVERROR(ENOMEM)) throw Error(ErrorKind::limit, "out of memory while reading the video");
+        if (code == AVERROR(ENOMEM)) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video");
         if (code < 0) {
             ++damaged_;
             ++errors;

@@ -8,42 +8,42 @@
 #include "core/video/av.h"
 #include "core/video/input.h"
 
-// Files that name other files (HLS and the like) are read from servers alone. On this machine a folder, a pattern or a
-// list of vvr's own says the same, and none of them leads anywhere else.
+// Playlists (such as HLS) name other files, so they are read only from servers. For local files, a folder, a glob or a
+// list of vvr's own does the same, and stays within its folder.
 namespace vvr::video {
 
-/// Whether a name is that of a playlist.
+/// Whether the file name has a playlist's extension.
 bool is_playlist_name(const std::string& name);
 
-/// Whether files of a format name other files.
+/// Whether the format is a playlist, whose files name other files.
 bool is_playlist_format(const AVInputFormat& format);
 
-/// libav's names of all containers but those that name other files, as its `format_whitelist` wants them.
+/// All of libav's demuxers except playlists, as a `format_whitelist`.
 std::string formats_of_clips();
 
-/// "audio (aac)"
+/// A stream's type and codec, such as "audio (aac)".
 std::string name_of(const AVStream& stream);
 
-/// The packets of one video stream of a container.
+/// Reads the packets of a container's video stream.
 class Demuxer {
   public:
     enum class Kind {
         video,    ///< anything with a video stream
-        picture,  ///< a file that is one picture: the format has to be a picture's, and nothing is probed twice
+        picture,  ///< a file with one picture; its format must be a picture format
     };
 
-    /// \param rate frames per second for formats that carry no times
-    /// \throws Error io when the input can't be opened, not_video when it has no video stream that can be decoded,
-    ///         limit when its pictures are too large
+    /// \param rate frames per second for formats without timestamps
+    /// \throws Error io if the input can't be opened, not_video if it has no video stream, limit if its pictures are
+    ///         too large
     Demuxer(const Input& input, Kind kind, double rate);
 
-    /// The next packet of the video stream, passing over errors; false at the end.
+    /// Reads the next packet of the video stream, skipping errors. False at the end.
     bool read(AVPacket& packet);
 
-    /// From now on `read_any` gives the packets of all streams, not those of the video stream alone.
+    /// Makes `read_any` return the packets of all streams, not only the video stream.
     void select_all_streams();
 
-    /// The next packet of any stream that is taken, passing over errors; false at the end.
+    /// Reads the next packet of any selected stream, skipping errors. False at the end.
     bool read_any(AVPacket& packet);
 
     AVFormatContext& format() const { return *format_; }
@@ -53,10 +53,10 @@ class Demuxer {
     /// Reads that failed so far.
     std::int64_t damaged() const { return damaged_; }
 
-    /// Seconds on the container's own clock; nothing where the stamp is missing.
+    /// Converts a timestamp to seconds on the container's clock. Empty if the timestamp is missing.
     std::optional<double> seconds(std::int64_t stamp) const;
 
-    /// Average seconds per frame by the container; 1/25 where it has no average.
+    /// Average seconds per frame according to the container, or 1/25 if unknown.
     double frame_duration() const;
 
   private:
@@ -66,7 +66,7 @@ class Demuxer {
     av::Log log_;
     std::unique_ptr<FileReader> reader_;
     std::unique_ptr<PipeReader> pipe_;
-    std::shared_ptr<Watchdog> watchdog_;  ///< of a live stream
+    std::shared_ptr<Watchdog> watchdog_;  ///< live streams only
     av::Ptr<AVFormatContext> format_;
     AVStream* stream_ = nullptr;
     std::int64_t damaged_ = 0;

@@ -19,7 +19,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     const auto& name = reader_.input().name;
     if (!first.image) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::no_frame,
             fmt::format(
                 "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
                 name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
@@ -34,7 +34,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         info_.began = options.begin;
         info_.began_source = ClockSource::file_name;
     }
-    // Of a stream without a header nobody knows how long before it was last written it began.
+    // Without a duration, the modification time doesn't give the start.
     const auto written = info_.duration > 0 ? modified_at(name) : std::nullopt;
     if (written) info_.modified = static_cast<std::int64_t>(*written) - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
@@ -64,14 +64,14 @@ void FileSource::rewind() {
 
 void FileSource::seek(double seconds) {
     ahead_.reset();
-    // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
+    // Half-way between two timestamps, so that counting and decoding agree despite rounding.
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
     start_ = from_ > 0 ? reader_.find(from_) : SeekPoint{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
 }
 
-/// The frame, with its time looked at.
+/// Returns the frame, and records jumps in time.
 std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> frame) {
     if (!frame) return nullptr;
     if (frame->pts - last_time_ > longest_clip) jump_ = std::max(jump_, frame->pts - last_time_);
@@ -95,7 +95,7 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
 }
 
 std::vector<Frame> FileSource::sample(int count) {
-    // Every open reader holds the clip's index: 24 MB for six hours.
+    // Every open reader holds the clip's index, which is 24 MB for six hours.
     ahead_.reset();
     reader_.close();
     KeyFrames keys(count);

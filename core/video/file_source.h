@@ -27,7 +27,7 @@ class FileSource final : public FrameSource {
     void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;
 
-    /// Of the container's clock, seconds.
+    /// One unit of the container's time base, seconds.
     double tick() const { return tick_; }
 
   private:
@@ -38,15 +38,15 @@ class FileSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double tick_ = 0;                ///< of the container's clock, seconds
+    double tick_ = 0;                ///< one unit of the container's time base, seconds
     double from_ = 0;                ///< seconds; earlier frames are skipped
-    double implausible_length_ = 0;  ///< seconds that the header says it lasts, where no clip does
-    double last_time_ = 0;           ///< of the frame that was given last
-    double jump_ = 0;                ///< the longest of its clock that no clip has, seconds
+    double implausible_length_ = 0;  ///< duration in the header if no clip is that long, seconds
+    double last_time_ = 0;           ///< time of the last returned frame, seconds
+    double jump_ = 0;                ///< longest implausible jump between two timestamps, seconds
     SeekPoint start_;
 
-    std::int64_t index_ = 0;               ///< of the next frame
-    std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
+    std::int64_t index_ = 0;               ///< index of the next frame
+    std::unique_ptr<DecodedFrame> ahead_;  ///< decoded by the constructor, not yet returned
 };
 
 }  // namespace vvr::video

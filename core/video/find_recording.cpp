@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -27,20 +28,22 @@ namespace fs = std::filesystem;
 constexpr std::string_view list_ending = ".txt";
 
 [[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
-    throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
-                                           "the folder of the list",
-                                           list, number, why));
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
+                            "the folder of the list",
+                            list, number, why));
 }
 
-/// The files that a list names. Others may have written it, so it leads nowhere out of its folder.
+/// The files in a list. Lists are untrusted, so paths outside the list's folder are rejected.
 std::vector<std::string> files_of_list(const std::string& list) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes) {
-        throw Error(ErrorKind::limit, fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
-                                                  most_list_bytes / 1024 / 1024));
+        throw Error(ErrorCode::file_too_large,
+                    fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
+                                most_list_bytes / 1024 / 1024));
     }
     std::ifstream text(list);
-    if (!text) throw Error(ErrorKind::io, fmt::format("cannot read '{}'; check its permissions", list));
+    if (!text) throw Error(code_of_system_error(errno), fmt::format("cannot read '{}'; check its permissions", list));
     const fs::path folder = fs::path(list).parent_path();
     const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
     std::vector<std::string> files;
@@ -71,7 +74,7 @@ bool holds_pictures(const fs::path& folder) {
     return false;
 }
 
-/// Whether a name has to be looked at as a whole by others: a stream, a sequence of pictures, nothing that is there.
+/// Whether a name is a source of its own, not files of a recording: a stream, a picture sequence, or no file at all.
 bool is_single_source(const std::string& name) {
     std::error_code none;
     const fs::file_status status = fs::status(name, none);
@@ -85,7 +88,7 @@ bool is_single_source(const std::string& name) {
     });
 }
 
-/// Whether it is a text: a video may have any name.
+/// Whether a file is a list. Its content decides too, because a video may have any name.
 bool is_list(const std::string& name) {
     std::error_code none;
     if (extension_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
@@ -114,18 +117,19 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
 [[noreturn]] void refuse_part(const std::string& name) {
     std::error_code none;
     if (name == "-" || is_url(name)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::input_unsuitable,
                     fmt::format("'{}' is a stream, and only files can be one recording together", name));
     }
-    if (!fs::exists(name, none)) open_file(name);  // says why not
-    throw Error(ErrorKind::usage, fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
-                                              "the others; give video files, or folders of them",
-                                              name));
+    if (!fs::exists(name, none)) open_file(name);  // throws
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
+                            "the others; give video files, or folders of them",
+                            name));
 }
 
-// ---- When each begins
+// ---- Start times
 
-/// The headers of files whose names don't tell when they begin, and first that of one whose name does.
+/// The headers of files whose names have no time, preceded by that of one file whose name has a time.
 std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
     std::vector<Segment*> looked_at;
     const auto told = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
@@ -139,14 +143,15 @@ std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
         try {
             headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
         } catch (const Error&) {
-            continue;  // it is named when it is read
+            continue;  // reported when it is read
         }
     }
     return headers;
 }
 
-/// Whether times make sense for files that follow each other: few begin before the one before has ended.
-/// \param share of the files that may
+/// Whether the times are plausible for consecutive files: few files begin before the previous one ends.
+/// \param spans begin and end of each file, seconds
+/// \param share maximum share of files that overlap
 bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
     constexpr double overlap = 5;  // seconds
     std::ranges::sort(spans);
@@ -190,7 +195,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             recording.name, files));
         return;
     }
-    // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
+    // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
     if (try_times(ClockSource::modified, 0.05, [](const SegmentHeader& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
             return modified_at(file.segment->path).value_or(0) - file.header.length;
@@ -207,7 +212,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         recording.name, files));
 }
 
-/// In the order of time; what has none stays behind the file that it follows by its name.
+/// Sorts by start time. A file without one stays behind its predecessor by name.
 void sort_by_time(std::vector<Segment>& segments) {
     std::optional<std::int64_t> before;
     std::vector<std::pair<std::int64_t, Segment>> keyed;
@@ -220,7 +225,7 @@ void sort_by_time(std::vector<Segment>& segments) {
     for (auto& entry : keyed) segments.push_back(std::move(entry.second));
 }
 
-/// What people call the files: the name that was given, or the folder that all are in.
+/// A name for the recording: the given name, or the common folder of all files.
 std::string name_of(std::span<const std::string> names, const std::vector<std::string>& files) {
     if (names.size() == 1) return names.front();
     fs::path common = fs::path(files.front()).parent_path();
@@ -271,7 +276,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     std::ranges::sort(files, natural_less);
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.empty()) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_invalid,
                     fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};

@@ -11,15 +11,15 @@ namespace vvr::video {
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
     std::int64_t index = 0;
-    double pts = 0;            ///< seconds from the clip's first frame, from the container, never index / rate
+    double pts = 0;            ///< seconds from the clip's first frame, by the container's timestamps
     Plane<std::uint8_t> grey;  ///< luma
-    Plane<Bgr> colour;         ///< same size as `grey`; empty unless asked for
+    Plane<Bgr> colour;         ///< same size as `grey`; empty unless requested
 };
 
-/// A frame that several look at and nobody changes.
+/// An immutable frame with several readers.
 using SharedFrame = std::shared_ptr<const Frame>;
 
-/// The frame as people see it: in colour where there is some, else in grey.
+/// The frame as a colour picture, or as a grey one if it has no colour.
 inline Plane<Bgr> picture_of(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
     Plane<Bgr> picture(frame.grey.size());
@@ -40,7 +40,7 @@ struct AvFrameFree {
 };
 using AvFrame = std::unique_ptr<AVFrame, AvFrameFree>;
 
-/// How a stored picture becomes upright: rows and columns swapped first, then mirrored.
+/// The transform that turns a stored picture upright: first transpose, then flip.
 struct Orientation {
     bool transpose = false;
     bool flip_x = false;
@@ -49,12 +49,12 @@ struct Orientation {
     friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// A frame of a source, cheap to move between threads; a `Scaler` makes a `Frame` of it.
+/// A decoded frame, cheap to move between threads. A `Scaler` converts it to a `Frame`.
 struct DecodedFrame {
     std::int64_t index = 0;
     double pts = 0;  ///< seconds from the clip's first frame
     Orientation orientation;
-    AvFrame image;  ///< as it left the decoder
+    AvFrame image;  ///< in the decoder's pixel format and size
 };
 
 }  // namespace vvr::video

@@ -24,7 +24,7 @@ std::int64_t day_at(const Clock& clock, double seconds) {
     return static_cast<std::int64_t>(std::floor(clock.at(seconds) / static_cast<double>(day)));
 }
 
-/// Headers lie, so a little more than they say.
+/// The likely end in seconds, with a margin because headers are inaccurate.
 double likely_end(const FrameSpan& span, const VideoInfo& info) {
     constexpr double unknown = 366.0 * day;
     constexpr double more = 60;
@@ -34,7 +34,7 @@ double likely_end(const FrameSpan& span, const VideoInfo& info) {
 
 [[noreturn]] void refuse(std::string_view setting, std::string_view given, const Clock& clock, const VideoInfo& info) {
     const std::string end = info.duration > 0 ? fmt::format(" and ends at {}", on_clock(clock, info.duration)) : "";
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::span_empty,
                 fmt::format("{}: there is nothing of {} in '{}', which begins at {}{} ({})", setting, given, info.name,
                             on_clock(clock, 0), end, row_of(clock.source).words),
                 {setting});
@@ -67,7 +67,7 @@ const Clock& require_clock(const WallClock& clock, const VideoInfo& info, std::s
     if (clock) return *clock;
     const std::string_view more =
         info.created ? "; its container says when it was written, and --start-time container takes that" : "";
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::time_of_day_unknown,
                 fmt::format("{} {}: nothing tells at which time of day '{}' was recorded; say when it begins with "
                             "--start-time DATETIME, or how its name tells it with --names, or count from its "
                             "beginning, as in 1h30m{}",
@@ -88,7 +88,7 @@ FrameSpan resolve(FrameSpan span, const WallClock& known, const VideoInfo& info)
         span.end = seconds_of(*asked, clock, span.start + 1e-3);
         if (*span.end <= 0) refuse("end", asked->text, clock, info);
         if (*span.end <= span.start) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::span_empty,
                         fmt::format("end: {} is not after the start, {}", asked->text, on_clock(clock, span.start)),
                         {"end"});
         }
@@ -122,7 +122,7 @@ std::string day_times_of(const FrameSpan& span, const WallClock& clock, const Vi
 
 namespace {
 
-/// A time typed with three decimals means the frame that it names, whose own time has more of them.
+/// Seconds. A time typed with three decimals must match a frame whose exact time has more.
 constexpr double slack = 0.0005;
 
 }  // namespace
@@ -142,7 +142,7 @@ bool is_between_parts(const FrameSpan& span, double pts) {
 }
 
 std::string text_of(const FrameSpan& span) {
-    // Milliseconds, without what adding fractions leaves in the fifteenth place.
+    // Rounds to milliseconds, to hide floating-point errors.
     const auto shown = [](double seconds) { return std::round(seconds * 1000) / 1000; };
     const std::string from =
         span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", shown(span.start));

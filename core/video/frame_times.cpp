@@ -27,8 +27,8 @@ double StampClock::next() const {
 
 namespace {
 
-// A camera that sets its clock leaps. Further ahead of what has really passed than this, in seconds, is a leap; a
-// stream that comes faster than it was taken never gets there from one frame to the next.
+// Seconds. If a timestamp advances this much more than the reader's clock, the camera has set its clock. Even a stream
+// that arrives faster than real time doesn't advance as much between two frames.
 constexpr double leap = 10;
 
 }  // namespace

@@ -8,20 +8,21 @@
 
 namespace vvr::video {
 
-/// Makes the time stamps of a container into times that start at 0 and never run backwards.
+/// Converts a container's presentation timestamps to times that start at 0 and never decrease.
 class StampClock {
   public:
-    /// \param duration seconds from one frame to the next, where a stamp is missing
+    /// \param duration seconds per frame, used if a timestamp is missing
     explicit StampClock(double duration) : duration_(duration) {}
 
-    /// Starts with the clip's first frame at `origin` on the container's clock.
+    /// \param origin timestamp of the clip's first frame, seconds
     StampClock(double duration, double origin) : duration_(duration), origin_(origin) {}
 
-    /// The time of the next frame in order, in seconds. A small step back repeats the last time; a large one is a
-    /// camera that set its clock anew, and time goes on from the last frame.
+    /// The time of the next frame, in seconds. A small step back repeats the last time. A large one means that the
+    /// camera set its clock, and time continues from the last frame.
+    /// \param stamp seconds on the container's clock
     double operator()(std::optional<double> stamp);
 
-    /// The first frame's stamp; nothing until a frame has a stamp.
+    /// The first timestamp, seconds. Empty until a frame has one.
     std::optional<double> origin() const { return origin_; }
 
   private:
@@ -32,18 +33,19 @@ class StampClock {
     std::optional<double> last_;
 };
 
-/// Makes the time stamps of a stream that may break off and begin again into times that start at 0 and never run
-/// backwards. Within a connection the stamps tell how time goes on, across a gap the clock of the reader does.
+/// Converts a live stream's presentation timestamps to times that start at 0 and never decrease. Within a connection,
+/// time follows the timestamps. Across a reconnection, it follows the reader's clock.
 class LiveClock {
   public:
-    /// \param duration seconds from a frame to the next
+    /// \param duration seconds per frame
     explicit LiveClock(double duration) : duration_(duration) {}
 
-    /// Stamps from here on have nothing to do with those before.
+    /// Call it after a reconnection: later timestamps are unrelated to earlier ones.
     void restart() { stamp_.reset(); }
 
     /// The time of the next frame, in seconds.
-    /// \param arrival when it came, on any clock that runs evenly
+    /// \param stamp seconds on the container's clock
+    /// \param arrival when the frame arrived, seconds on a monotonic clock
     double operator()(std::optional<double> stamp, double arrival);
 
   private:
@@ -55,14 +57,14 @@ class LiveClock {
     double arrival_ = 0;
 };
 
-/// Keeps at most `capacity` items spread evenly in time over a stream whose length nobody knows: when it is full, the
-/// gap between items grows and those that stand too close are dropped.
+/// Keeps at most `capacity` items, spread evenly in time over a stream of unknown length. When it is full, it widens
+/// the gap between items and drops the items that are too close.
 template <class Item>
 class TimeSampler {
   public:
     explicit TimeSampler(int capacity) : capacity_(static_cast<std::size_t>(std::max(1, capacity))) {}
 
-    /// Whether an item at `time` would be kept. Makes room for it. Times must not run backwards.
+    /// Whether an item at `time` is to be kept. Makes room for it. Times must not decrease.
     bool wants(double time) {
         if (kept_.size() == capacity_ && is_due(time)) thin(time);
         return is_due(time);
@@ -83,7 +85,7 @@ class TimeSampler {
 
     void thin(double now) {
         const double average = (now - kept_.front().first) / static_cast<double>(capacity_);
-        // A hair less than twice the average, so that frames at a steady rate are not lost to rounding.
+        // Slightly less than twice the average, so that rounding drops no frames of a constant rate.
         gap_ = std::max(2 * gap_, 1.999 * average);
         std::size_t used = 1;
         for (std::size_t i = 1; i < kept_.size(); ++i) {

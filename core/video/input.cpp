@@ -46,16 +46,17 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
 struct stat status_of(const Descriptor& file, const std::string& name) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}", name, std::strerror(errno)));
+        const int why = errno;
+        throw Error(code_of_system_error(why), fmt::format("cannot read '{}': {}", name, std::strerror(why)));
     }
     return status;
 }
 
 void require_bytes(const Descriptor& file, const std::string& name) {
     if (status_of(file, name).st_size == 0) {
-        throw Error(ErrorKind::not_video, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
-                                                      "was to write it",
-                                                      name));
+        throw Error(ErrorCode::file_empty, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
+                                                       "was to write it",
+                                                       name));
     }
 }
 
@@ -68,8 +69,8 @@ Error failed(const std::string& name, const std::string& where, std::int64_t byt
     const std::string next = why == ENOSPC || why == EDQUOT || why == EFBIG
                                  ? "set TMPDIR to a folder with more room, or give the video as a file"
                                  : "set TMPDIR to a folder that can be written, or give the video as a file";
-    return {ErrorKind::io, fmt::format("cannot keep the stream '{}' in {} after {:.1f} MB: {}; {}", name, where,
-                                       static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
+    return {code_of_system_error(why), fmt::format("cannot keep the stream '{}' in {} after {:.1f} MB: {}; {}", name,
+                                                   where, static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
 }
 
 std::shared_ptr<const Descriptor> make_unlinked(const std::string& name, const std::string& where) {
@@ -92,11 +93,11 @@ int write_all(int fd, std::span<const char> bytes) {
     return 0;
 }
 
-/// Copies everything that `from` gives to an unlinked temporary file in $TMPDIR, or /var/tmp: the file vanishes with
-/// its last descriptor, however the program ends.
+/// Copies all bytes of `from` to an unlinked temporary file in $TMPDIR or /var/tmp. The kernel removes the file with
+/// its last descriptor, even if the program crashes.
 ///
-/// \param name of the stream, for messages
-/// \throws Error io when reading or writing fails, a full disk among them
+/// \param name name of the stream, for messages
+/// \throws Error io if reading or writing fails, also if the disk is full
 std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::string& name) {
     const std::string where = folder();
     auto file = make_unlinked(name, where);
@@ -106,8 +107,9 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         const auto got = ::read(from.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) {
-            throw Error(ErrorKind::io, fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
-                                                   static_cast<double>(total) / 1e6, std::strerror(errno)));
+            const int why = errno;
+            throw Error(code_of_system_error(why), fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
+                                                               static_cast<double>(total) / 1e6, std::strerror(why)));
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
@@ -119,10 +121,11 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
 
 Input open_stdin() {
     if (::isatty(STDIN_FILENO)) {
-        throw Error(ErrorKind::usage, "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+        throw Error(ErrorCode::input_unsuitable,
+                    "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
     }
     const int fd = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
-    if (fd < 0) throw Error(ErrorKind::io, fmt::format("cannot read stdin: {}", std::strerror(errno)));
+    if (fd < 0) throw Error(code_of_system_error(errno), fmt::format("cannot read stdin: {}", std::strerror(errno)));
     Input input{"-", {}, std::make_shared<Descriptor>(fd)};
     if (!S_ISREG(status_of(*input.file, "-").st_mode)) input.file = spool(*input.file, "-");
     require_bytes(*input.file, "-");
@@ -155,13 +158,13 @@ Input open_input(const std::string& name) {
     const auto mode = status_of(*file, name).st_mode;
     if (S_ISREG(mode)) {
         require_bytes(*file, name);
-        // libav opens it by name. The prefix keeps a name such as "cam:1.avi" from being taken for a protocol, and two
-        // slashes from looking like an address.
+        // libav opens it by name. With the prefix, it doesn't parse a name such as "cam:1.avi" as a protocol. Leading
+        // slashes are reduced to one, because "file://" begins a URL.
         const auto slashes = std::min(name.find_first_not_of('/'), name.size());
         return {name, std::string(file_protocol) + name.substr(slashes > 1 ? slashes - 1 : 0), nullptr};
     }
     if (S_ISCHR(mode) || S_ISBLK(mode)) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::not_a_file,
                     fmt::format("'{}' is a device, which may have no end; give a file, or watch a camera "
                                 "with vvr watch",
                                 name));
@@ -174,7 +177,7 @@ Input open_input(const std::string& name) {
 Input open_file(const std::string& path) {
     Input input{path, {}, open_descriptor(path)};
     if (!S_ISREG(status_of(*input.file, path).st_mode)) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': not a regular file", path));
+        throw Error(ErrorCode::not_a_file, fmt::format("cannot read '{}': not a regular file", path));
     }
     return input;
 }
@@ -218,9 +221,9 @@ PipeReader::PipeReader(std::shared_ptr<const Descriptor> pipe, std::shared_ptr<c
 
 int PipeReader::read(void* self, std::uint8_t* buffer, int size) {
     const auto& reader = *static_cast<PipeReader*>(self);
-    constexpr int milliseconds = 100;  // between two looks at the watchdog
+    constexpr int milliseconds = 100;  // between polls of the watchdog
     for (;;) {
-        // The writer of a pipe may take its time; only a request to stop ends the wait.
+        // The writer of a pipe may pause for any time, so there is no timeout; only `stop` ends the wait.
         if (reader.watchdog_->stopped()) return AVERROR_EXIT;
         pollfd waited{reader.pipe_->get(), POLLIN, 0};
         if (::poll(&waited, 1, milliseconds) == 0) continue;

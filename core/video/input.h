@@ -22,42 +22,41 @@ class Descriptor {
     int fd_;
 };
 
-/// Where the bytes of a video come from. Copies share the descriptor, each reader keeps its own place in it.
+/// The source of a video's bytes. Copies share the descriptor, but each reader has its own position.
 struct Input {
     std::string name;                        ///< as the user gave it, for messages
-    std::string url;                         ///< what libav opens, where there is no descriptor
+    std::string url;                         ///< opened by libav if there is no descriptor
     std::shared_ptr<const Descriptor> file;  ///< a regular file
 
-    // Of a live stream only:
-    std::shared_ptr<const Descriptor> pipe{};  ///< to be read once, as it comes
-    std::string format{};                      ///< libav's name of a device's; empty = found out
-    std::shared_ptr<Watchdog> watchdog{};      ///< ends reads
+    // Live streams only:
+    std::shared_ptr<const Descriptor> pipe{};  ///< read once, as data arrive
+    std::string format{};                      ///< libav's name of a device's format; empty = probed
+    std::shared_ptr<Watchdog> watchdog{};      ///< interrupts reads
 };
 
-/// Whether it is read from this machine's files, not from a server.
+/// Whether the input is a local file, not a server.
 bool is_local(const Input& input);
 
-/// Finds out what `name` is: `-` for stdin, a file, a named pipe or a URL. What can't be read twice is spooled.
+/// Opens `-` (stdin), a file, a named pipe or a URL. Pipes are spooled, because they can be read only once.
 ///
-/// \throws Error io when it can't be read or spooled, not_video for an empty one, usage for a terminal
+/// \throws Error io if it can't be read or spooled, not_video if it is empty, usage for a terminal
 Input open_input(const std::string& name);
 
-/// The same for one who reads it as it comes, so that nothing is spooled; a camera's device counts too. The name that
-/// it has from then on holds no password.
+/// Opens a live input, including a camera device, without spooling it. `Input::name` has no password.
 ///
-/// \throws Error io when it can't be read, or when a named pipe gives nothing within the watchdog's patience, usage for
-/// a terminal or a device where libav's devices aren't installed
+/// \throws Error io if it can't be read, or if the watchdog expires before a named pipe has data; usage for a terminal,
+///         or for a device if libavdevice isn't installed
 Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog);
 
-/// Opens a file that has to be a regular one.
+/// Opens a regular file.
 ///
-/// \throws Error io
+/// \throws Error io if it can't be read or isn't a regular file
 Input open_file(const std::string& path);
 
-/// Whether `name` reads as a URL: a scheme of letters and "://".
+/// Whether `name` begins with a URL scheme and "://".
 bool is_url(const std::string& name);
 
-/// Gives libav the bytes of a regular file.
+/// Lets libav read a regular file, with seeking.
 class FileReader {
   public:
     explicit FileReader(std::shared_ptr<const Descriptor> file);
@@ -73,7 +72,7 @@ class FileReader {
     av::Ptr<AVIOContext> context_;
 };
 
-/// Gives libav the bytes of a pipe as they come, without a way back.
+/// Lets libav read a pipe as data arrive, without seeking.
 class PipeReader {
   public:
     PipeReader(std::shared_ptr<const Descriptor> pipe, std::shared_ptr<const Watchdog> watchdog);

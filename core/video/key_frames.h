@@ -10,20 +10,20 @@
 
 namespace vvr::video {
 
-/// Key frames spread in time over one file, or over several that follow each other: each is decoded by itself. Packets
-/// are read through, which costs little beside decoding, and needs neither an index nor a container that seeks well.
+/// Samples key frames, spread in time over one or more consecutive files. Each is decoded on its own. All packets are
+/// read, which is cheap compared with decoding and works without an index or accurate seeking.
 class KeyFrames {
   public:
-    /// \param count of frames, at most
+    /// \param count maximum number of frames
     explicit KeyFrames(int count) : count_(count), sampler_(count) {}
 
     /// Reads the packets of a file.
-    /// \param begin second at which its first frame is shown; not before those of the files before it
-    /// \returns the second at which it ends; `begin` where no packet tells a time
+    /// \param begin time of its first frame, seconds; must not decrease from file to file
+    /// \returns the time of its end, seconds; `begin` if no packet has a timestamp
     double scan(const Input& input, double rate, double begin);
 
-    /// The frames, in order. None where there are fewer key frames than asked for, or where they don't decode by
-    /// themselves. Call it once.
+    /// Decodes the frames, in order. Empty if there are fewer key frames than requested, or if they don't decode on
+    /// their own. Call it only once.
     std::vector<Frame> decode(double rate, Scaler& scale);
 
   private:

@@ -14,18 +14,18 @@
 namespace vvr::video {
 namespace {
 
-constexpr double gap = 1;                    // seconds from one frame to the next that are a gap
-constexpr double first_pause = 0.5;          // seconds before a connection is tried again
-constexpr double longest_pause = 30;         // and at most
-constexpr std::size_t frames_of_a_pipe = 8;  // that are decoded ahead
+constexpr double gap = 1;                    // seconds between two frames that count as a gap
+constexpr double first_pause = 0.5;          // seconds before the first attempt to reconnect
+constexpr double longest_pause = 30;         // seconds before later attempts, at most
+constexpr std::size_t frames_of_a_pipe = 8;  // decoded ahead
 constexpr std::size_t arrivals_kept = 512;
-constexpr std::int64_t pixels_waiting = 500'000'000;  // at most, in decoded frames
+constexpr std::int64_t pixels_waiting = 500'000'000;  // limit for all waiting frames together
 
 double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
-/// What a stream says of its rate is often nonsense; no camera is faster.
+/// The stated frame rate is often wrong, so it is checked against the fastest cameras.
 double plausible_rate(const Demuxer& demuxer, double stated) {
     constexpr double fastest = 240;
     const double rate = stated > 0 && stated <= fastest ? stated : 1 / demuxer.frame_duration();
@@ -36,7 +36,7 @@ std::int64_t pixels_of(const DecodedFrame& frame) {
     return std::int64_t{frame.image->width} * frame.image->height;
 }
 
-/// Whether the sender has all of it: it says how many bytes there are.
+/// Whether the stream is a complete file, which has a known size.
 bool is_finished(const Demuxer& demuxer) {
     const AVFormatContext& format = demuxer.format();
     return format.pb != nullptr && !is_playlist_format(*format.iformat) && avio_size(format.pb) > 0;
@@ -69,11 +69,11 @@ void LiveSource::connect() {
     decoder_.reset();
     watchdog_->feed();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.source.rate);
-    // One thread gives a frame as soon as its packet is there; each more would hold one back.
+    // A single thread returns a frame as soon as its packet arrives. Each further thread would delay it by one frame.
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1);
     first_ = decoder_->next();
     if (!first_) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::no_frame,
                     fmt::format("'{}' gives no frame that decodes: {} damaged packets, {}; `ffplay` on it may say more",
                                 input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
     }
@@ -106,7 +106,7 @@ void LiveSource::run(const std::stop_token& stop) {
 bool LiveSource::is_over() const {
     if (watchdog_->stopped()) return true;
     if (!options_.duration) return false;
-    // A stream that is read faster than it was taken is over by its own time.
+    // A stream that can be read faster than real time ends by its own timestamps.
     const double passed = reconnects_ ? seconds_between(begin_, Clock::now()) : 0;
     return std::max(time_, passed) >= *options_.duration;
 }
@@ -140,13 +140,14 @@ bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
     return !stop.stop_requested();
 }
 
-/// \returns false when the time is up, or somebody asked for an end
+/// Waits before the next attempt to reconnect.
+/// \returns false if the stream has reached its duration or was stopped
 bool LiveSource::pause(const std::stop_token& stop, double seconds) {
     const Clock::time_point until =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     std::unique_lock lock(mutex_);
     while (Clock::now() < until && !stop.stop_requested() && !is_over()) {
-        constexpr std::chrono::milliseconds tick(100);  // a duration may end in the middle of the pause
+        constexpr std::chrono::milliseconds tick(100);  // the duration may end during the pause
         changed_.wait_for(lock, tick);
     }
     return !stop.stop_requested() && !is_over();
@@ -161,7 +162,7 @@ bool LiveSource::reconnect(const std::stop_token& stop) {
         try {
             connect();
         } catch (const Error& error) {
-            // Repeating it would only fill the log.
+            // Reports the same error only once.
             if (error.what() != reported) options_.tell(fmt::format("{}; trying again", error.what()));
             reported = error.what();
             continue;
@@ -175,14 +176,14 @@ bool LiveSource::reconnect(const std::stop_token& stop) {
     return false;
 }
 
-/// With the mutex held. A stream may change its size at any frame.
+/// Call with the mutex held. Counts each frame, because a stream may change its picture size.
 std::int64_t LiveSource::waiting_pixels() const {
     std::int64_t pixels = 0;
     for (const Waiting& waiting : waiting_) pixels += pixels_of(*waiting.frame);
     return pixels;
 }
 
-/// With the mutex held.
+/// Call with the mutex held.
 void LiveSource::drop_late_frames() {
     const Clock::time_point now = Clock::now();
     while (waiting_.size() > 1 && seconds_between(waiting_.front().since, now) > options_.lag) {
@@ -206,7 +207,7 @@ std::unique_ptr<DecodedFrame> LiveSource::next() {
 }
 
 std::vector<Frame> LiveSource::sample(int) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::options_conflict,
                 fmt::format("'{}': a stream that goes on has no median; take the reference running, first or a picture",
                             input_.name),
                 {"reference"});

@@ -24,25 +24,25 @@ namespace vvr::video {
 
 struct LiveOptions {
     SourceOptions source;
-    double patience = 5;             ///< seconds without a frame after which a connection counts as lost
-    double lag = 1;                  ///< seconds that a frame may wait for its turn; older ones are dropped
+    double patience = 5;             ///< timeout in seconds after which a connection is lost
+    double lag = 1;                  ///< seconds that a frame may wait; older ones are dropped
     std::optional<double> duration;  ///< seconds after which the stream ends
-    std::function<void(const std::string&)> tell = [](const std::string&) {};  ///< of connections, from any thread
+    std::function<void(const std::string&)> tell = [](const std::string&) {
+    };  ///< reports on connections; called from any thread
 };
 
-/// The frames of a stream as they come: a URL, a camera's device, a pipe. A connection that breaks is made again, with
-/// pauses that grow; the frames' times go on by the clock meanwhile, and their numbers with them, so that a gap has the
-/// length that it had. Memory is bounded, and so is the delay: frames for which there is no time are dropped and
-/// counted. Frames of a pipe or a file wait, of a file on a server too; none of
-/// them is dropped.
+/// Reads the frames of a live stream: a URL, a camera device or a pipe. It reconnects with increasing pauses after a
+/// connection is lost. Across such a gap, times follow the clock, so the gap keeps its length. Memory and delay are
+/// bounded: late frames are dropped and counted. Frames of a pipe or a file, local or on a server, wait and are never
+/// dropped.
 ///
-/// Numbers skip the frames that a gap of a second and more would have held.
+/// In a gap of a second or more, the frame index skips the missing frames.
 class LiveSource final : public FrameSource {
   public:
     using Clock = std::chrono::steady_clock;
 
     /// Waits for the first frame.
-    /// \throws Error as `open_live_input`, Demuxer and Decoder do; not_video when no frame comes
+    /// \throws Error as `open_live_input`, Demuxer and Decoder; not_video if no frame decodes
     LiveSource(const std::string& name, LiveOptions options);
     ~LiveSource() override { stop(); }
     LiveSource(const LiveSource&) = delete;
@@ -54,19 +54,19 @@ class LiveSource final : public FrameSource {
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override;
 
-    /// What has been is gone: goes on with the next frame.
+    /// Does nothing: a live stream can't be read again.
     void rewind() override {}
 
-    /// \throws Error usage, as there is no whole to take samples of
+    /// \throws Error usage, because a stream without an end can't be sampled
     std::vector<Frame> sample(int count) override;
 
-    /// Ends the stream: `next` gives what has come already, and then nothing. From any thread, at any time.
+    /// Ends the stream: `next` returns the frames that have arrived, and then null. Call it from any thread.
     void stop();
 
     std::int64_t dropped() const;
     std::int64_t reconnections() const;
 
-    /// When one of the last few hundred frames came.
+    /// When a frame arrived. Known for the last few hundred frames.
     std::optional<Clock::time_point> arrival(std::int64_t index) const;
 
   private:
@@ -91,8 +91,8 @@ class LiveSource final : public FrameSource {
     LiveOptions options_;
     std::shared_ptr<Watchdog> watchdog_;
     Input input_;
-    bool reconnects_ = false;  ///< a connection that ends can be made again
-    bool waits_ = false;       ///< the sender waits until we read
+    bool reconnects_ = false;  ///< a lost connection can be made again
+    bool waits_ = false;       ///< the sender waits for the reader
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
     AvFrame first_;
@@ -101,7 +101,7 @@ class LiveSource final : public FrameSource {
     Orientation orientation_;
     LiveClock clock_{0};
     Clock::time_point begin_ = Clock::now();
-    double time_ = 0;  ///< of the newest frame
+    double time_ = 0;  ///< of the newest frame, seconds
     std::int64_t index_ = -1;
 
     mutable std::mutex mutex_;
@@ -110,11 +110,11 @@ class LiveSource final : public FrameSource {
     std::deque<Arrival> arrivals_;
     std::int64_t dropped_ = 0;
     std::int64_t reconnections_ = 0;
-    std::int64_t damaged_ = 0;  ///< of the connections before, and of this one so far
+    std::int64_t damaged_ = 0;  ///< in all connections so far
     bool ended_ = false;
     std::exception_ptr failure_;
 
-    std::jthread reader_;  ///< last, so that it ends first
+    std::jthread reader_;  ///< last member, so it is joined first
 };
 
 }  // namespace vvr::video

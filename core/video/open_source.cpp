@@ -44,12 +44,12 @@ Size field_size_for(Size shown, Size asked) {
     Size size = asked == source ? shown : asked;
     if (asked == automatic) size = fit_into(shown, default_long_side);
     if (size.width < 1 || size.height < 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value_out_of_range,
                     fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
     }
     if (std::int64_t{size.width} * size.height > av::max_pixels) {
         throw Error(
-            ErrorKind::limit,
+            ErrorCode::picture_too_large,
             fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
                         size.width, size.height, av::max_pixels / 1'000'000),
             {"field-size"});
@@ -63,7 +63,7 @@ void FrameSource::seek(double) {
 
 namespace {
 
-/// Of a folder of pictures that has videos too: which of them are not drawn.
+/// A warning if a folder of pictures also has videos, which are ignored.
 std::optional<std::string> videos_beside_pictures(const std::string& folder) {
     std::error_code none;
     if (!std::filesystem::is_directory(folder, none)) return std::nullopt;
@@ -102,7 +102,7 @@ namespace fs = std::filesystem;
 
 using Paths = std::vector<fs::path>;
 
-/// A folder is read as a recording, which has folders in it, as pictures, as an extraction, or as lists or flow.
+/// Adds all files that may be read from a folder: videos of its subfolders, pictures, parts of an extraction, lists.
 void add_folder(const fs::path& folder, Paths& files) {
     std::error_code none;
     const bool extracted = fs::exists(folder / "manifest.json", none);
@@ -117,7 +117,7 @@ void add_folder(const fs::path& folder, Paths& files) {
     }
 }
 
-/// The files that a list names, whatever else is wrong with it.
+/// Adds the files in a list, even if other lines are invalid.
 void add_list(const fs::path& list, Paths& files) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes || none) return;

@@ -23,14 +23,14 @@ extern "C" {
 namespace vvr::video {
 namespace {
 
-/// Sound lies beside its pictures, but some recorders write it seconds later.
+/// Audio is interleaved with video, but some recorders write it seconds later.
 constexpr double interleaving = 10;  // seconds
 
 struct FreeMuxer {
     void operator()(AVFormatContext* context) const { avformat_free_context(context); }
 };
 
-/// The tag by which a container names the codec, where the new container knows it too, or knows none of it.
+/// The codec tag for the new container: the old tag if the container supports it or has no tag for the codec, else 0.
 std::uint32_t tag_for(const AVOutputFormat& format, const AVCodecParameters& codec) {
     if (format.codec_tag == nullptr) return codec.codec_tag;
     unsigned int other = 0;
@@ -39,7 +39,7 @@ std::uint32_t tag_for(const AVOutputFormat& format, const AVCodecParameters& cod
     return fits ? codec.codec_tag : 0;
 }
 
-/// Whether packets of one stream can follow those of another.
+/// Whether packets of two streams can be joined in one stream.
 bool agree(const AVCodecParameters& a, const AVCodecParameters& b) {
     return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height && a.sample_rate == b.sample_rate &&
            a.ch_layout.nb_channels == b.ch_layout.nb_channels && a.extradata_size == b.extradata_size &&
@@ -47,7 +47,7 @@ bool agree(const AVCodecParameters& a, const AVCodecParameters& b) {
             std::memcmp(a.extradata, b.extradata, static_cast<std::size_t>(a.extradata_size)) == 0);
 }
 
-/// "h264 640x480"
+/// A codec for messages: "h264 640x480".
 std::string text_of(const AVCodecParameters& codec) {
     const std::string name = avcodec_get_name(codec.codec_id);
     if (codec.codec_type == AVMEDIA_TYPE_VIDEO) return fmt::format("{} {}x{}", name, codec.width, codec.height);
@@ -71,11 +71,11 @@ class Muxer {
         format_.reset(made);
         log_.attach(*format_);
         format_->pb = writer_.context();
-        format_->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
+        format_->flags |= AVFMT_FLAG_BITEXACT;  // no library version, no random IDs
         for (const AVStream* stream : media_of(from)) streams_.push_back({add(*stream)});
     }
 
-    /// Muxers free their last packet only with the trailer, so it is written even if the file is not wanted.
+    /// Always writes the trailer, because muxers free their last packet only then.
     ~Muxer() {
         if (begun_) av_write_trailer(format_.get());
     }
@@ -89,9 +89,9 @@ class Muxer {
         begun_ = true;
     }
 
-    /// From now on packets are those of another file.
-    /// \param name of the file
-    /// \throws Error usage where its streams are others than those of the first
+    /// Continues with the packets of another file.
+    /// \param name name of the file, for messages
+    /// \throws Error usage if its streams differ from those of the first file
     void take(const AVFormatContext& from, const std::string& name) {
         const std::vector<const AVStream*> media = media_of(from);
         place_of_.assign(from.nb_streams, none);
@@ -103,14 +103,14 @@ class Muxer {
         }
     }
 
-    /// Whether there is a place for the packets of one of the file's streams; some show up in the middle of a file.
+    /// Whether a stream of the file is copied. Streams that begin in the middle of a file are not.
     bool takes(int stream) const {
         return std::cmp_less(stream, place_of_.size()) && place_of_[static_cast<std::size_t>(stream)] != none;
     }
 
-    /// \param from the stream that the packet is of
-    /// \param zero time of the copy's beginning, in ticks of that stream
-    /// \param joined whether other files come before, whose sound may reach into this one
+    /// \param from the packet's stream
+    /// \param zero start of the copy, in that stream's time base
+    /// \param joined whether other files precede, whose audio may overlap this file
     void add(AVPacket& packet, const AVStream& from, std::int64_t zero, bool joined) {
         Place& place = streams_[place_of_[static_cast<std::size_t>(packet.stream_index)]];
         if (packet.pts == AV_NOPTS_VALUE) packet.pts = packet.dts;
@@ -120,7 +120,7 @@ class Muxer {
         av_packet_rescale_ts(&packet, from.time_base, place.to->time_base);
         const bool is_video = from.codecpar->codec_type == AVMEDIA_TYPE_VIDEO;
         if (joined && !is_video && packet.dts != AV_NOPTS_VALUE && packet.dts <= place.last_dts) return;
-        // Times that stand still or step back come of damage, or of a coarser clock; containers want them to go on.
+        // Damage or a coarser time base may repeat timestamps or step back, but containers need increasing ones.
         if (packet.dts != AV_NOPTS_VALUE) {
             packet.dts = std::max(packet.dts, place.last_dts + 1);
             packet.pts = std::max(packet.pts, packet.dts);
@@ -152,7 +152,7 @@ class Muxer {
         const auto text = [](const AVCodecParameters* codec) { return codec ? text_of(*codec) : "nothing"; };
         const bool settings = was && is && text(was) == text(is);
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::input_unsuitable,
             fmt::format("'{}' can't be joined to the file before it as it is: it has {}, and that has {}{}; cut "
                         "it exactly, which encodes the video anew",
                         name, text(is), text(was), settings ? " of other settings" : ""),
@@ -165,18 +165,18 @@ class Muxer {
 
     [[noreturn]] void fail(const char* what, int code) const {
         writer_.check();
-        throw Error(ErrorKind::io, fmt::format("cannot {} '{}': {}; try another container, such as .mkv", what,
+        throw Error(ErrorCode::io, fmt::format("cannot {} '{}': {}; try another container, such as .mkv", what,
                                                path_.string(), log_.text(code)));
     }
 
     AVStream* add(const AVStream& from) {
         AVStream* const to = avformat_new_stream(format_.get(), nullptr);
         if (to == nullptr || avcodec_parameters_copy(to->codecpar, from.codecpar) < 0) {
-            throw Error(ErrorKind::limit, "out of memory for copying a video");
+            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video");
         }
         to->codecpar->codec_tag = tag_for(*format_->oformat, *from.codecpar);
         to->time_base = from.time_base;
-        // AVI has a place for every tick, and fills each that has no frame.
+        // AVI stores an entry for every tick of the time base, so a tick must be a frame.
         const bool counts_frames = from.codecpar->codec_type == AVMEDIA_TYPE_VIDEO && from.r_frame_rate.num > 0;
         if (std::string_view(format_->oformat->name) == "avi" && counts_frames) {
             to->time_base = av_inv_q(from.r_frame_rate);
@@ -200,7 +200,7 @@ class Muxer {
     av::Log log_;
     std::unique_ptr<AVFormatContext, FreeMuxer> format_;
     std::vector<Place> streams_;           ///< in the order of media_of
-    std::vector<std::size_t> place_of_{};  ///< of each stream of the file that is being copied; none = left out
+    std::vector<std::size_t> place_of_{};  ///< by stream index of the current file; none = omitted
     bool begun_ = false;
 };
 
@@ -216,14 +216,14 @@ std::vector<std::string> names_left_out(const AVFormatContext& from) {
 /// Copies the packets of a part.
 class PartCopy {
   public:
-    /// \param seconds from the copy's beginning to the part's
+    /// \param seconds start of the part in the copy
     PartCopy(const CopyPart& part, Demuxer& demuxer, double seconds)
         : piece_(part.piece), demuxer_(demuxer), video_(demuxer.stream()), seconds_(seconds) {}
 
     void operator()(Muxer& muxer, bool joined, bool is_last, CopyResult& copied, const std::function<bool()>& stopped) {
         const AVFormatContext& from = demuxer_.format();
         const auto packet = av::make_packet();
-        std::int64_t number = -1;  // of the last packet of the video
+        std::int64_t number = -1;  // index of the last video packet
         while (demuxer_.read_any(*packet)) {
             copied.stopped = stopped();
             if (copied.stopped) return;
@@ -246,7 +246,8 @@ class PartCopy {
         return demuxer_.seconds(stamp) > *demuxer_.seconds(piece_.last_stamp) + interleaving;
     }
 
-    /// Whether a packet of another stream is within the piece; the rest of a file goes with its last frame.
+    /// Whether a packet of another stream is within the packet range. A range that ends with the file includes the
+    /// rest.
     bool lies_beside(const AVStream& stream, std::int64_t stamp, bool is_last) const {
         const auto is_before = [&](std::int64_t video_stamp) {
             return av_compare_ts(stamp, stream.time_base, video_stamp, video_.time_base) < 0;
@@ -297,8 +298,8 @@ CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::
 namespace {
 
 constexpr double slack = 0.002;            // seconds; containers round times
-constexpr int checked_frames = 50;         // of each part: what a container can't tell shows at once
-constexpr std::size_t checked_parts = 16;  // of a long recording
+constexpr int checked_frames = 50;         // per part; what a container can't store shows at once
+constexpr std::size_t checked_parts = 16;  // limit for long recordings
 
 std::int64_t count_packets(const Input& input, double rate) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
@@ -328,7 +329,7 @@ std::unique_ptr<DecodedFrame> frame_from(FrameSource& source, double seconds) {
     return frame;
 }
 
-/// Whether the copy shows at the beginning of a part what the file shows, as far as that decodes.
+/// Whether the beginning of a part decodes to the same pictures from the copy as from the source file.
 bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const SourceOptions& options) {
     FileSource file(part.input, options);
     auto wanted = frame_from(file, part.piece.begin);
@@ -347,7 +348,7 @@ bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const So
 void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
                 double rate, const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::copy_impossible,
                     fmt::format("'{}' would not show what '{}' does: {}; choose the ending of that file, or cut it "
                                 "exactly, which encodes the video anew",
                                 path.string(), parts.front().input.name, what),

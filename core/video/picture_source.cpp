@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of the regular files in a folder, hidden ones left out.
+/// The names of the regular files in a folder, without hidden files.
 std::vector<std::string> files_in(const fs::path& folder, const std::string& asked) {
     std::vector<std::string> names;
     std::error_code why;
@@ -38,8 +38,9 @@ std::vector<std::string> files_in(const fs::path& folder, const std::string& ask
         if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
     }
     if (why) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the folder of '{}': {}; check its name and permissions",
-                                               asked, why.message()));
+        throw Error(
+            code_of_system_error(why.value()),
+            fmt::format("cannot read the folder of '{}': {}; check its name and permissions", asked, why.message()));
     }
     return names;
 }
@@ -52,7 +53,7 @@ std::vector<std::string> pictures_in(const std::string& folder) {
     }
     if (pictures.empty()) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::not_video,
             fmt::format(
                 "'{}' is a folder without frames: {}; give a video file, or a folder of pictures (png, jpg, tif, ...)",
                 folder,
@@ -71,7 +72,7 @@ std::vector<std::string> expand_glob_pattern(const std::string& pattern) {
     return files;
 }
 
-/// "frame%05d.png" in parts: the text before and after the number, and its least width.
+/// The parts of "frame%05d.png": the text before and after the number, and its minimum width.
 struct NumberPattern {
     std::string before;
     std::string after;
@@ -80,7 +81,7 @@ struct NumberPattern {
 };
 
 [[noreturn]] void throw_bad_pattern(const std::string& name) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::name_pattern_invalid,
                 fmt::format("'{}': a pattern of pictures has one number in its file name, written %d or "
                             "%05d, and %% for a percent sign",
                             name));
@@ -122,7 +123,7 @@ bool matches(const NumberPattern& pattern, std::string_view file) {
     const auto number = file.substr(pattern.before.size(), file.size() - pattern.before.size() - pattern.after.size());
     if (number.find_first_not_of("0123456789") != std::string_view::npos) return false;
     if (number.size() < (pattern.zeros ? pattern.width : 1)) return false;
-    // printf pads up to the width and never beyond it.
+    // printf pads only up to the width.
     return number.size() == 1 || number.front() != '0' || (pattern.zeros && number.size() == pattern.width);
 }
 
@@ -157,7 +158,7 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
         files = expand_glob_pattern(name);
     }
     if (files.empty()) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("cannot read '{}': no file matches this pattern; check it and the folder", name));
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return natural_less(a, b); });
@@ -176,11 +177,11 @@ Picture decode_picture(const std::string& path) {
     Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 25);
     Decoder decoder(demuxer, path, 1);
     Picture picture{decoder.next(), avcodec_get_name(demuxer.stream().codecpar->codec_id)};
-    if (!picture.image) throw Error(ErrorKind::not_video, demuxer.log().text(AVERROR_INVALIDDATA));
+    if (!picture.image) throw Error(ErrorCode::no_frame, demuxer.log().text(AVERROR_INVALIDDATA));
     return picture;
 }
 
-/// Nothing for a picture that can't be read or decoded; it is one damaged frame of many.
+/// Null for a picture that can't be read or decoded, which then counts as a damaged frame.
 AvFrame try_decode_picture(const std::string& path) {
     try {
         return decode_picture(path).image;
@@ -189,7 +190,7 @@ AvFrame try_decode_picture(const std::string& path) {
     }
 }
 
-/// The first file at or after `time`; a hair of slack for times typed in decimals.
+/// Index of the first file at or after `time`, with a tolerance for rounded decimals.
 std::size_t file_at(double time, double rate, std::size_t files) {
     return static_cast<std::size_t>(std::clamp(std::ceil(time * rate - 1e-6), 0.0, static_cast<double>(files)));
 }
@@ -216,7 +217,7 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
         }
     }
     if (info_.frames == 0) {
-        throw Error(ErrorKind::not_video,
+        throw Error(ErrorCode::no_frame,
                     fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, files_.size(), why));
     }
     field_size_ = field_size_for(info_.size, options.field_size);

@@ -12,15 +12,14 @@
 
 namespace vvr::video {
 
-/// The files that `name` means if it names a sequence of pictures, in natural order: a folder, a glob
-/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Nothing if it is none of these, or if there is a file of that
-/// name.
+/// The files of a picture sequence, in natural order. `name` is a folder, a glob (`dir/*.png`) or a printf pattern
+/// (`dir/%05d.png`). Empty if it is none of these, or if a file has that name.
 ///
-/// \throws Error io when the folder can't be read or no file matches, not_video for a folder without pictures,
-///         usage for a pattern with more than one number or other conversions
+/// \throws Error io if the folder can't be read or no file matches, not_video for a folder without pictures, usage for
+///         a pattern with several numbers or other conversions
 std::optional<std::vector<std::string>> list_pictures(const std::string& name);
 
-/// Frames that are a picture file each. Some are decoded ahead of time, one in each thread.
+/// Reads a sequence of picture files, one frame per file. Decodes ahead, one picture per thread.
 class PictureSource final : public FrameSource {
   public:
     PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options);
@@ -41,7 +40,7 @@ class PictureSource final : public FrameSource {
     SourceOptions options_;
     VideoInfo info_;
     Size field_size_;
-    std::size_t next_ = 0;  ///< the file that the front of `ahead_` decodes
+    std::size_t next_ = 0;  ///< index of the file at the front of `ahead_`
     std::deque<std::future<AvFrame>> ahead_;
     std::int64_t damaged_ = 0;
 };

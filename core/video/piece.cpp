@@ -18,8 +18,8 @@ namespace vvr::video {
 namespace {
 
 constexpr double clock_was_set = 1;    // seconds, as in StampClock
-constexpr std::size_t reordered = 16;  // packets; no codec keeps more waiting
-constexpr double slack = 0.0005;       // seconds; times are rounded
+constexpr std::size_t reordered = 16;  // packets; no codec reorders more
+constexpr double slack = 0.0005;       // seconds; tolerance for rounded times
 
 struct VideoPacket {
     std::int64_t stamp;
@@ -28,23 +28,23 @@ struct VideoPacket {
 };
 
 [[noreturn]] void throw_no_times(const Input& input, const std::string& what) {
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::copy_impossible,
                 fmt::format("'{}' can't be copied: {}; cut it exactly instead, which decodes it", input.name, what),
                 {"exact"});
 }
 
-/// The first frame's time on the container's clock, seconds.
+/// Presentation time of the first frame on the container's clock, seconds.
 double origin_of(const Input& input, double rate) {
     VideoReader reader(input, rate, 1);
     if (!reader.next().image) {
         throw Error(
-            ErrorKind::not_video,
+            ErrorCode::no_frame,
             fmt::format("'{}' has video, but no frame of it decodes; `ffprobe` on it may say more", input.name));
     }
     return reader.origin();
 }
 
-/// The packets of the video stream in the order of the file, a little farther than the span goes.
+/// Scans the packets of the video stream in file order, until slightly after the span.
 class Scan {
   public:
     Scan(const Input& input, double rate, const FrameSpan& span)
@@ -60,7 +60,7 @@ class Scan {
         return before_stop || (span_.end && last_time() + demuxer_.frame_duration() + slack < *span_.end);
     }
 
-    /// Time of the clip's last frame, where that comes before the span.
+    /// Time of the clip's last frame if it comes before the span.
     std::optional<double> end() const {
         const bool before = last_time() < span_.start || std::ssize(packets_) <= span_.first;
         return before && !is_done() ? std::optional(last_time()) : std::nullopt;
@@ -92,7 +92,7 @@ class Scan {
         return packets_.empty() ? 0 : seconds(std::ranges::max(packets_, {}, &VideoPacket::stamp).stamp);
     }
 
-    /// Whether all frames that are still to come are shown after the span.
+    /// Whether all remaining frames come after the span.
     bool is_done() const {
         const bool past_stop = span_.stop && packets_.size() > static_cast<std::size_t>(*span_.stop) + reordered;
         return past_stop || past_end_ > reordered;
@@ -103,11 +103,11 @@ class Scan {
     double origin_;
     Demuxer demuxer_;
     double last_dts_ = -std::numeric_limits<double>::infinity();
-    std::size_t past_end_ = 0;  ///< packets that are decoded after the span has ended
+    std::size_t past_end_ = 0;  ///< packets read after the end of the span
     std::vector<VideoPacket> packets_;
 };
 
-/// The numbers of the packets whose frames lie in the span, in the order in which they are shown.
+/// The indices of the packets whose frames are in the span, in presentation order.
 std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
     const std::vector<VideoPacket>& packets = scan.packets();
     std::vector<std::size_t> order(packets.size());
@@ -117,14 +117,15 @@ std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
     std::int64_t index = 0;
     for (const std::size_t k : order) {
         const double time = scan.seconds(packets[k].stamp);
-        if (time < -slack) continue;  // what comes before the first frame that decodes
+        if (time < -slack) continue;  // before the first frame that decodes
         if (!is_before(span, index, time) && !is_past(span, index, time)) inside.push_back(k);
         ++index;
     }
     return inside;
 }
 
-/// After a packet come others that are shown before it: with them there are no holes.
+/// Index of the last packet needed to show the frames up to `last`: packets are reordered, so later ones may be shown
+/// earlier.
 std::size_t last_needed(const std::vector<VideoPacket>& packets, std::size_t first, std::size_t last) {
     std::int64_t latest = std::numeric_limits<std::int64_t>::min();
     for (std::size_t k = first; k <= last; ++k) latest = std::max(latest, packets[k].stamp);
@@ -176,7 +177,7 @@ double length_of(const Input& input, double rate) {
     StampClock clock(demuxer.frame_duration(), origin_of(input, rate));
     double last = 0;
     double last_dts = -std::numeric_limits<double>::infinity();
-    std::vector<double> stamps;  // since the clock was set last
+    std::vector<double> stamps;  // since the last clock jump
     const auto count = [&] {
         std::ranges::sort(stamps);
         for (const double stamp : stamps) last = clock(stamp);
@@ -200,7 +201,7 @@ double length_of(const Input& input, double rate) {
 
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
     const std::string end = last ? fmt::format("its last frame is at {:.3f} s; ", *last) : "";
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::span_empty,
                 fmt::format("'{}' has no frame {}; {}choose another piece", name, text_of(span), end));
 }
 

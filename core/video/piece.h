@@ -9,35 +9,34 @@
 
 namespace vvr::video {
 
-/// A stretch of a clip that can be copied: packets of its video stream, from a key packet on. Times are seconds from
-/// the clip's first frame.
+/// A packet range of a clip's video stream that can be copied. It begins with a key packet. Times are seconds from the
+/// clip's first frame.
 struct PacketRange {
-    std::int64_t first = 0;        ///< the key packet's number among the packets of the video stream
-    std::int64_t last = 0;         ///< number of the last packet that is needed
-    std::int64_t first_stamp = 0;  ///< the key frame's, in ticks of the stream; earlier ones are not shown
-    std::int64_t last_stamp = 0;   ///< of the frame that is shown last
-    double begin = 0;              ///< the key frame's time
-    double end = 0;                ///< time of the frame that is shown last
-    double wanted = 0;             ///< time of the first frame that was asked for; not before `begin`
-    std::int64_t frames = 0;       ///< that were asked for; 0 = the span has none, and nothing else is known
-    std::optional<double> over{};  ///< where it has none: time of the clip's last frame, if that comes before the span
-    std::int64_t damaged = 0;      ///< packets of it that the container marks as damaged
+    std::int64_t first = 0;        ///< index of the key packet in the video stream
+    std::int64_t last = 0;         ///< index of the last packet that is needed
+    std::int64_t first_stamp = 0;  ///< of the key frame, in the stream's time base; earlier frames are not shown
+    std::int64_t last_stamp = 0;   ///< presentation timestamp of the last frame
+    double begin = 0;              ///< time of the key frame
+    double end = 0;                ///< time of the last frame
+    double wanted = 0;             ///< time of the first requested frame; at least `begin`
+    std::int64_t frames = 0;       ///< requested frames; 0 = none, and only `over` is set
+    std::optional<double> over{};  ///< time of the clip's last frame if the whole clip comes before the span
+    std::int64_t damaged = 0;      ///< packets in the range that the container marks as damaged
     bool ends_early = false;       ///< the clip ends before the span does
 };
 
-/// The packets that it takes to show a span of a clip, without decoding more than its first frame. Reads the file only
-/// as far as the span.
-/// \param rate frames per second of what carries no times
-/// \throws Error not_video where the clip's packets don't say when they are shown, or no key frame comes before the
-/// span
+/// Finds the packets that are needed to show a span of a clip. Decodes only the clip's first frame, and reads the file
+/// only up to the end of the span.
+/// \param rate frames per second of inputs without timestamps
+/// \throws Error not_video if packets have no presentation timestamps, or if no key frame comes before the span
 PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
 
-/// How long a clip is shown, by the packets of all of it, in seconds from its first frame that decodes. Where its clock
-/// goes back, time goes on, as it does where the clip is decoded.
-/// \throws Error not_video where no frame decodes
+/// A clip's duration from its first frame that decodes, in seconds. Reads all packets, and handles clock jumps as
+/// StampClock does.
+/// \throws Error not_video if no frame decodes
 double length_of(const Input& input, double rate);
 
-/// Says that a span has no frame.
+/// Reports that a span has no frame.
 /// \param last time of the clip's last frame, seconds; none = unknown
 [[noreturn]] void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last);
 

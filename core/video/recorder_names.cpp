@@ -19,7 +19,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// 2026, 2026-11, 20261121, 2026_11_21: a year, then only numbers.
+/// A year followed only by numbers: 2026, 2026-11, 20261121, 2026_11_21.
 bool is_date(std::string_view folder) {
     const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
                       std::ranges::all_of(folder.substr(0, 4), is_digit);
@@ -30,14 +30,14 @@ bool is_date(std::string_view folder) {
                                [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
 }
 
-/// What stands in folders below a date: month, day, hour ("20", "20h").
+/// Whether a folder is a date or a part of one: month, day or hour ("20", "20h").
 bool is_part_of_date(std::string_view folder) {
     if (is_date(folder)) return true;
     if (folder.size() == 3 && folder.back() == 'h') folder.remove_suffix(1);
     return folder.size() <= 2 && std::ranges::all_of(folder, is_digit);
 }
 
-// In order. What cameras, phones and programs put before a time, and what people call folders of videos.
+// Sorted. Prefixes that cameras, phones and programs use before a time, and common names of video folders.
 constexpr std::array<std::string_view, 39> common_words{
     "alarm",   "archive", "capture", "cctv",   "clip",      "clips",      "continuous", "dav",
     "dvr",     "event",   "events",  "export", "exports",   "file",       "footage",    "img",
@@ -45,9 +45,9 @@ constexpr std::array<std::string_view, 39> common_words{
     "nvr",     "pxl",     "rec",     "record", "recording", "recordings", "schedule",   "screen recording",
     "sdalarm", "segment", "timer",   "vid",    "video",     "videos",     "wp"};
 
-/// The folders before the first that is a date, else the first folder after the date that is neither date nor hour;
-/// empty where there is none.
-/// \param skipped bytes at the front of `path` whose folders are no camera; whether one is a date counts all the same
+/// The folders before the first date folder, or else the first folder after it that is not a date or hour. Empty if
+/// there is none.
+/// \param skipped leading bytes of `path` whose folders are not a camera, but may be a date
 std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     std::string camera;
     bool dated = false;
@@ -70,7 +70,7 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     return camera;
 }
 
-/// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
+/// Whether a name is generic, not a camera's: "VID", "clip 7", "recordings", "001".
 bool is_generic_name(std::string_view name) {
     constexpr std::string_view counts = "0123456789-_. #()";
     while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
@@ -97,11 +97,11 @@ constexpr auto local = Zone::local;
 constexpr auto below = NamedCamera::below;
 constexpr auto folder = NamedCamera::folder;
 
-// The words in braces are those of core/video/recorder_pattern.cpp. Rows with more text of their own come first, as the
-// last ones match many names.
+// The fields in braces are defined in core/video/recorder_pattern.cpp. Specific rows come first, because the last ones
+// match many names.
 constexpr std::array known{
     KnownRow{"Frigate", "%Y-%m-%d/%H/{camera}/%M.%S", Zone::utc},
-    KnownRow{"Frigate", "%Y-%m/%d/%H/{camera}/%M.%S"},  // before its version 0.12
+    KnownRow{"Frigate", "%Y-%m/%d/%H/{camera}/%M.%S"},  // before version 0.12
     KnownRow{"Frigate", "{camera}-{epoch}.{number}-*"},
     KnownRow{"Dahua", "%Y-%m-%d/001/dav/%H/%H.%M.%S-*"},
     KnownRow{"Dahua", "%Y-%m-%d/{camera}/dav/%H/%H.%M.%S-*", local, folder},
@@ -110,7 +110,7 @@ constexpr std::array known{
     KnownRow{"Dahua", "{camera}_sub_%Y%m%d%H%M%S_*"},
     KnownRow{"Hikvision", "{camera}_hiknvr_%Y%m%d%H%M%S_*"},
     KnownRow{"Reolink", "{camera}_00_%Y%m%d%H%M%S"},
-    KnownRow{"Reolink", "Rec*%Y%m%d_%H%M%S_*"},  // on the camera's own card
+    KnownRow{"Reolink", "Rec*%Y%m%d_%H%M%S_*"},  // on the camera's SD card
     KnownRow{"Hikvision", "{camera}_%Y%m%d%H%M%S{number}"},
     KnownRow{"Synology", "{camera}-%Y%m%d-%H%M%S-{number}*"},
     KnownRow{"Blue Iris", "{camera}.%Y%m%d_%H%M%S*"},
@@ -122,10 +122,10 @@ constexpr std::array known{
     KnownRow{"Xiaomi", "%YY%mM%dD%HH/%MM%SS*"},
     KnownRow{"motion", "{number}-%Y%m%d%H%M%S"},
     KnownRow{"motion", "%Y-%m-%d/%H-%M-%S"},  // motionEye
-    // When it was sent, and which of two numbers is the month, nobody reads off a name.
+    // The time is that of sending, and day and month may be swapped.
     KnownRow{"", "WhatsApp *", local, NamedCamera::whole, Ambiguity::always},
     KnownRow{"", "{unsure date}", local, NamedCamera::whole, Ambiguity::always},
-    // Date and time in the name, with the camera before them, behind them, or not at all.
+    // Date and time in the name, with the camera before them, after them, or without it.
     KnownRow{any_name, "{date}{join}{clock}{fraction}{zone}"},
     KnownRow{any_name, "{date}T{clock}%z"},
     KnownRow{any_name, "{moment}{gap}{side}", local, below},
@@ -139,7 +139,7 @@ constexpr std::array known{
     KnownRow{any_name, "{camera}{gap}%Y%m%d%H%M", local, below},
     KnownRow{any_name, "{before}{date}{join}{clock}{fraction}{zone}"},
     KnownRow{any_name, "{before}{moment}{more}"},
-    // The date as a folder, the time in the name.
+    // The date in folders, the time in the name.
     KnownRow{any_folder, "{dated}/{hour}/{clock}{set off}"},
     KnownRow{any_folder, "{dated}/{hour}/{camera}/{clock}{set off}", local, folder},
     KnownRow{any_folder, "{dated}/{named}/{hour}/{clock}{set off}", local, folder},
@@ -223,12 +223,12 @@ std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const
     }
     name.begin = fields->time(utc_);
     const bool timed = (*fields)[NameField::hour] || (*fields)[NameField::epoch] || (*fields)[NameField::epoch_ms];
-    if (timed && !name.begin) return std::nullopt;  // the 31st of February
+    if (timed && !name.begin) return std::nullopt;  // such as February 31
     return name;
 }
 
 RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
-    // Each is made once for the whole run.
+    // Compiled once per process.
     static const std::vector<NamingScheme> layouts_of_recorders = [] {
         std::vector<NamingScheme> layouts;
         for (const KnownRow& row : known) {
@@ -263,7 +263,7 @@ RecorderName RecorderNames::read(std::string_view path) const {
         }
         name.begin = read->begin;
         name.ambiguous = read->ambiguous;
-        // A pattern that tells the camera alone leaves the time to others.
+        // A pattern without a time leaves the time to later patterns.
         if (name.begin || name.ambiguous) break;
     }
     return name;

@@ -11,49 +11,49 @@
 
 #include "core/video/recorder_pattern.h"
 
-// What the names of a recorder's files tell. Names are bytes that anybody may have written: they are matched, never
-// followed.
+// Reads camera and time from the names of a recorder's files. Names are untrusted: they are only matched, and never
+// used to open files.
 namespace vvr::video {
 
-/// The moment of a time in a name, in seconds since 1970 (UTC).
-/// \param near a moment that can't be far off, for the hour that comes twice when summer time ends
+/// Converts a time in a name to seconds since 1970 (UTC).
+/// \param near an approximate time, to resolve the hour that repeats at the end of daylight saving time
 std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near = {});
 
-/// What a name tells.
+/// What a file name tells.
 struct RecorderName {
-    std::string layout;                ///< whose name it is: that of a row, or "--names"; empty = nobody's
-    std::string camera;                ///< empty = it tells none
-    bool below = false;                ///< the camera is one of those in its folder, which is a part of its name
-    std::optional<NamedTime> begin{};  ///< of the recording
-    bool ambiguous = false;            ///< nobody can read its time for sure
+    std::string layout;                ///< the recorder's name, or "--names"; empty = unknown
+    std::string camera;                ///< empty = unknown
+    bool below = false;                ///< the camera's folder is a part of its name
+    std::optional<NamedTime> begin{};  ///< start of the recording
+    bool ambiguous = false;            ///< its time can be read in several ways
 };
 
-/// What speaks against a time that a row reads.
+/// Why the time that a naming scheme reads may be ambiguous.
 enum class Ambiguity {
     none,
-    day_or_month,   ///< which of two numbers is the month: only days after the 12th are told
+    day_or_month,   ///< day and month may be swapped, except for days after the 12th
     repeated_hour,  ///< 20/20-05 is 20:05 or 20:20:05
-    always          ///< the name has a date that nobody can read for sure
+    always          ///< the name has a date that is always ambiguous
 };
 
-/// What the camera of a row is.
+/// How a naming scheme names cameras.
 enum class NamedCamera {
-    whole,  ///< all there is to say, as the recorder knows all its cameras by name
-    below,  ///< one of those whose files lie in the folder, by what is in front of the time
-    folder  ///< the same, by a folder
+    whole,  ///< by a name that is unique for the recorder
+    below,  ///< by the text before the time; unique only within the folder
+    folder  ///< by a folder; unique only within the parent folder
 };
 
-/// A way to name files.
+/// A naming scheme for files.
 class NamingScheme {
   public:
-    /// \param pattern for a path without its ending, or for as many of its last folders as the pattern has. Fields are
-    ///        those of strftime (%Y %y %m %d %H %M %S, %s, %z; `%-m` is written without zeros), {camera}, {number} for
-    ///        digits, `*` for any text, `?` for any character; %% is a percent sign
+    /// \param pattern matches a path without its extension, or its last folders, as many as the pattern has. Fields:
+    ///        strftime's %Y %y %m %d %H %M %S %s %z (`%-m` has no leading zeros), {camera}, {number} for digits, `*`
+    ///        for any text, `?` for any character, %% for a percent sign
     /// \param utc whether times are in UTC
-    /// \throws Error usage for an unknown field, or when no field tells the camera or the time
+    /// \throws Error usage for an unknown field, or if no field is the camera or a time
     NamingScheme(std::string_view name, std::string_view pattern, bool utc = false);
 
-    /// Nothing when the name is none of this layout.
+    /// Empty if the name doesn't match.
     std::optional<RecorderName> read(std::string_view path) const;
 
   private:
@@ -69,28 +69,29 @@ class NamingScheme {
     NamedCamera camera_ = NamedCamera::whole;
 };
 
-/// The layouts of a user, then those of recorders that are known.
+/// The user's naming schemes, followed by those of known recorders.
 class RecorderNames {
   public:
-    /// \param base folder that paths are below; with it, a path says the same wherever one stands
-    /// \throws Error usage as NamingScheme does
+    /// \param base folder of relative paths, so that results don't depend on the working folder
+    /// \throws Error usage as NamingScheme
     explicit RecorderNames(std::span<const std::string> patterns = {}, const std::filesystem::path& base = {});
 
-    /// \param path as many of its last folders are looked at as a layout has; which layout comes first decides
+    /// The result of the first scheme that matches.
+    /// \param path matched by its last folders, as many as a scheme has
     RecorderName read(std::string_view path) const;
 
-    /// The camera of a file: as its name tells, else as `camera_of_folders` does; empty where there is none.
-    /// \param skipped bytes at the front of `path` whose folders are no camera
+    /// The camera of a file, from its name, or else from its folders. Empty if unknown.
+    /// \param skipped leading bytes of `path` whose folders are not a camera
     std::string camera_of(std::string_view path, std::size_t skipped = 0) const;
 
   private:
     std::string whole(std::string_view path) const;
 
     std::vector<NamingScheme> layouts_;
-    std::string folder_;  ///< with a `/` at its end; empty = none
+    std::string folder_;  ///< ends with `/`; empty = none
 };
 
-/// The names of the recorders whose layouts are known, for help texts.
+/// The names of the known recorders, for help texts.
 std::vector<std::string> known_recorders();
 
 }  // namespace vvr::video

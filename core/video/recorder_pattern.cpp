@@ -19,7 +19,7 @@ namespace {
 struct FieldRow {
     std::string_view name;
     NameField field;
-    std::string_view expression;  ///< what it may be; none has a group of its own
+    std::string_view expression;  ///< without capturing groups
 };
 
 constexpr std::array fields{
@@ -41,12 +41,12 @@ constexpr std::array fields{
     FieldRow{"%z", NameField::zone, "Z|[-+](?:0[0-9]|1[0-4])[0-5][0-9]|[-+](?:0[0-9]|1[0-4]|[0-9])(?::[0-5][0-9])?"},
 };
 
-// The words that rows of known recorders use besides. An expression with `%` or `{` is made of other words.
+// Further fields for the patterns of known recorders. An expression with `%` or `{` consists of other fields.
 constexpr std::array own_words{
-    // A date. Which of 03-04-2026 is the month nobody knows, so that is none.
+    // A date. 03-04-2026 is not accepted, because day and month are ambiguous.
     FieldRow{"{date}", NameField::text, "%Y-%m-%d|%Y_%m_%d|%Y\\.%m\\.%d|%Y%m%d"},
     FieldRow{"{dated}", NameField::text, "{date}|%Y/%m/%d|%Y-%m/%d|%Y/%m-%d|%Y/%m/{date}|%Y/{date}|%Y/%Y-%m/{date}"},
-    // A time with its seconds, where signs set it off and where none do, and one without seconds.
+    // A time with seconds, with or without separators, and a time without seconds.
     FieldRow{"{time}", NameField::text, "%H-%M-%S|%H\\.%M\\.%S|%H_%M_%S|%H:%M:%S|%Hh%Mm%Ss?"},
     FieldRow{"{clock}", NameField::text, "{time}|%H%M%S(?:[0-9]{3})?"},
     FieldRow{"{minute}", NameField::text, "%H-%M|%H\\.%M|%H_%M|%H:%M|%Hh%Mm?|%H%M"},
@@ -55,7 +55,7 @@ constexpr std::array own_words{
     FieldRow{"{gap}", NameField::text, "[-_. ]{1,3}| at "},
     FieldRow{"{fraction}", NameField::text, "(?:[.,][0-9]{1,9})?"},
     FieldRow{"{zone}", NameField::zone, "Z|[+](?:0[0-9]|1[0-4])(?::?[0-5][0-9])?|-(?:0[0-9]|1[0-4]):[0-5][0-9]"},
-    // What may come behind: nothing, or what is no longer a part of the number.
+    // What may follow: nothing, or text that doesn't continue the number.
     FieldRow{"{more}", NameField::text, "(?:[^0-9/][^/]*)?"},
     FieldRow{"{set off}", NameField::text, "(?:[^0-9A-Za-z/][^/]*)?"},
     FieldRow{"{until}", NameField::text,
@@ -77,26 +77,26 @@ constexpr std::size_t longest_pattern = 255;
 constexpr std::size_t longest_path = 4096;
 
 [[noreturn]] void refuse(std::string_view pattern, std::string_view why) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::name_pattern_invalid,
                 fmt::format("'{}' is no pattern of names: {}; for example "
                             "'%Y-%m-%d/%H/{{camera}}/%M.%S' is Frigate's",
                             pattern, why),
                 {"names"});
 }
 
-/// The row whose name `text` begins with.
+/// The row whose name is a prefix of `text`, or null.
 template <class Rows>
 const FieldRow* row_at(const Rows& rows, std::string_view text) {
     const auto found = std::ranges::find_if(rows, [&](const FieldRow& row) { return text.starts_with(row.name); });
     return found == std::end(rows) ? nullptr : &*found;
 }
 
-/// A regular expression that is being made.
+/// Builds a regular expression.
 struct Making {
     std::string expression{};
     std::vector<NameField> captures{};
 
-    /// The words in the expression of a row are put in; the rest of it is the library's own.
+    /// Adds a row's expression, and replaces the fields in it. The rest is RE2 syntax.
     void add_words(std::string_view expression_of_row) {
         for (std::string_view rest = expression_of_row; !rest.empty();) {
             const bool word = rest.front() == '%' || (rest.front() == '{' && rest.size() > 1 && rest[1] >= 'a');
@@ -154,7 +154,7 @@ std::int64_t number_in(std::string_view digits) {
     return value;
 }
 
-/// "Z", "+1", "+01:00", "-0330": seconds ahead of UTC.
+/// Parses "Z", "+1", "+01:00" or "-0330" as an offset from UTC in seconds.
 std::int64_t zone_in(std::string_view text) {
     if (text == "Z") return 0;
     const bool west = text.front() == '-';
@@ -218,7 +218,7 @@ RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
 std::optional<NameFields> RecorderPattern::read(std::string_view path) const {
     if (path.size() > longest_path) return std::nullopt;
     const re2::StringPiece text(path.data(), path.size());
-    // Most names are none of most patterns, and that is found out much faster than what is in the groups.
+    // Most names don't match. Matching without groups is much faster, so it comes first.
     if (!expression_->Match(text, 0, text.size(), re2::RE2::ANCHOR_BOTH, nullptr, 0)) return std::nullopt;
     std::vector<re2::StringPiece> groups(captures_.size() + 1);
     if (!expression_->Match(text, 0, text.size(), re2::RE2::ANCHOR_BOTH, groups.data(),

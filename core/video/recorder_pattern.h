@@ -14,15 +14,15 @@ class RE2;
 
 namespace vvr::video {
 
-/// A time as a name has it.
+/// A time as written in a file name.
 struct NamedTime {
     std::int64_t clock = 0;             ///< seconds since 1970-01-01 00:00 on the recorder's clock
-    std::optional<std::int64_t> ahead;  ///< seconds that this clock is ahead of UTC; none = it is on the local wall
+    std::optional<std::int64_t> ahead;  ///< offset from UTC, seconds; none = local time
 
     friend bool operator==(const NamedTime&, const NamedTime&) = default;
 };
 
-/// What a part of a pattern stands for.
+/// The meaning of a field in a pattern.
 enum class NameField {
     text,
     camera,
@@ -40,34 +40,35 @@ enum class NameField {
     count
 };
 
-/// What a name said in the fields of a pattern.
+/// The values of a pattern's fields in a file name.
 struct NameFields {
     std::string camera{};
     std::array<std::optional<std::int64_t>, static_cast<std::size_t>(NameField::count)> values{};
-    bool contradicts = false;  ///< it says two things of one field
+    bool contradicts = false;  ///< the name has two values of one field
 
     const std::optional<std::int64_t>& operator[](NameField field) const {
         return values[static_cast<std::size_t>(field)];
     }
 
-    /// The time that it tells; nothing when it tells none, or one that no calendar has.
-    /// \param utc whether a time without a zone is in UTC
+    /// The time in the name. Empty if there is none or it doesn't exist, such as February 30.
+    /// \param utc whether a time without a time zone is in UTC
     std::optional<NamedTime> time(bool utc) const;
 };
 
-/// A way to name files, text with fields, as a regular expression. It takes time in proportion to the name's length,
-/// whoever wrote the name.
+/// A pattern of file names, text with fields, compiled to a regular expression. Matching takes time linear in the
+/// name's length, so untrusted names are safe.
 class RecorderPattern {
   public:
     enum class Words {
-        fields,         ///< those that docs/archive.md lists
-        fields_and_own  ///< those of the rows of known recorders too
+        fields,         ///< the fields in docs/archive.md
+        fields_and_own  ///< also the fields of known recorders' patterns
     };
 
-    /// \throws Error usage for an unknown field, or when no field tells the camera or the time
+    /// \throws Error usage for an unknown field, or if no field is the camera or a time
     explicit RecorderPattern(std::string_view pattern, Words words = Words::fields);
 
-    /// \param path of which as many of the last folders are looked at as the pattern has
+    /// Empty if the path doesn't match.
+    /// \param path matched by its last folders, as many as the pattern has
     std::optional<NameFields> read(std::string_view path) const;
 
   private:

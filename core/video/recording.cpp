@@ -35,7 +35,7 @@ std::string_view file_of(std::string_view path) {
     return path.substr(path.rfind('/') + 1);
 }
 
-/// Text in a pattern that stands for itself.
+/// Escapes text for use in a glob.
 std::string literal(std::string_view text) {
     std::string pattern;
     for (const char c : text) {
@@ -45,7 +45,7 @@ std::string literal(std::string_view text) {
     return pattern;
 }
 
-/// How many bytes at the front all paths have in common, whole folders only.
+/// Length in bytes of the folders that all paths have in common.
 std::size_t common_folders(const Files& paths) {
     std::string_view common = folder_of(paths.front());
     for (const std::string& path : paths) {
@@ -54,7 +54,7 @@ std::size_t common_folders(const Files& paths) {
     return common.empty() ? 0 : common.size() + 1;
 }
 
-/// The folders of all files as one pattern; nothing where some are deeper than others.
+/// A glob for the folders of all files. Empty if their depths differ.
 std::optional<std::string> pattern_of_folders(const Files& files) {
     std::vector<std::vector<std::string>> parts;
     for (const std::string& file : files) {
@@ -74,7 +74,7 @@ std::optional<std::string> pattern_of_folders(const Files& files) {
     return pattern.string();
 }
 
-/// What the names of all files begin with, up to the camera where it stands there.
+/// The common prefix of all file names, up to and including the camera if it is there.
 std::string_view common_begin(const Files& files, std::string_view camera) {
     std::string_view common = file_of(files.front());
     for (const std::string& file : files) {
@@ -85,7 +85,7 @@ std::string_view common_begin(const Files& files, std::string_view camera) {
     return !name.empty() && common.starts_with(name) ? common.substr(0, name.size()) : common;
 }
 
-/// A name to give for the files of one camera that means none of the others': a folder, a pattern, or a file.
+/// An input name that selects only the files of one camera: a folder, a glob or a file.
 std::string choice_of(const Files& own, const Files& others, std::string_view camera) {
     const auto chooses = [&](const std::string& pattern, int flags) {
         const auto fits = [&](const std::string& file) { return ::fnmatch(pattern.c_str(), file.c_str(), flags) == 0; };
@@ -104,7 +104,7 @@ std::string choice_of(const Files& own, const Files& others, std::string_view ca
 }
 
 bool are_alike(const ClipHeader& a, const ClipHeader& b) {
-    constexpr double tolerance = 0.1;  // of a rate: a camera's varies from file to file
+    constexpr double tolerance = 0.1;  // relative; a camera's frame rate varies between files
     const bool rates = a.rate <= 0 || b.rate <= 0 || std::abs(a.rate - b.rate) <= tolerance * std::max(a.rate, b.rate);
     return a.picture == b.picture && rates;
 }
@@ -153,7 +153,7 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     constexpr std::size_t told = 8;
     const std::size_t rest = names.size() - std::min(names.size(), told);
     names.resize(names.size() - rest);
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::recording_mixed,
                 fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
                             "recording all the same",
                             name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
@@ -165,7 +165,7 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();
         if (are_alike(first.header, header)) continue;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::recording_mixed,
                     fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
                                 "are one recording; give one, or join them",
                                 first.segment->path, text_of(first.header), segment->path, text_of(header),

@@ -10,82 +10,80 @@
 #include "core/video/recorder_names.h"
 #include "core/video/stream_info.h"
 
-// A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.
+// Recorders write files of seconds to an hour, called segments. A camera's segments, in order, are one recording.
 namespace vvr::video {
 
 /// One file of a recording.
 struct Segment {
     std::string path;
-    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the one before
-    ClockSource begin_source = ClockSource::none;  ///< what tells that
-    std::string camera{};                          ///< empty = nobody knows
-    std::string layout{};                          ///< whose name it is, as in RecorderName
+    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the previous segment
+    ClockSource begin_source = ClockSource::none;  ///< source of `begin`
+    std::string camera{};                          ///< empty = unknown
+    std::string layout{};                          ///< as RecorderName::layout
 };
 
 /// The files of a recording, in order.
 struct Recording {
-    std::string name;  ///< what was asked for, in short
+    std::string name;  ///< short name of the input
     std::string camera{};
     std::vector<Segment> segments;
-    std::vector<std::string> warnings{};  ///< a sentence each
+    std::vector<std::string> warnings{};  ///< one sentence each
 };
 
-/// Where a file of a recording begins.
+/// The start of a file in a recording.
 struct SegmentBegin {
     double time = 0;        ///< seconds of the recording
-    bool follows = false;   ///< the file before without a gap
-    bool overlaps = false;  ///< that file
+    bool follows = false;   ///< follows the previous file without a gap
+    bool overlaps = false;  ///< overlaps the previous file
 };
 
-/// A file that begins within a second of the end of the one before follows it: names tell whole seconds, and recorders
-/// begin a file at the next key frame.
-/// \param origin of the recording, seconds since 1970 (UTC); none = not known
-/// \param end of the file before, in seconds of the recording; none = it is the first
+/// Places a file in a recording. A file that begins within a second of the previous file's end follows it, because
+/// names have whole seconds and recorders begin files at key frames.
+/// \param origin start of the recording, seconds since 1970 (UTC); none = unknown
+/// \param end end of the previous file, seconds of the recording; none = this is the first file
 SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end);
 
-/// Finds out whether some names mean a recording of several files: files, folders of video files (and all folders in
-/// them), patterns (`day/*.mp4`, `2026-11-21/*/gate`) and lists, text files whose names end in `.txt` and that hold the
-/// path of a file in each line, below the folder of the list. Nothing for a single file, a stream, or pictures.
+/// Finds the files of a recording. Names may be files, folders of video files (with their subfolders), globs
+/// (`day/*.mp4`, `2026-11-21/*/gate`) and lists: `.txt` files with one path per line, within the list's folder. Empty
+/// for a single file, a stream or pictures.
 ///
-/// When each begins is told by its name, else by its container, else by when it was last written and how long it is;
-/// if those contradict each other, the files follow each other in the order of their names.
+/// The start of each file comes from its name, or else its container, or else its modification time and duration. If
+/// these contradict each other, the files follow in the order of their names.
 ///
-/// \param join whether files are one recording that seem to be of several cameras, or to have nothing to do with each
-///        other
-/// \throws Error io when one can't be read, usage for what can't be a part of a recording, or when the files are of
+/// \param join whether to accept files of several cameras or unrelated files as one recording
+/// \throws Error io if an input can't be read, usage if an input can't be a part of a recording, or if the files are of
 ///         several cameras or unrelated
 std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts,
                                         bool join = false);
 
-/// What the name of a single file tells.
+/// The segment of a single file, by its name.
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
 
 }  // namespace vvr::video
 
-// Files that are one recording together are of one camera.
+// All files of a recording must be of one camera.
 namespace vvr::video {
 
-/// A file's path from the root, so that its folders tell the same wherever one stands; streams stay as they are.
+/// A file's absolute path, so that results don't depend on the working folder. Streams keep their names.
 std::string whole_path(const std::string& name);
 
-/// Fills in which camera each file is of, by its name and by folders in which the files differ, and returns the camera
-/// of all; empty where nobody knows.
-/// \param name of the recording, for the error
-/// \param join whether files of several cameras are one recording all the same
-/// \throws Error usage when they are of several, with a way to choose one of them
+/// Sets the camera of each segment by file name and by folders that differ. Returns the common camera, or an empty
+/// string if unknown.
+/// \param name name of the recording, for the message
+/// \param join whether to accept files of several cameras
+/// \throws Error usage if they are of several cameras; the message says how to choose one
 std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
                         bool join);
 
-/// What the header of a file says that can be read now.
+/// The header of a segment's file.
 struct SegmentHeader {
     Segment* segment = nullptr;
     ClipHeader header;
 };
 
-/// Throws where no name tells when some files were recorded, and their sizes or rates differ besides: nothing says that
-/// they belong together.
-/// \param headers of these files, and first of one whose name tells it, where there is one: it stands for all of those
-/// \throws Error usage
+/// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must agree.
+/// \param headers of these files, preceded by that of one file whose name has a time, if there is one
+/// \throws Error usage if they differ
 void require_related(const Recording& recording, std::span<const SegmentHeader> headers);
 
 }  // namespace vvr::video

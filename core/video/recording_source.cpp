@@ -16,21 +16,21 @@ namespace vvr::video {
 
 namespace {
 
-constexpr double tolerance = 1;  // seconds; headers round
+constexpr double tolerance = 1;  // seconds; headers are rounded
 
-// With fewer files their headers are read beforehand, so that the length is known as exactly as that of one clip.
+// With fewer files, all headers are read first, for an exact total duration.
 constexpr std::size_t few = 31;
 
 constexpr double likely_rate = 25;
 
-constexpr std::size_t named = 5;  // of the files that are left out whole
+constexpr std::size_t named = 5;  // limit for names of omitted files
 
 double frame_duration(const VideoInfo& info) {
     return 1 / (info.rate > 0 ? info.rate : likely_rate);
 }
 
-/// A time of a segment in the recording, as the clock of one clip would have it: to the last bit, as many a decision
-/// hangs on a second being over or not.
+/// Converts a segment's time to the recording's time. It rounds to the time base, so the result is bit-identical to
+/// that of a single clip. Decisions at whole seconds depend on it.
 double on_clock(double begin, double time, double tick) {
     return static_cast<double>(std::llround(begin / tick) + std::llround(time / tick)) * tick;
 }
@@ -40,7 +40,7 @@ double on_clock(double begin, double time, double tick) {
 RecordingSource::RecordingSource(Recording recording, const SourceOptions& options)
     : recording_(std::move(recording)), options_(options) {
     if (!open_next()) {
-        throw Error(ErrorKind::not_video, fmt::format("none of the {} of '{}' can be read: {}",
+        throw Error(ErrorCode::not_video, fmt::format("none of the {} of '{}' can be read: {}",
                                                       counted(std::ssize(recording_.segments), "file"), recording_.name,
                                                       problems_.empty() ? "there is none" : problems_.front()));
     }
@@ -55,7 +55,7 @@ RecordingSource::RecordingSource(Recording recording, const SourceOptions& optio
     estimate_length();
 }
 
-/// The length by the headers of a few files; of many by when the last begins.
+/// Estimates the duration: from all headers for few files, from the start of the last file for many.
 void RecordingSource::estimate_length() {
     const std::vector<Segment>& segments = recording_.segments;
     const double rate = 1 / frame_duration(info_);
@@ -108,9 +108,9 @@ bool RecordingSource::open_next() {
     return false;
 }
 
-/// Says what of a segment the ones before have shown already.
+/// Reports the frames of a segment that overlap earlier segments.
 void RecordingSource::count_overlap() {
-    constexpr double usual = 5;  // seconds that recorders keep from before, and that names leave open
+    constexpr double usual = 5;  // seconds of pre-recording and of rounding in names
     const std::int64_t frames = std::exchange(left_out_, 0);
     if (frames == 0) return;
     const double seconds = static_cast<double>(frames) * frame_;
@@ -197,9 +197,9 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
     return nullptr;
 }
 
-/// They were there when the recording was opened.
+/// Reports that no file can be read any more.
 void RecordingSource::throw_gone() const {
-    throw Error(ErrorKind::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
+    throw Error(ErrorCode::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
                                            recording_.name, counted(std::ssize(recording_.segments), "file"),
                                            problems_.empty() ? "they hold no frame" : problems_.front()));
 }
@@ -228,7 +228,7 @@ std::vector<Frame> RecordingSource::sample(int count) {
     return frames.empty() ? FrameSource::sample(count) : frames;
 }
 
-/// The first frames of segments that are spread evenly.
+/// The first frames of evenly spread segments.
 std::vector<Frame> RecordingSource::sample_segments(int count) const {
     const auto segments = std::ssize(recording_.segments);
     SourceOptions options = options_;

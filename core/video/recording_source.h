@@ -12,16 +12,15 @@
 
 namespace vvr::video {
 
-/// The frames of a recording of several files as those of one clip. One file is open at a time, and read once; what is
-/// looked at before that to learn the empty scene are the headers of a few files, or one frame of each of a few.
+/// Reads the files of a recording as one clip. One file is open at a time. `sample` and the estimate of the length also
+/// read the headers or single frames of a few files.
 ///
-/// Where a file begins within a second of the end of the one before, it follows it. Where it begins later, there is a
-/// gap, and numbers skip the frames that it would have held. Where it begins earlier, what the one before has shown
-/// already is left out. Frames of another size are brought to the field size of the first file's. A file that can't be
-/// read is named among the problems, and leaves a gap.
+/// A file that begins within a second of the previous file's end follows it. If it begins later, there is a gap, and
+/// the frame index skips the missing frames. If it begins earlier, the frames that overlap are omitted. All frames are
+/// scaled to the field size of the first file. A file that can't be read becomes a problem and leaves a gap.
 class RecordingSource final : public FrameSource {
   public:
-    /// \throws Error not_video when no file can be read
+    /// \throws Error not_video if no file can be read
     RecordingSource(Recording recording, const SourceOptions& options);
 
     const VideoInfo& info() const override { return info_; }
@@ -46,20 +45,20 @@ class RecordingSource final : public FrameSource {
     SourceOptions options_;
     VideoInfo info_;
     Size field_size_;
-    std::optional<std::int64_t> origin_;  ///< of the recording's clock, seconds since 1970 (UTC)
+    std::optional<std::int64_t> origin_;  ///< start of the recording, seconds since 1970 (UTC)
     ClockSource origin_source_ = ClockSource::none;
 
     std::size_t next_segment_ = 0;
-    std::unique_ptr<FileSource> segment_;  ///< that is being read
-    SegmentBegin begin_;                   ///< of that segment
+    std::unique_ptr<FileSource> segment_;  ///< the segment that is being read
+    SegmentBegin begin_;                   ///< start of that segment
     bool first_of_segment_ = true;
-    double frame_ = 0;        ///< seconds that a frame of the segment lasts
-    double segment_end_ = 0;  ///< end of the last frame that was read, in seconds of the segment
-    double last_ = 0;         ///< time of the last frame that was given
+    double frame_ = 0;        ///< frame duration in the segment, seconds
+    double segment_end_ = 0;  ///< end of the last frame read, seconds of the segment
+    double last_ = 0;         ///< time of the last returned frame, seconds
     std::int64_t index_ = -1;
-    std::int64_t damaged_ = 0;   ///< in segments that have been read
-    std::int64_t left_out_ = 0;  ///< frames of this segment at times that the one before has shown
-    OmittedFrames trimmed_;      ///< files that begin a little before the one before has ended
+    std::int64_t damaged_ = 0;   ///< in the finished segments
+    std::int64_t left_out_ = 0;  ///< frames of this segment that overlap the previous one
+    OmittedFrames trimmed_;      ///< small overlaps between consecutive files
     std::vector<std::string> problems_;
 };
 

@@ -31,9 +31,9 @@ namespace vvr::video {
 
 namespace {
 
-// ---- What libav's many pixel formats hold, and one format for those that don't have luma in a plane of 8 bits
+// ---- Pixel formats, and conversion of those without an 8-bit luma plane
 
-/// Whether plane 0 is luma of 8 bits, and chroma, where there is any, lies in planes 1 and 2 or in pairs in plane 1.
+/// Whether plane 0 is 8-bit luma, and chroma, if any, is in planes 1 and 2 or interleaved in plane 1.
 bool has_luma_plane(AVPixelFormat format) {
     const auto* layout = av_pix_fmt_desc_get(format);
     constexpr std::uint64_t others = AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_BITSTREAM |
@@ -69,18 +69,18 @@ bool is_full_range(const AVFrame& frame) {
     return frame.color_range == AVCOL_RANGE_JPEG;
 }
 
-/// Where nothing is said, large pictures are in HDTV's colours and small ones in television's, as players assume.
+/// The frame's colour space. If unspecified, players assume BT.709 for large pictures and BT.601 for small ones.
 AVColorSpace colour_space(const AVFrame& frame) {
     if (frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB) return frame.colorspace;
     return frame.height > 576 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
 }
 
-/// Brings any pixel format to 8-bit full-range luma, and chroma where colour is asked for, at the frame's own size.
+/// Converts any pixel format to 8-bit full-range luma, with chroma on request, at the frame's size.
 class PixelConverter {
   public:
-    /// Valid until the next call.
+    /// The result is valid until the next call.
     ///
-    /// \throws Error not_video for a format that can't be converted, limit when there is no memory
+    /// \throws Error not_video if the pixel format can't be converted, limit if out of memory
     const AVFrame& operator()(const AVFrame& from, bool colour);
 
   private:
@@ -112,13 +112,14 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     to_->color_range = AVCOL_RANGE_JPEG;
     to_->colorspace = colour_space(from);
     if (av_frame_get_buffer(to_.get(), 0) < 0) {
-        throw Error(ErrorKind::limit, fmt::format("out of memory for a picture of {}x{}", from.width, from.height));
+        throw Error(ErrorCode::out_of_memory,
+                    fmt::format("out of memory for a picture of {}x{}", from.width, from.height));
     }
     const auto format = static_cast<AVPixelFormat>(from.format);
     const bool full = is_full_range(from) || av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB;
     context_.reset(sws_alloc_context());
-    if (!context_) throw Error(ErrorKind::limit, "out of memory for converting a picture");
-    // The ranges have to be known from the start: swscale chooses its short cuts by them.
+    if (!context_) throw Error(ErrorCode::out_of_memory, "out of memory for converting a picture");
+    // The ranges must be set before the initialisation, where swscale chooses its special cases.
     const std::initializer_list<std::pair<const char*, int>> options{
         {"srcw", from.width},
         {"srch", from.height},
@@ -133,7 +134,7 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     for (const auto& [name, value] : options) av_opt_set_int(context_.get(), name, value, 0);
     if (sws_init_context(context_.get(), nullptr, nullptr) < 0) {
         const char* name = av_get_pix_fmt_name(format);
-        throw Error(ErrorKind::not_video, fmt::format("pictures of pixel format {} and size {}x{} can't be converted; "
+        throw Error(ErrorCode::not_video, fmt::format("pictures of pixel format {} and size {}x{} can't be converted; "
                                                       "convert the video to yuv420p first",
                                                       name ? name : "unknown", from.width, from.height));
     }
@@ -160,7 +161,7 @@ cv::Mat upright(cv::Mat from, Orientation orientation) {
 
 struct Scaler::Parts {
     PixelConverter convert;
-    std::array<AreaScaler, 3> resize;  // one for each plane, so that none throws its tables away
+    std::array<AreaScaler, 3> resize;  // one per plane, so that each keeps its tables
 };
 
 Scaler::Scaler(Size field_size, bool colour) : size_(field_size), colour_(colour), parts_(std::make_unique<Parts>()) {}

@@ -8,12 +8,12 @@ namespace vvr::video {
 
 class FrameSource;
 
-/// Turns decoded frames upright, to square pixels, and to the field size, by area averaging.
+/// Converts decoded frames to the field size: upright, with square pixels, by area averaging.
 ///
-/// Grey is luma in full range: limited ("tv") luma is stretched from 16..235 to 0..255, so that a threshold in grey
-/// levels means the same for every pixel format. Colour is made only when asked for.
+/// Grey is full-range luma: limited ("tv") range is stretched from 16..235 to 0..255, so that grey-level thresholds
+/// mean the same for every pixel format. Colour is made only on request.
 ///
-/// Each thread needs its own: it holds buffers between frames.
+/// Not thread-safe: it keeps buffers between frames, so use one per thread.
 class Scaler {
   public:
     Scaler(Size field_size, bool colour);
@@ -24,7 +24,7 @@ class Scaler {
     Scaler(Scaler&&) noexcept;
     Scaler& operator=(Scaler&&) noexcept;
 
-    /// \throws Error not_video for a pixel format that can't be converted
+    /// \throws Error not_video if the pixel format can't be converted
     Frame operator()(const DecodedFrame& decoded);
 
   private:

@@ -14,7 +14,7 @@ extern "C" {
 namespace vvr::video {
 namespace {
 
-/// Pixels are made square by widening the narrower way, so that no detail is lost.
+/// The size after rotation and with square pixels. The shorter side of a pixel is stretched, so no detail is lost.
 Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation) {
     double width = frame.width;
     double height = frame.height;
@@ -26,10 +26,10 @@ Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation
     return orientation.transpose ? Size{size.height, size.width} : size;
 }
 
-/// What a container says, in seconds; 0 = nothing.
+/// The duration in the container, seconds; 0 = unknown.
 double stated_duration(const AVFormatContext& format, const AVStream& stream) {
     const double stated = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
-    constexpr double longest = 9.2e12;  // seconds: all that libav can count in microseconds
+    constexpr double longest = 9.2e12;  // seconds; libav's maximum in microseconds
     if (stated > 0 && stated < longest) return stated;
     return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
 }

@@ -9,25 +9,25 @@
 
 namespace vvr::video {
 
-/// What the container says of the video stream, with the size of its first frame as it is to be seen.
+/// Describes the video stream by its container, and by the display size of its first frame.
 VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
 
-/// Seconds that a clip may last: ten years. What is longer is no clip's length but a header that lies.
+/// Longest plausible duration of a clip, seconds: ten years. A header with more is wrong.
 inline constexpr double longest_clip = 10 * 365.25 * 86'400;
 
-/// What a container's header says of a clip, without a frame being decoded.
+/// What a container's header tells without decoding.
 struct ClipHeader {
     double length = 0;                      ///< seconds; 0 = unknown
-    double implausible_length = 0;          ///< seconds that it says instead, where no clip lasts so long
+    double implausible_length = 0;          ///< duration in the header if above `longest_clip`, seconds
     std::int64_t frames = 0;                ///< estimate; 0 = unknown
-    Size picture;                           ///< as it is stored
+    Size picture;                           ///< stored size
     double rate = 0;                        ///< frames per second; 0 = unknown
     std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC)
 };
 
 ClipHeader header_of(const Demuxer& demuxer);
 
-/// How the container wants the stream's pictures turned: the nearest quarter turn, mirrored or not.
+/// The orientation in the container: the nearest quarter turn, with or without a flip.
 Orientation orientation_of(const AVStream& stream);
 
 }  // namespace vvr::video

@@ -52,8 +52,9 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
         }
     }
     if (why) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the folder '{}': {}; check its permissions",
-                                               folder.string(), why.message()));
+        throw Error(
+            code_of_system_error(why.value()),
+            fmt::format("cannot read the folder '{}': {}; check its permissions", folder.string(), why.message()));
     }
     return files;
 }
@@ -70,7 +71,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Cuts the run of digits off the front of `text`, without its leading zeros.
+/// Removes the leading run of digits from `text` and returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
     const auto first = std::find_if(text.begin(), end, [](char c) { return c != '0'; });
@@ -101,12 +102,13 @@ bool natural_less(std::string_view a, std::string_view b) {
 }
 
 std::vector<std::string> expand_glob(const std::string& pattern) {
-    // The system's function calls itself for each part of a path, however many there are.
+    // glob(3) recurses for each part of a path, without a limit.
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;
-        throw Error(ErrorKind::usage, fmt::format("'{}...': a pattern has {} bytes at most, as a path has, and this "
-                                                  "has {}",
-                                                  pattern.substr(0, shown), PATH_MAX - 1, pattern.size()));
+        throw Error(ErrorCode::name_pattern_invalid,
+                    fmt::format("'{}...': a pattern has {} bytes at most, as a path has, and this "
+                                "has {}",
+                                pattern.substr(0, shown), PATH_MAX - 1, pattern.size()));
     }
     glob_t found{};
     const std::unique_ptr<glob_t, void (*)(glob_t*)> owner(&found, &globfree);
