@@ -129,8 +129,6 @@ class Error : public std::runtime_error {
   public:
     Error(ErrorCode code, const std::string& text, RelatedSettings about = {})
         : std::runtime_error(text), code_(code), about_(about) {}
-    Error(ErrorKind kind, const std::string& text, RelatedSettings about = {})
-        : Error(general_code(kind), text, about) {}
 
     ErrorCode code() const { return code_; }
     ErrorKind kind() const { return row_of(code_).kind; }

@@ -18,7 +18,7 @@ class PeakMemory {
         std::ofstream reset("/proc/self/clear_refs");
         reset << "5" << std::flush;
         if (!reset) {
-            throw Error(ErrorKind::io,
+            throw Error(ErrorCode::io,
                         "/proc/self/clear_refs can't be written, by which a process sets its peak of memory back; this "
                         "measures memory where Linux lets it, so run it outside of whatever takes /proc away");
         }
@@ -33,7 +33,7 @@ class PeakMemory {
         for (std::string line; std::getline(status, line);) {
             if (line.starts_with(row)) return std::stol(line.substr(row.size()));
         }
-        throw Error(ErrorKind::io, "/proc/self/status has no row " + row + "; this measures memory on Linux only");
+        throw Error(ErrorCode::io, "/proc/self/status has no row " + row + "; this measures memory on Linux only");
     }
 
     long before_ = 0;

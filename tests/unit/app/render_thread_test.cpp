@@ -29,7 +29,7 @@ TEST(RenderThread, DoesAllWorkInOrderOnAThreadOfItsOwn) {
 
 TEST(RenderThread, PassesTheFirstErrorToAllWhoWait) {
     app::RenderThread thread;
-    auto first = thread.start([](app::Drawing&) { throw Error(ErrorKind::backend, "no OpenGL"); });
+    auto first = thread.start([](app::Drawing&) { throw Error(ErrorCode::backend, "no OpenGL"); });
     bool done = false;
     for (int i = 0; i < 2; ++i) {
         try {
