@@ -149,6 +149,8 @@ constexpr std::array formats{
 
 class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
   public:
+    explicit KeptWarnings(std::size_t most) : most_(most) {}
+
     std::vector<std::string> texts() {
         const std::lock_guard lock(mutex_);
         return texts_;
@@ -156,11 +158,12 @@ class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
 
   protected:
     void sink_it_(const spdlog::details::log_msg& message) override {
-        if (message.level == spdlog::level::warn) texts_.push_back(payload_of(message));
+        if (message.level == spdlog::level::warn && texts_.size() < most_) texts_.push_back(payload_of(message));
     }
     void flush_() override {}
 
   private:
+    std::size_t most_;
     std::vector<std::string> texts_;
 };
 
@@ -204,8 +207,8 @@ void add_file(spdlog::logger& log, const std::string& path, const LogFormat& for
     log.sinks().push_back(std::move(file));
 }
 
-std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log) {
-    auto kept = std::make_shared<KeptWarnings>();
+std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log, std::size_t most) {
+    auto kept = std::make_shared<KeptWarnings>(most);
     log.sinks().push_back(kept);
     return [kept] { return kept->texts(); };
 }

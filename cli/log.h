@@ -45,8 +45,8 @@ void set_format(spdlog::logger& log, const LogFormat& format);
 /// \throws Error io when the file can't be written
 void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format);
 
-/// Collects all warnings from now on, whatever the level of stderr.
+/// Collects the first `most` warnings from now on, whatever the level of stderr.
 /// \returns a function that returns them
-std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log);
+std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log, std::size_t most);
 
 }  // namespace vvr::cli

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     vvr::tune_malloc();
     vvr::gl::choose_shader_cache();
     const auto log = vvr::cli::make_log();
-    const auto warnings = vvr::cli::keep_warnings(*log);
+    const auto warnings = parent ? vvr::cli::keep_warnings(*log, vvr::workers::most_warnings) : nullptr;
     const vvr::cli::Outcome outcome = vvr::cli::report_errors(*log, [&] {
         vvr::cli::Signals signals;
         const vvr::cli::Environment environment{*log, signals};

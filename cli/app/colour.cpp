@@ -10,8 +10,8 @@ namespace {
 std::vector<ColourRow> make_rows() {
     std::vector<ColourRow> rows{
         {"auto",
-         "object where the legend is shown, the filter marks objects, and no transfer function is given; else "
-         "transfer"},
+         "object if a part that describes objects is shown, the filter marks objects, and no transfer function is "
+         "given; else transfer"},
         {"object", "each object its own; what is no object's is grey and faint", gl::VolumeColour::object},
         {"transfer", "the transfer function's, of the filter's values"},
         {"video", "the video's own", gl::VolumeColour::own, true},

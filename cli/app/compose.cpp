@@ -183,6 +183,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
     if (plan.colours_objects() && !plan.products.series && composed.objects.events.empty())
         composed.palette.front().a = 1;
     composed.scene = scene_of(plan, seen, composed);
+    composed.arrows = composed.scene.arrows.size();
     composed.frames_missing = plan.products.series && plan.shows(Part::frames) && seen.volume.missing() == 0 &&
                               composed.scene.frames.size() < 2;
     composed.boxes = plan.shows(Part::boxes);

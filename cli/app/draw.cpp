@@ -76,16 +76,15 @@ void warm_up(const Plan& plan, const Drawing& drawing) {
     drawing.renderer->warm_up(window);
 }
 
-void show(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing) {
+void show(const Plan& plan, Composition& composed, const Observation& seen, Drawing& drawing) {
     if (!drawing.window) {
         drawing.window = std::make_unique<gl::BrickWindow>(drawing.context->gl(), *plan.layout, composed.layers,
                                                            composed.textures, composed.framing.half_pixel);
     }
     drawing.window->show(seen.volume, composed.pieces, composed.first_piece, seen.identify);
     if (!composed.palette.empty()) drawing.renderer->set_palette(composed.palette);
-    scene::Scene scene = composed.scene;
-    add_overlays(plan, composed, drawing, scene);
-    drawing.renderer->set_scene(std::move(scene));
+    add_overlays(plan, composed, drawing, composed.scene);
+    drawing.renderer->set_scene(std::move(composed.scene));
 }
 
 image::Picture draw(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing,

@@ -34,9 +34,9 @@ void make_renderer(const Plan& plan, std::int64_t tile_samples, Drawing& drawing
 /// renderer.
 void warm_up(const Plan& plan, const Drawing& drawing);
 
-/// Passes a composition to the renderer, for the pictures that follow.
+/// Passes a composition to the renderer, for the pictures that follow, and moves its scene there.
 /// \param seen with the volume that was composed; it must not change until they are drawn
-void show(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing);
+void show(const Plan& plan, Composition& composed, const Observation& seen, Drawing& drawing);
 
 /// Draws the current composition with its text.
 /// \param phase of the texture that moves along the tracelines, 0..1

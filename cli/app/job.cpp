@@ -66,6 +66,11 @@ void validate(const RenderJob& job) {
     each_look_setting(job, check_one);
     check(setting::step, job.bricks.step);
     check(setting::slices, job.picture.slices);
+    if (job.bricks.time == TimeScale::busy && job.bricks.step > 0) {
+        throw Error(ErrorCode::options_conflict,
+                    "step: with time busy, layers have unequal numbers of frames; leave out one of the two",
+                    {setting::step.name, setting::time.name});
+    }
     if (is_series(job.output)) validate_series(job);
     validate(job.shape);
     if (!job.look.font.empty()) image::check_font(job.look.font);

@@ -110,8 +110,8 @@ class Letterer {
     void add_explanation() {
         // Only the default layout is an arc.
         const bool is_arc = plan_.job.layout == space::layouts().front();
-        const bool varies = !composed_.squeezed.empty() ||
-                            (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
+        const bool varies =
+            !composed_.squeezed.empty() || (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
         const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
                                              varies ? ", with room where something moves" : "");
         const std::array<std::string, 3> texts{

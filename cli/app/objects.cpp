@@ -12,7 +12,7 @@ namespace vvr::app {
 
 namespace {
 
-constexpr std::size_t most_numbers = 65'535;  // limited by Identify
+constexpr std::size_t most_numbers = 65'535;  // the largest Identity::number
 constexpr double stripes = 60;                // per window, dark and light
 
 /// The part of an event that its voxels need.

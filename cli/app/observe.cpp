@@ -108,7 +108,8 @@ Gathering::Gathering(const Plan& plan, bricks::VolumeOptions room, fields::Field
       keeps_crops_(plan.products.portraits || plan.shows(Part::portraits)),
       paint_(plan) {
     if (plan.finds_objects)
-        finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr});
+        finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
+                                                                  .labels = plan.colours_objects()});
 }
 
 const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const fields::Field& field, bool moves) {

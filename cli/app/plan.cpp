@@ -100,10 +100,12 @@ Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) 
     return products;
 }
 
-/// Whether layers get room according to motion: if chosen, or by default if the header's length is above two minutes.
+/// Whether layers get room according to motion: if chosen, or by default if the header's length is above two minutes
+/// and no step is given.
 bool wants_room_for_motion(const BrickOptions& bricks, const ClipFacts& clip) {
     constexpr double short_recording = 120;  // seconds
     if (bricks.time != TimeScale::automatic) return bricks.time == TimeScale::busy;
+    if (bricks.step > 0) return false;  // a given number of frames per layer means equal layers
     return clip.info.rate > 0 && static_cast<double>(clip.expected_frames) > short_recording * clip.info.rate;
 }
 
@@ -167,8 +169,9 @@ std::int64_t bytes_of(const Plan& plan, const Extent& extent) {
     const std::int64_t voxel_bytes = colour == gl::VolumeColour::own || colour == gl::VolumeColour::object ? 4 : 1;
     const auto pieces = static_cast<int>((extent.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
     const std::int64_t in_textures = extent.layers * textures_of(plan.products, pieces) / std::max(1, pieces);
-    // With unequal lengths, there are up to 1.5 times as many layers during reading.
-    const std::int64_t held = plan.nonuniform ? extent.layers * 3 / 2 : extent.layers;
+    // With unequal lengths, there are up to 1.5 times as many layers during reading, but no more than frames.
+    std::int64_t held = plan.nonuniform ? extent.layers * 3 / 2 : extent.layers;
+    if (plan.nonuniform && extent.frames > 0) held = std::min(held, extent.frames);
     // The flow of about a hundred frames, as half floats.
     const std::int64_t flow_bytes = plan.job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
     // Per field pixel: the time of its last change, and its object.
@@ -187,6 +190,11 @@ Extent extent_of(const Plan& plan) {
         extent.step = plan.window.step;
         extent.layers = plan.window.layers();
         extent.bricks = plan.window.bricks;
+    } else if (plan.nonuniform && extent.frames > 0) {
+        extent.layers = std::min(extent.frames, bricks.max_layers);
+        extent.step = std::max<std::int64_t>(
+            1, std::llround(static_cast<double>(extent.frames) / static_cast<double>(extent.layers)));
+        extent.bricks = bricks_of(bricks, extent, plan.clip.info.rate);
     } else {
         extent.step = planned_step(bricks, extent.frames);
         while (extent.frames > bricks.max_layers * extent.step) extent.step *= 2;

@@ -20,9 +20,9 @@ struct RenderSummary {
 /// \throws Error of every kind; `differs` after everything has been written
 RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken = {});
 
-/// Draws one picture of a whole clip, or `products.pictures` of them. These differ only in the phase of the tracelines'
-/// texture and form a loop.
-/// \throws Error backend before a long clip is read, if OpenGL can't draw; limit, not_video, io, usage
+/// Draws one picture of a whole clip, or `products.pictures` of them; none if only a report is wanted. These differ
+/// only in the phase of the tracelines' texture and form a loop. \throws Error backend before a long clip is read, if
+/// OpenGL can't draw; limit, not_video, io, usage
 Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
 
 }  // namespace vvr::app

@@ -243,7 +243,7 @@ std::string format_report(const Drawn& drawn, double seconds) {
          {{"layers", seen.volume.layers()},
           {"frames_per_layer", seen.volume.step()},
           {"bricks", composed.bricks.size()},
-          {"arrows", composed.scene.arrows.size()},
+          {"arrows", composed.arrows},
           {"still", composed.still},
           {"squeezed", json_of(composed.squeezed)}}},
     };

@@ -1,6 +1,5 @@
 #include "cli/app/series.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "cli/app/compose.h"

@@ -79,7 +79,7 @@ void tell_warnings(const Drawn& drawn, Observer& observer) {
     const fields::FieldSummary& summary = seen.summary;
     report_warnings(plan.clip.warnings, summary.problems, observer);
     observer.debug(fmt::format("backend {}: {}", run.backend, run.renderer));
-    observer.debug(fmt::format("fields {}x{}, {} arrows", field.width, field.height, composed.scene.arrows.size()));
+    observer.debug(fmt::format("fields {}x{}, {} arrows", field.width, field.height, composed.arrows));
     if (summary.damaged > 0) {
         observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
                                   counted(summary.damaged, "damaged packet"), counted(summary.frames, "frame")));

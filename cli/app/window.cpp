@@ -34,15 +34,16 @@ void Window::add(const video::SharedFrame& frame, const fields::Field& field) {
 
 Observation Window::finish(const fields::FieldSource& source, fields::FieldSummary summary) {
     if (frames_of_newest_ > 0) complete_newest(Draw::yes);
+    if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
     if (plan_.products.events) {
         const std::vector<events::Event> events =
             events::choose_events(gathering_.finder->finish(summary.reference), plan_.job.output.events);
-        seen_.events = told_in(events, 0, seen_.last->pts);
+        seen_.events = told_in(events, seen_.begin.seconds, seen_.last->pts);
     }
-    if (begin_) seen_.begin = *begin_;
     seen_.summary = std::move(summary);
-    seen_.info = source.info();  // only now complete for a recording of several files
+    seen_.info = source.info();              // only now complete for a recording of several files
+    seen_.identify = bricks::no_identities;  // the other one refers to the objects of this window
     return std::move(seen_);
 }
 
@@ -64,7 +65,7 @@ void Window::drop_oldest() {
 /// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is
 /// drawn. Of a gap longer than the window, only the end is shown.
 void Window::fill_gap(const fields::Field& next) {
-    const video::Frame last = *seen_.last;
+    const video::Frame& last = *seen_.last;  // add_missing leaves it as it is
     const std::int64_t gap = next.index - last.index - 1;
     const double length = (next.pts - last.pts) / static_cast<double>(gap + 1);
     const std::int64_t brick = plan_.window.brick_frames();

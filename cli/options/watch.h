@@ -12,7 +12,7 @@ void add_stream_options(CommandLine& line, app::StreamOptions& options);
 /// \throws Error io when the file can't be read, usage when it holds no address
 std::string address_of(const std::string& input);
 
-/// The option --stream-clock.
+/// The option --start-time, as streams have it.
 void add_stream_clock(CommandLine& line, app::StartTime& start);
 
 /// The output option -o, with the help for streams.

@@ -106,12 +106,26 @@ int status_of(const WorkerResult& end) {
     return end.status == 0 || is_not_whole(end) ? static_cast<int>(cli::ExitStatus::io) : end.status;
 }
 
+/// The ` [code]` that ends an error line.
+struct CodeMark {
+    std::size_t begin = std::string::npos;
+    std::optional<ErrorCode> code{};
+};
+
+CodeMark mark_of_code(std::string_view line) {
+    line = line.substr(0, line.find_last_not_of(' ') + 1);
+    const std::size_t begin = line.rfind(" [");
+    if (begin == std::string_view::npos || !line.ends_with(']')) return {};
+    const auto code = find_error_code(line.substr(begin + 2, line.size() - begin - 3));
+    return code ? CodeMark{begin, code} : CodeMark{};
+}
+
 /// The error code for the sidecar. The worker's own code is used only if it agrees with the exit status.
 ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
     if (end.status > killed) return ErrorCode::worker_killed;
-    const auto told = end.told.code;
+    const auto told = end.told.code ? end.told.code : mark_of_code(one_line(end.said)).code;
     if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
     return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
 }
@@ -143,7 +157,8 @@ std::string words_of(const WorkerResult& end) {
     constexpr std::string_view own = "vvr: ";
     std::size_t begin = end.said.starts_with(own) ? 0 : std::string::npos;
     if (const auto later = end.said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
-    return one_line(begin == std::string::npos ? end.said : end.said.substr(begin + own.size()));
+    std::string words = one_line(begin == std::string::npos ? end.said : end.said.substr(begin + own.size()));
+    return words.substr(0, mark_of_code(words).begin);
 }
 
 bool is_of_one_file(const Error& error) {

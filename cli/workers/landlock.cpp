@@ -87,7 +87,7 @@ constexpr std::array uses{
 };
 
 [[noreturn]] void refuse(const char* what, int error) {
-    throw Error(ErrorCode::sandbox_unavailable, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
+    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
                                                             what, std::generic_category().message(error)));
 }
 

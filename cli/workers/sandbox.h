@@ -66,7 +66,7 @@ class Confinement {
 /// processes and the rest of the system.
 class Sandbox {
   public:
-    /// \throws Error backend when the sandbox is required but not complete, or when it can't be made
+    /// \throws Error backend when the sandbox is required but not complete; limit when it can't be made
     Sandbox(SandboxMode mode, const SandboxNeeds& needs);
 
     /// Whether everything that the mode asks for is in force.

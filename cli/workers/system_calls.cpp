@@ -288,7 +288,7 @@ namespace vvr::workers {
 namespace {
 
 [[noreturn]] void refuse(std::string_view what, int error) {
-    throw Error(ErrorCode::sandbox_unavailable, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
+    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
                                                             what, std::generic_category().message(error)));
 }
 

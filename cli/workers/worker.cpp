@@ -98,7 +98,7 @@ struct Pipe {
 /// A memory file that holds a plan, positioned at its start. A pipe would have room for the plan of a short day only.
 Descriptor file_of(const WorkerPlan& plan) {
     const std::string bytes = encode(plan);
-    Descriptor file(::memfd_create("vvr-plan", MFD_CLOEXEC));
+    Descriptor file(::memfd_create("vvr-plan", MFD_CLOEXEC | MFD_ALLOW_SEALING));
     if (file.get() < 0) refuse("memfd_create", errno);
     for (std::string_view left = bytes; !left.empty();) {
         const ssize_t written = ::write(file.get(), left.data(), left.size());
@@ -106,6 +106,9 @@ Descriptor file_of(const WorkerPlan& plan) {
         left.remove_prefix(static_cast<std::size_t>(written));
     }
     ::lseek(file.get(), 0, SEEK_SET);
+    // The worker inherits the file as its stdin. Without seals, it could grow the file past its limits on memory.
+    if (::fcntl(file.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+        refuse("fcntl", errno);
     return file;
 }
 
@@ -202,6 +205,7 @@ void Worker::kill() const {
 
 bool Worker::update() {
     read_output();
+    read_message();
     reap(false);
     if (!ended_) enforce_limits();
     if (ended_) read_output();
@@ -232,7 +236,8 @@ void Worker::interrupt() {
 
 void Worker::read_output() {
     std::array<char, 4096> room{};
-    for (;;) {
+    constexpr int most_reads = 64;  // per update: a worker that writes without end must not hold up the others
+    for (int reads = 0; reads < most_reads; ++reads) {
         const ssize_t count = ::read(output_, room.data(), room.size());
         if (count <= 0) return;
         end_.said.append(room.data(), static_cast<std::size_t>(count));
@@ -240,17 +245,15 @@ void Worker::read_output() {
     }
 }
 
-/// Reads the pipe: one byte when the worker has begun, then its message when it has ended.
+/// Reads the pipe: one byte when the worker has begun, then its message when it ends. A pipe may have room for a part
+/// of the message only.
 void Worker::read_message() {
-    std::string text(1 + longest_message, 0);
-    std::size_t filled = 0;
-    ssize_t count = 0;
-    do {
-        count = ::read(told_, text.data() + filled, text.size() - filled);
-        filled += count > 0 ? static_cast<std::size_t>(count) : 0;
-    } while (count > 0);
-    end_.began = filled > 0;
-    if (filled > 1) end_.told = decode_message(std::string_view(text).substr(1, filled - 1));
+    std::array<char, 4096> room{};
+    while (message_.size() <= longest_message) {
+        const ssize_t count = ::read(told_, room.data(), room.size());
+        if (count <= 0) return;
+        message_.append(room.data(), static_cast<std::size_t>(count));
+    }
 }
 
 void Worker::reap(bool wait) {
@@ -261,6 +264,8 @@ void Worker::reap(bool wait) {
     if (ended != process_) return;
     ended_ = true;
     read_message();
+    end_.began = !message_.empty();
+    if (message_.size() > 1) end_.told = decode_message(std::string_view(message_).substr(1));
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }

@@ -74,6 +74,7 @@ class Worker {
     pid_t process_ = -1;
     int output_ = -1;
     int told_ = -1;
+    std::string message_;  ///< what came from `told_`
     bool ended_ = false;
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;

@@ -22,7 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_line = 600;
-constexpr std::size_t most_warnings = 20;
 static_assert((most_warnings + 2) * longest_line * 4 < longest_message, "four: each byte may need U+FFFD in its place");
 
 std::string text_in(const Json& json, const char* name) {

@@ -29,7 +29,10 @@ struct WorkerMessage {
     std::vector<std::string> warnings{};
 };
 
-/// The longest message in bytes. It fits into a pipe, so the writer never blocks.
+/// A message has at most so many warnings.
+inline constexpr std::size_t most_warnings = 20;
+
+/// The longest message in bytes.
 inline constexpr std::size_t longest_message = 60'000;
 
 /// The plan as CBOR: paths may have bytes that JSON can't hold.

@@ -53,6 +53,7 @@ template <class Row>
 class Choice {
   public:
     Choice(const Row& row) : row_(&row) {}
+    Choice(const Row&& row) = delete;  ///< a row belongs to a table
     /// \throws Error usage when no row has the name
     template <std::convertible_to<std::string_view> Text>
     Choice(const Text& name) : row_(&row_of(Name<Row>{name})) {}

@@ -314,7 +314,7 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
 TrackedFrame EventFinder::tracked(const Moment& now) const {
     TrackedFrame frame{{now, {}}, {}};
     for (const Track& track : tracks_) {
-        if (!track.is_over() && track.seen().frame == now.frame) {
+        if (options_.labels && !track.is_over() && track.seen().frame == now.frame) {
             add_runs(track.pixels(), track.number(), frame.labels);
         }
         const std::optional<Portrait>& portrait = track.portrait();

@@ -158,6 +158,7 @@ inline constexpr Thresholds thresholds{};
 /// What the thresholds can't know of a clip.
 struct EventOptions {
     bool scene_is_learnt = true;  ///< the empty scene comes from the clip's own frames: it holds what all of them show
+    bool labels = true;           ///< `EventFinder::add` gives the pixels of each track
 };
 
 }  // namespace vvr::events

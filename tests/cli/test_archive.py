@@ -808,7 +808,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     day = "gate/2026-11-21"
     before = sidecar(t, day)
     whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
-    t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=200, size="384x288")
+    t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=600, size="384x288")
     os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
     archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "; the picture that is there stays", code="worker-timeout")
     after = sidecar(t, day)

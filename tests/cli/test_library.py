@@ -105,7 +105,7 @@ def test_settings_have_the_programs_names_and_checks(t, prefix):
     for name, value, text in [
             ("size", "200x100", "200x100 80000 0 usage: 'short.png': an image of 200x100 pixels can't have 79999 values"),
             ("sise", "1x1", " 0 option-unknown: there is no setting 'sise' (did you mean 'size'?)"),
-            ("slices", "-1", " 0 usage: slices: '-1' is not a whole number from 0 to 16384"),
+            ("slices", "-1", " 0 option-value-out-of-range: slices: '-1' is not a whole number from 0 to 16384"),
             ("help", "yes", " 0 option-unknown"), ("config", "/nowhere", " 0 option-unknown"),
             ("config=/nowhere", "x", " 0 option-unknown"), ("output", "x.png", " 0 option-unknown")]:
         done = t.run(["./main", name, value])

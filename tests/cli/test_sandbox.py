@@ -18,7 +18,7 @@ NEEDED = {"read its clip", "write and rename beside its picture", "remove beside
 UNSURE = {"empty its clip by opening", "count events", "open a ring", "use keys", "leave its group", "open a netlink socket",
           "set the flags of a file", "reserve room for a file", "make a file without a name"}
 # What no worker may, whatever --sandbox says.
-HELD = {"make a giant file": errno.EFBIG}
+HELD = {"make a giant file": errno.EFBIG, "grow its plan": errno.EPERM, "write into its plan": errno.EPERM}
 REFUSED = {errno.EACCES, errno.EPERM, errno.EXDEV, errno.ENOSYS}
 SIGSYS = 128 + signal.SIGSYS
 ALL_WALLS = ("workers read their clips and write beside their pictures alone", "and have no network (seccomp)")

@@ -242,6 +242,8 @@ constexpr std::array attempts{
     Attempt{"set the flags of a file", try_flags},
     Attempt{"reserve room for a file", [] { return with_file([](int f) { return error_of(fallocate(f, 0, 0, 1)); }); }},
     Attempt{"make a giant file", [] { return with_file([](int f) { return error_of(ftruncate(f, 1LL << 40)); }); }},
+    Attempt{"grow its plan", [] { return error_of(ftruncate(STDIN_FILENO, 1 << 20)); }},
+    Attempt{"write into its plan", [] { return error_of(write(STDIN_FILENO, "x", 1)); }},
     // Network.
     Attempt{"open a TCP socket", [] { return try_socket(AF_INET, SOCK_STREAM); }},
     Attempt{"open a UDP socket", [] { return try_socket(AF_INET, SOCK_DGRAM); }},

@@ -330,7 +330,9 @@ TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
 }
 
 TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
-    const auto full = [](std::int64_t, std::span<const std::byte>) { throw Error(ErrorCode::disk_full, "the disk is full"); };
+    const auto full = [](std::int64_t, std::span<const std::byte>) {
+        throw Error(ErrorCode::disk_full, "the disk is full");
+    };
     const Error error = error_of([&] {
         image::VideoEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
         film.add(Plane<Bgr>({32, 16}), 0);
