@@ -55,16 +55,17 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
       flow_(make_flow(options.flow)),
       whole_frame_flow_(is_whole_frame(options.flow, scene.frames) || !options.seeds.area->object_alone) {
     if (options.second != nullptr) second_.emplace(running(*options.second, options, std::nullopt));
-    const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
+    const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
         object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_,
-                                                 row_.traits.darker || beside.darker);
+                                                 row_.traits.darker || second_traits.darker);
     }
     if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
     needs_age_ = flow_ != nullptr && options.seeds.order->needs_age;
-    stateful_ = row_.traits.in_order || beside.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
-    reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || beside.previous ? 1 : 0);
+    stateful_ =
+        row_.traits.in_order || second_traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
+    reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || second_traits.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
@@ -73,12 +74,12 @@ std::shared_ptr<PipelineFrame> FieldStages::begin(video::Frame frame) const {
     if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
     shot->frame = std::make_shared<const video::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
-    if (object_ && !object_->adapts()) take_object(*shot, object_->find(shot->smooth));
+    if (object_ && !object_->adapts()) store_object(*shot, object_->find(shot->smooth));
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
 }
 
-void FieldStages::take_object(PipelineFrame& shot, FoundObject&& found) const {
+void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) const {
     shot.object = std::move(found.values);
     shot.darker = std::move(found.darker);
     if (shot.visible) clear_outside_overlap(*shot.visible, shot.object);
@@ -86,7 +87,7 @@ void FieldStages::take_object(PipelineFrame& shot, FoundObject&& found) const {
 
 Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     if (shot) {
-        if (object_ && object_->adapts()) take_object(*shot, object_->find_and_adapt(shot->smooth));
+        if (object_ && object_->adapts()) store_object(*shot, object_->find_and_adapt(shot->smooth));
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
@@ -109,19 +110,19 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     field.index = here.frame->index;
     field.pts = here.frame->pts;
     field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});
-    const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
-    if (second_) field.second = beside.in_order ? here.second : filtered(*second_, here, before, {});
-    const bool asked = here.frame->index % options_.flow.every == 0;
-    if (!flow_ || (!asked && !traits.flow && !beside.flow && !options_.flow.every_frame)) return field;
+    const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
+    if (second_) field.second = second_traits.in_order ? here.second : filtered(*second_, here, before, {});
+    const bool requested = here.frame->index % options_.flow.every == 0;
+    if (!flow_ || (!requested && !traits.flow && !second_traits.flow && !options_.flow.every_frame)) return field;
 
-    const Neighbourhood alike = continuous_part(about, reach_);
+    const Neighbourhood connected = continuous_part(about, reach_);
     // If the filter needs the difference object, that is used: the filter's values may also mark uncovered pixels,
     // which are no object.
-    const Plane<std::uint8_t> moves = moving(alike, object_ ? here.object : field.scalar);
-    field.flow = flow_of(alike, moves);
-    if (asked) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
+    const Plane<std::uint8_t> moves = moving(connected, object_ ? here.object : field.scalar);
+    field.flow = flow_of(connected, moves);
+    if (requested) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
     if (traits.flow) field.scalar = filtered(first_, here, before, field.flow);
-    if (beside.flow) field.second = filtered(*second_, here, before, field.flow);
+    if (second_traits.flow) field.second = filtered(*second_, here, before, field.flow);
     return field;
 }
 

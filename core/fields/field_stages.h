@@ -62,7 +62,7 @@ class FieldStages {
     Field finish(const Neighbourhood& about) const;
 
   private:
-    void take_object(PipelineFrame& shot, FoundObject&& found) const;
+    void store_object(PipelineFrame& shot, FoundObject&& found) const;
     /// A filter and its parameters.
     struct ActiveFilter {
         const FilterRow* row;

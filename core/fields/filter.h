@@ -13,7 +13,8 @@
 
 namespace vvr::fields {
 
-/// The input of a filter. What its row doesn't request may be empty or null.
+/// The input of a filter. What its row doesn't request may be empty or null. A filter does not get the empty scene,
+/// only the difference object; another way to compare with the empty scene is a norm (NormRow in planes.h).
 struct FilterInput {
     const video::Frame& frame;
     const Planes& smooth;                        ///< the frame, smoothed by the setting
@@ -36,16 +37,18 @@ class Filter {
 
 /// What a filter needs and how its output is treated.
 struct FilterTraits {
-    bool object = false;        ///< needs the difference object, hence a reference
-    bool colour = false;        ///< benefits from colour
+    /// Its values come from the difference object. So it needs a reference, frames are aligned where the camera shakes,
+    /// `threshold` is that of the object, and neither `gain` nor `min_area` is applied to the values.
+    bool object = false;
+    bool colour = false;        ///< frames are decoded in colour; those of grey clips have none
     bool previous = false;      ///< needs the previous frame
     bool flow = false;          ///< needs flow at every frame
     bool in_order = false;      ///< must see every frame once and in order
     bool min_area = true;       ///< whether small blobs are removed
-    bool shows_object = false;  ///< values other than 0 are objects, where seeds may lie
+    bool shows_object = false;  ///< values other than 0 are objects: events and seeds are found in them
     bool darker = false;        ///< needs FilterInput::darker
     Values values = Values::strength;
-    int threshold = 0;  ///< default of --threshold
+    int threshold = 0;  ///< default of --threshold, in units of the values
     int gain = 1;       ///< factor of the values after the threshold
 };
 
