@@ -83,6 +83,7 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureTake
     const auto run = plan.products.series ? render_series : render_clip;
     const Outcome done =
         run(plan, *fields.source, observer, [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); });
+    require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     writer.finish({plan, done.seen, done.composed, done.run}, took.count());
     return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged};
