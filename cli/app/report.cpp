@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/app/settings.h"
-#include "cli/app/tell.h"
 #include "cli/app/used_settings.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
@@ -226,7 +225,7 @@ Json json_of(const WallClock& clock, double first, double last) {
 
 }  // namespace
 
-std::string format_report(const Drawn& drawn, double seconds) {
+std::string format_report(const Drawn& drawn, const std::vector<std::string>& advice, double seconds) {
     const auto& [plan, seen, composed, run] = drawn;
     const video::VideoInfo& info = seen.info;
     const double first = seen.begin.seconds;
@@ -266,7 +265,7 @@ std::string format_report(const Drawn& drawn, double seconds) {
     for (const auto& [stage, took] : run.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
     json["peak_memory_bytes"] = peak_memory();
-    json["advice"] = advice_on(plan, seen);
+    json["advice"] = advice;
     json["events"] = Json();
     if (seen.events) {
         json["events"] = Json::array();

@@ -72,7 +72,7 @@ std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     return advice;
 }
 
-void tell_warnings(const Drawn& drawn, Observer& observer) {
+void tell_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer) {
     const auto& [plan, seen, composed, run] = drawn;
     const std::string& name = seen.info.name;
     const Size field = plan.clip.field_size;
@@ -104,7 +104,7 @@ void tell_warnings(const Drawn& drawn, Observer& observer) {
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
                       {"threshold"});
     }
-    for (const std::string& advice : advice_on(plan, seen)) observer.warn(advice);
+    for (const std::string& text : advice) observer.warn(text);
     if (!composed.squeezed.empty()) {
         double idle = 0;
         for (const bricks::CompressedIdle& stretch : composed.squeezed) idle += stretch.seconds;

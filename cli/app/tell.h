@@ -19,6 +19,7 @@ std::string summary_of(const std::vector<events::Event>& events, const WallClock
 std::vector<std::string> advice_on(const Plan& plan, const Observation& seen);
 
 /// Logs all possible problems of the input or the picture.
-void tell_warnings(const Drawn& drawn, Observer& observer);
+/// \param advice from advice_on
+void tell_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer);
 
 }  // namespace vvr::app

@@ -191,13 +191,14 @@ void Writer::write(FinishedPicture&& finished) {
 
 void Writer::finish(const Drawn& drawn, double seconds) {
     const OutputOptions& output = drawn.plan.job.output;
-    tell_warnings(drawn, observer_);
+    const std::vector<std::string> advice = advice_on(drawn.plan, drawn.seen);
+    tell_warnings(drawn, advice, observer_);
     files_.close();
     observer_.info(fmt::format("{}, {:.1f} s", outcome_of(drawn), seconds));
     if (drawn.plan.products.events && drawn.seen.events)
         observer_.info(summary_of(drawn.seen.events->events, drawn.plan.clock));
     if (!output.report.empty()) {
-        const std::string text = format_report(drawn, seconds);
+        const std::string text = format_report(drawn, advice, seconds);
         const auto bytes = std::as_bytes(std::span(text));
         const auto held = observer_.guard();
         if (is_standard_output(output.report)) {
