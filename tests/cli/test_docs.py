@@ -91,8 +91,8 @@ def test_cli_page_is_up_to_date(t):
 def test_options_that_messages_name_exist(t):
     page = (t.source / "docs" / "cli.md").read_text()
     known = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", page))
-    for room in ("cli", "core", "gl"):
-        for file in (t.source / room).rglob("*.cpp"):
+    for module in ("cli", "core", "gl"):
+        for file in (t.source / module).rglob("*.cpp"):
             lines = [line for line in file.read_text().splitlines() if '"' in line and not line.strip().startswith("//")]
             for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", "\n".join(lines)):
                 check(option in known, f"{file.relative_to(t.source)} names {option}, which is no option")

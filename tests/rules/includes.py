@@ -1,7 +1,7 @@
 """Checks who includes whom: includes.py [ROOT] prints what breaks the rules.
 
 - A file includes only headers of its own library and of those that this library links, directly or through others.
-- Libraries link only what comes before them: the rooms of core in the order of core/CMakeLists.txt (docs/design.md
+- Libraries link only what comes before them: the modules of core in the order of core/CMakeLists.txt (docs/design.md
   lists them in that order too), then gl, then cli/app, then the rest of cli, then cli/library.
 - Folders do not include each other in a cycle, nor do files: a header and its source are one file for that.
 - core, gl, cli/app and cli/library use neither the library for the command line nor the one for logs.
@@ -38,9 +38,9 @@ class House:
         for floor in FLOORS:
             for file in sorted((self.root / floor).rglob("CMakeLists.txt")):
                 self._read(file)
-        rooms = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
-        self.rooms = [f"core/{room}" for room in itertools.chain(*rooms)]
-        self.order = [*self.rooms, "gl", "cli/app", "cli", "cli/library"]
+        modules = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
+        self.modules = [f"core/{module}" for module in itertools.chain(*modules)]
+        self.order = [*self.modules, "gl", "cli/app", "cli", "cli/library"]
         self.includes = list(self._includes())
 
     def _read(self, file):
@@ -50,9 +50,9 @@ class House:
                 found["${" + arguments[1] + "}"] = [source.name for source in sorted(file.parent.glob(arguments[-1]))]
                 continue
             arguments = list(itertools.chain(*(found.get(word, [word]) for word in arguments)))
-            if name == "vvr_room":
-                rooms = itertools.takewhile(lambda word: word != "LIBRARIES", self._after(arguments, "ROOMS"))
-                self._declare(file.parent, f"vvr_{arguments[0]}", arguments, [f"vvr_{room}" for room in rooms])
+            if name == "vvr_module":
+                modules = itertools.takewhile(lambda word: word != "LIBRARIES", self._after(arguments, "MODULES"))
+                self._declare(file.parent, f"vvr_{arguments[0]}", arguments, [f"vvr_{module}" for module in modules])
             elif name in ("add_library", "target_sources", "target_link_libraries", "add_executable"):
                 links = [word for word in arguments[1:] if word.startswith("vvr_")]
                 self._declare(file.parent, arguments[0], arguments, links, name == "add_executable")
@@ -95,8 +95,8 @@ class House:
         return found
 
     def rank(self, folder):
-        """The place of the room that a folder belongs to, from below."""
-        return max((i for i, room in enumerate(self.order) if pathlib.Path(folder).is_relative_to(room)),
+        """The place of the module that a folder belongs to, from below."""
+        return max((i for i, module in enumerate(self.order) if pathlib.Path(folder).is_relative_to(module)),
                    key=lambda i: len(self.order[i]))
 
 
@@ -104,7 +104,7 @@ def wrong_includes(house):
     for file, number, header, folder in house.includes:
         place = f"{file}:{number}: includes {header}"
         if folder is None:
-            if header.startswith(PROCESS_HEADERS) and any(file.is_relative_to(room) for room in NO_PROCESS):
+            if header.startswith(PROCESS_HEADERS) and any(file.is_relative_to(module) for module in NO_PROCESS):
                 yield f"{place}, which only the rest of cli may use"
             continue
         mine, other = house.program_of.get(file, house.library_of.get(str(file.parent))), house.library_of.get(folder)
@@ -170,11 +170,11 @@ def cycles_of_files(house):
 
 
 def wrong_docs(house):
-    """docs/design.md lists the rooms of core in another order, or other rooms."""
+    """docs/design.md lists the modules of core in another order, or other modules."""
     text = (house.root / "docs/design.md").read_text(encoding="utf-8")
     listed = re.findall(r"^\| `(core/\w+)/` \|", text, flags=re.MULTILINE)
-    if listed != house.rooms:
-        yield f"docs/design.md lists {listed}, core/CMakeLists.txt {house.rooms}"
+    if listed != house.modules:
+        yield f"docs/design.md lists {listed}, core/CMakeLists.txt {house.modules}"
 
 
 def complaints(root):

@@ -1,6 +1,6 @@
 """Checks that a name has one meaning: meanings.py [ROOT] prints what breaks the rules.
 
-A room's files open only the namespace of that room: core/video is vvr::video, cli is vvr::cli. core/base and cli/library are
+A module's files open only the namespace of that module: core/video is vvr::video, cli is vvr::cli. core/base and cli/library are
 vvr itself; rows of settings are in vvr::setting wherever they are.
 
 No two types have one qualified name. Two such types make two programs of one: the linker keeps the inline functions of one
@@ -38,21 +38,21 @@ def types_of(root, file):
 
 
 def namespace_of(file):
-    """The namespace of the room that a file is in."""
-    room = file.parts[1] if len(file.parts) > 2 else file.parts[0]
-    return "vvr" if room in ("base", "library") else f"vvr::{room}"
+    """The namespace of the module that a file is in."""
+    module = file.parts[1] if len(file.parts) > 2 else file.parts[0]
+    return "vvr" if module in ("base", "library") else f"vvr::{module}"
 
 
 def strays(root):
-    """The namespaces that a file opens and that are not of its room."""
+    """The namespaces that a file opens and that are not of its module."""
     for file in sources(root):
         spaces = []
         for number, line in enumerate((root / file).read_text(encoding="utf-8").splitlines(), 1):
             if found := NAMESPACE.match(line):
-                room = namespace_of(file)
-                ours = found[1] in ("vvr::setting", room) or found[1].startswith(f"{room}::")
+                module = namespace_of(file)
+                ours = found[1] in ("vvr::setting", module) or found[1].startswith(f"{module}::")
                 if found[1].split("::")[0] == "vvr" and not ours:
-                    yield f"{file}:{number}: {found[1]} is not the namespace of this room, {room}"
+                    yield f"{file}:{number}: {found[1]} is not the namespace of this module, {module}"
                 spaces.append(found[1])
             elif line.startswith("namespace {"):
                 spaces.append(None)

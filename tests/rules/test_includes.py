@@ -7,14 +7,14 @@ from includes import complaints
 
 HOUSE = {
     "docs/design.md": "| `core/base/` | texts |\n| `core/video/` | frames |\n| `core/fields/` | fields |\n",
-    "core/CMakeLists.txt": "foreach(room base video fields)\nendforeach()\n",
+    "core/CMakeLists.txt": "foreach(module base video fields)\nendforeach()\n",
     "core/base/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\n",
     "core/base/version.cpp": "#include <string>\n",
-    "core/video/CMakeLists.txt": "vvr_room(video frame.cpp ROOMS base LIBRARIES fmt::fmt)\n",
+    "core/video/CMakeLists.txt": "vvr_module(video frame.cpp MODULES base LIBRARIES fmt::fmt)\n",
     "core/video/frame.cpp": '#include "core/base/version.h"\n',
     "core/video/later.h": "#include <string>\n",
     "core/video/later.cpp": '#include "core/video/late.h"\n',
-    "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_room(fields ${sources} ROOMS video)\n",
+    "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_module(fields ${sources} MODULES video)\n",
     "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
@@ -71,7 +71,7 @@ def test_a_house_in_order_passes(tmp_path):
     ("gl/CMakeLists.txt", "add_library(vvr_gl STATIC context.cpp)\ntarget_link_libraries(vvr_gl PUBLIC vvr_library)\n",
      "vvr_gl in gl links vvr_library in cli/library, which comes after it"),
     ("cli/late.h", '#include "page/late.h"\n', "no library has sources in page"),
-    ("core/video/CMakeLists.txt", "vvr_room(video frame.cpp ROOMS base gl)\n", "vvr_video in core/video links vvr_gl in gl, which comes after it"),
+    ("core/video/CMakeLists.txt", "vvr_module(video frame.cpp MODULES base gl)\n", "vvr_video in core/video links vvr_gl in gl, which comes after it"),
     ("docs/design.md", "| `core/fields/` | |\n| `core/video/` | |\n", "docs/design.md lists ['core/fields', 'core/video']"),
 ])
 def test_what_breaks_a_rule_is_found(tmp_path, name, text, complaint):

@@ -40,10 +40,10 @@ def test_a_tree_in_which_each_name_has_one_meaning(tmp_path):
      "vvr::gl::Context is 2 types: gl/context.h:3, gl/state.cpp:3"),
     ("core/base/size.cpp", "namespace vvr {\nnamespace {\n}  // namespace\n\nclass Size final : public Base {\n};\n}  // namespace vvr\n",
      "vvr::Size is 2 types: core/base/plane.h:2, core/base/size.cpp:5"),
-    ("core/video/frame.cpp", "namespace vvr {\n}  // namespace vvr\n", "core/video/frame.cpp:1: vvr is not the namespace of this room, vvr::video"),
-    ("cli/app/plan.h", "namespace vvr::cli {\n}  // namespace vvr::cli\n", "cli/app/plan.h:1: vvr::cli is not the namespace of this room, vvr::app"),
+    ("core/video/frame.cpp", "namespace vvr {\n}  // namespace vvr\n", "core/video/frame.cpp:1: vvr is not the namespace of this module, vvr::video"),
+    ("cli/app/plan.h", "namespace vvr::cli {\n}  // namespace vvr::cli\n", "cli/app/plan.h:1: vvr::cli is not the namespace of this module, vvr::app"),
     ("core/fields/filters/knn.cpp", "namespace vvr::filters {\n}  // namespace vvr::filters\n",
-     "core/fields/filters/knn.cpp:1: vvr::filters is not the namespace of this room, vvr::fields"),
+     "core/fields/filters/knn.cpp:1: vvr::filters is not the namespace of this module, vvr::fields"),
 ])
 def test_a_second_meaning(tmp_path, file, text, said):
     assert tree(tmp_path, {file: text}) == [said]
