@@ -60,8 +60,9 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 
 /// After the last frame: links the tracks of each object and computes its events.
 void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) {
+    seen.findings = finder.finish();
     const std::vector<events::Event> events =
-        events::choose_events(finder.finish(seen.summary.reference), plan.job.output.events);
+        events::choose_events(std::move(seen.findings.events), plan.job.output.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);
         seen.identify = objects_of(events, seen.volume);
@@ -73,8 +74,9 @@ void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) 
 Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t step, Observer& observer) {
     const std::int64_t expected = plan.clip.expected_frames;
     const std::int64_t capacity = plan.job.bricks.max_layers;
-    const fields::FieldNeeds needs = needs_of(plan, source, expected > 0 ? expected : step * capacity);
+    fields::FieldNeeds needs = needs_of(plan, source, expected > 0 ? expected : step * capacity);
     Gathering gathering(plan, {.capacity = capacity, .step = step}, needs);
+    needs.scene = gathering.scene_sink();
     fields::MotionDetector motion;
     Observation& seen = gathering.seen;
     const int keyframes = plan.job.look.keyframes;
@@ -110,6 +112,12 @@ Gathering::Gathering(const Plan& plan, bricks::VolumeOptions room, fields::Field
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
                                                                   .labels = plan.colours_objects()});
+}
+
+fields::SceneSink Gathering::scene_sink() {
+    return [this](const fields::Reference& scene) {
+        if (finder) finder->set_scene(scene);
+    };
 }
 
 const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const fields::Field& field, bool moves) {

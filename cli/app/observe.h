@@ -35,6 +35,7 @@ struct Observation {
     std::vector<KeyFrame> keyframes{};                                  ///< between these
     std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
     std::optional<ToldEvents> events{};                 ///< none = not searched for
+    events::Findings findings{};                        ///< all that was found besides the chosen events
     bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
     glance::Crops crops{};                              ///< pictures of the objects
     Plane<Bgr> scene{};                                 ///< the scene without objects
@@ -59,6 +60,9 @@ class Gathering {
     /// \param moves whether anything moves in the frame; used if layers have unequal lengths
     /// \returns the objects of its pixels
     const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field, bool moves = true);
+
+    /// Gives the empty scene to the search for events. It refers to this object.
+    fields::SceneSink scene_sink();
 
     Observation seen;
     std::optional<events::EventFinder> finder;  ///< none = objects are not tracked

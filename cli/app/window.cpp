@@ -17,6 +17,7 @@ Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink ful
       seen_(gathering_.seen),
       full_(std::move(full)) {
     seen_.info = source.info();
+    needs_.scene = gathering_.scene_sink();
     if (plan.colours_objects()) seen_.identify = objects_.identify();
 }
 
@@ -37,8 +38,9 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
     if (plan_.products.events) {
+        seen_.findings = gathering_.finder->finish();
         const std::vector<events::Event> events =
-            events::choose_events(gathering_.finder->finish(summary.reference), plan_.job.output.events);
+            events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
         seen_.events = told_in(events, seen_.begin.seconds, seen_.last->pts);
     }
     seen_.summary = std::move(summary);
@@ -106,7 +108,9 @@ void Window::look_at_events() {
     constexpr double link_seconds = 60;  // a person who returns within this time may be the same object
     if (!plan_.products.events) gathering_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
     events::EventFinder until_now = *gathering_.finder;
-    const std::vector<events::Event> events = events::choose_events(until_now.finish(), plan_.job.output.events);
+    seen_.findings = until_now.finish();
+    const std::vector<events::Event> events =
+        events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
     ToldEvents told = told_in(events, seen_.begin.seconds, seen_.last->pts);
     for (std::size_t k = 0; k < told.events.size(); ++k) {
         const std::vector<std::size_t>& tracks = told.events[k].tracks;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/events/claim.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
 #include "core/events/trajectory.h"
@@ -25,31 +26,33 @@ struct Candidate {
     Tracklet whole;
     EventKind kind = EventKind::moved;
     bool wanted = true;
+    bool is_claim = false;    // nobody saw it move: the evidence decides
+    bool carried = false;     // somebody was there to bring or take it
     bool from_first = false;  // it was there when its stretch began
     bool to_last = false;
 };
 
-/// What the edges say of a stationary thing: it is there, it is a ghost, or it is only light.
-enum class Evidence { there, gone, light };
-
 class Conclusion {
   public:
-    Conclusion(Trajectories trajectories, const Span& span, const fields::Planes& scene, const EventOptions& options)
-        : span_(span), scene_(scene), options_(options), object_of_(std::move(trajectories.of_track)) {
+    Conclusion(Trajectories trajectories, const Span& span, const EventOptions& options)
+        : span_(span), options_(options), object_of_(std::move(trajectories.of_track)) {
         for (Trajectory& one : trajectories.all) {
             candidates_.push_back({std::move(one.tracks), std::move(one.whole)});
         }
     }
 
-    std::vector<Event> run() {
+    Findings run() {
         look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_fragments();
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
             find_carrier(k);
             if (was_never_alone(k)) candidates_[k].wanted = false;
+            weigh(k);
         }
-        return listed();
+        found_.events = listed();
+        std::ranges::stable_sort(found_.changes, {}, [](const Change& change) { return change.first.frame; });
+        return std::move(found_);
     }
 
   private:
@@ -99,18 +102,6 @@ class Conclusion {
         return true;
     }
 
-    Evidence evidence_of(const Candidate& candidate) const {
-        const Tracklet& own = candidate.whole;
-        if (scene_.empty()) return Evidence::there;
-        const Settled& settled = *own.settled;
-        const double empty = edge_strength(settled.patch, {scene_.grey, scene_.grey, scene_.colour});
-        // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
-        if (options_.scene_is_learnt && was_always_there(candidate)) return Evidence::light;
-        if (settled.edges > things.edge_ratio * empty && settled.edges >= things.edges) return Evidence::there;
-        if (empty > things.edge_ratio * settled.edges && empty >= things.edges) return Evidence::gone;
-        return settled.edges >= 2 * things.edges ? Evidence::there : Evidence::light;
-    }
-
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
         const double needed =
@@ -128,16 +119,15 @@ class Conclusion {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
         }
-        switch (evidence_of(candidate)) {
-            case Evidence::there:
-                candidate.kind = EventKind::left;
-                break;
-            case Evidence::gone:
-                judge_ghost(candidate);
-                break;
-            case Evidence::light:
-                candidate.wanted = false;
-                break;
+        candidate.is_claim = true;
+        // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
+        if (options_.scene_is_learnt && was_always_there(candidate)) candidate.wanted = false;
+        const Evidence& evidence = own.settled->evidence;
+        if (evidence.edges < evidence.scene_edges) {
+            judge_ghost(candidate);
+        } else {
+            // Nobody saw it come.
+            candidate.kind = candidate.from_first ? EventKind::stood : EventKind::left;
         }
     }
 
@@ -220,6 +210,10 @@ class Conclusion {
         }
     }
 
+    static bool is_near(const std::optional<PixelBox>& box, const PixelBox& place) {
+        return box && box->inflated(1 + box->width(), 1 + box->height() / 2).intersects(place);
+    }
+
     /// Whether the bearer was beside the thing's place just before or after it appeared.
     bool was_beside(const Tracklet& bearer, const Tracklet& thing) const {
         constexpr int samples = 8;
@@ -228,7 +222,7 @@ class Conclusion {
             const double seconds = thing.begin.at.seconds + things.after - n * (things.after + things.before) / samples;
             const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
             const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
-            if (box && box->inflated(1 + box->width(), 1 + box->height() / 2).intersects(place)) return true;
+            if (is_near(box, place)) return true;
         }
         return false;
     }
@@ -243,31 +237,77 @@ class Conclusion {
                });
     }
 
-    /// Finds who put a thing down. A thing that appears with nobody beside it is light, a caption or a codec's
-    /// artefact.
+    /// Whether an object can have brought or taken a thing: it is large enough, and whoever takes a thing comes from
+    /// elsewhere. Somebody who stood there until then only uncovers the place.
+    static bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) {
+        const double away = glm::distance(bearer.begin.place, thing.settled->patch.centre);
+        return bearer.area >= things.least_share * thing.settled->patch.area &&
+               (kind != EventKind::taken || away > std::max(thresholds.least_length, thing.length));
+    }
+
+    /// Finds who put a thing down or took it. A thing that appears with nobody beside it is light, a caption or a
+    /// codec's artefact.
     void find_carrier(std::size_t k) {
         Candidate& candidate = candidates_[k];
         Tracklet& own = candidate.whole;
-        if (!candidate.wanted || !row_of(candidate.kind).is_thing || !own.settled) return;
-        if (own.from && object_of_.contains(*own.from)) return;
-        if (was_there_first(own) && !was_there_before(own)) {
-            candidate.wanted = false;
+        if (!candidate.wanted || !candidate.is_claim) return;
+        if (was_there_first(own)) {
+            candidate.carried = was_there_before(own);
             return;
         }
-        // At a low frame rate the bearer may come and go between two frames.
-        if (was_there_first(own) || span_.seconds_per_frame() > things.most_between) return;
-        bool any = false;
+        if (const auto parent = own.from ? object_of_.find(*own.from) : object_of_.end(); parent != object_of_.end()) {
+            candidate.carried = can_carry(candidates_[parent->second].whole, own, candidate.kind);
+            return;
+        }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
             const Tracklet& bearer = candidates_[other].whole;
-            if (other == k || bearer.stood_from_start || !was_beside(bearer, own)) continue;
-            any = true;
+            if (other == k || bearer.stood_from_start || !can_carry(bearer, own, candidate.kind)) continue;
+            if (!was_beside(bearer, own)) continue;
+            candidate.carried = true;
             const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
             if (!candidates_[other].wanted || away >= nearest) continue;
             nearest = away;
             own.from = bearer.number;
         }
-        if (!any) candidate.wanted = false;
+    }
+
+    /// The seconds for which nobody was near a thing that the fields don't show, as the empty scene has it.
+    double alone_in_scene(std::size_t k) const {
+        constexpr double step = 0.5;
+        const Tracklet& own = candidates_[k].whole;
+        double alone = 0;
+        const double last = std::min(own.end.at.seconds, own.begin.at.seconds + thresholds.claim.remembered);
+        for (double seconds = own.begin.at.seconds; seconds < last; seconds += step) {
+            const double frames = (seconds - own.begin.at.seconds) / span_.seconds_per_frame();
+            const std::int64_t frame = own.begin.at.frame + std::llround(frames);
+            bool near = false;
+            for (std::size_t other = 0; other < candidates_.size() && !near; ++other) {
+                if (other == k || !candidates_[other].wanted) continue;
+                near = is_near(box_at(candidates_[other].whole, seconds, frame), own.settled->patch.box);
+            }
+            if (!near) alone += step;
+        }
+        return alone;
+    }
+
+    /// Says of a claim how sure it is. With too little evidence it is a change only. What moved by itself before it
+    /// became still is no thing: it stood.
+    void weigh(std::size_t k) {
+        Candidate& candidate = candidates_[k];
+        if (!candidate.wanted || !candidate.is_claim) return;
+        Evidence& evidence = candidate.whole.settled->evidence;
+        if (candidate.whole.in_scene) evidence.alone = alone_in_scene(k);
+        if (candidate.kind == EventKind::left && evidence.moved >= thresholds.claim.alive) {
+            candidate.kind = EventKind::stood;
+            evidence.moved = 0;
+        }
+        evidence.carried = candidate.carried;
+        evidence.confidence = confidence_of(evidence);
+        if (evidence.confidence >= thresholds.claim.told) return;
+        candidate.wanted = false;
+        const Tracklet& own = candidate.whole;
+        found_.changes.push_back({own.begin.at, own.end.at, own.settled->patch.box, evidence});
     }
 
     /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.
@@ -339,6 +379,7 @@ class Conclusion {
             if (own.in_scene && own.settled) {
                 event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
             }
+            if (candidate.is_claim) event.evidence = own.settled->evidence;
             event.tracks = std::move(candidate.tracks);
             events.push_back(std::move(event));
         }
@@ -351,8 +392,8 @@ class Conclusion {
     }
 
     Span span_;
-    const fields::Planes& scene_;
     EventOptions options_;
+    Findings found_;
     std::vector<Candidate> candidates_;
     std::vector<std::vector<std::size_t>> in_stretch_;  // indices of the candidates in each stretch
     std::map<std::size_t, std::size_t> object_of_;      // from a track's number to the index of its candidate
@@ -360,9 +401,8 @@ class Conclusion {
 
 }  // namespace
 
-std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
-                            const EventOptions& options) {
-    return Conclusion(join(std::move(tracklets)), span, scene, options).run();
+Findings conclude(std::vector<Tracklet> tracklets, const Span& span, const EventOptions& options) {
+    return Conclusion(join(std::move(tracklets)), span, options).run();
 }
 
 }  // namespace vvr::events

@@ -6,7 +6,6 @@
 #include "core/events/event.h"
 #include "core/events/event_options.h"
 #include "core/events/tracklet.h"
-#include "core/fields/planes.h"
 
 namespace vvr::events {
 
@@ -30,9 +29,8 @@ struct Span {
 
 /// Makes events of all tracklets of a clip: joins the tracklets of each object, classifies the objects, and drops what
 /// is no event (fragments, flicker, ghosts).
-/// \param scene the empty scene; may be empty, and then nothing counts as taken
-/// \returns the events by their first frames
-std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
-                            const EventOptions& options);
+/// A stationary object that nobody saw move is said to have been left or taken only with enough evidence; otherwise it
+/// is a change.
+Findings conclude(std::vector<Tracklet> tracklets, const Span& span, const EventOptions& options);
 
 }  // namespace vvr::events

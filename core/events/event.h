@@ -41,6 +41,28 @@ struct ScenePatch {
     Plane<std::uint8_t> values;  ///< of the ghost, in the box; 0 = not of the object
 };
 
+/// Why something is said to have been left or taken. Each term is independent of the others.
+struct Evidence {
+    double difference = 0;   ///< mean of the stay against the empty scene, grey levels
+    double edges = 0;        ///< contrast across its outline in the mean of the stay, grey levels
+    double scene_edges = 0;  ///< the same in the empty scene: a thing has an outline in one of them only
+    double thickness = 0;    ///< 1 = a disk; a thing that was only shifted differs in thin slivers
+    double alone = 0;        ///< seconds in which it was in view with nobody near
+    double moved = 0;        ///< lengths that it moved by itself before it became still; a thing doesn't
+    double flicker = 0;      ///< changes per pixel: leaves and digits change all the time
+    double changed = 0;      ///< share of the picture that differed when it appeared: a train, a lamp
+    bool carried = false;    ///< somebody or something was there to bring or take it
+    double confidence = 0;   ///< 0 to 1
+};
+
+/// Something that differs from the empty scene for a while, without enough evidence to say what it is.
+struct Change {
+    Moment first;
+    Moment last;
+    PixelBox box;  ///< field pixels
+    Evidence evidence;
+};
+
 /// One object in the space-time volume, from its first to its last frame.
 struct Event {
     EventKind kind = EventKind::moved;
@@ -56,7 +78,15 @@ struct Event {
     std::optional<Moment> alone_since;  ///< for a thing left behind: when whoever left it had gone
     std::optional<Portrait> portrait;
     std::optional<ScenePatch> in_scene;  ///< none if the fields show it while it was there
+    std::optional<Evidence> evidence;    ///< for what was left or taken
     std::vector<std::size_t> tracks;     ///< the labels of its pixels in `FrameLabels`
+};
+
+/// All that is found in a clip.
+struct Findings {
+    std::vector<Event> events;    ///< by their first frames
+    std::vector<Change> changes;  ///< by their first frames
+    double largest_share = 0;     ///< largest share of the picture that differs from the empty scene in a frame
 };
 
 /// The sum of its stays, seconds.

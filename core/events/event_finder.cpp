@@ -1,6 +1,7 @@
 #include "core/events/event_finder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -34,6 +35,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
         stretches_.push_back({now, now});
     }
     last_ = stretches_.back().last = now;
+    record_share(sight.field, now);
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
     Blobs blobs = find_blobs(without_stationary(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
@@ -68,11 +70,15 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
     for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);
-        if (part < thresholds.stationary.visible) continue;
-        const bool alone = part >= thresholds.stationary.undisturbed;
-        track.update_stationary(sight, now, alone);
+        if (part < thresholds.stationary.visible) {
+            track.miss_stationary();
+            continue;
+        }
+        const bool whole = part >= thresholds.stationary.undisturbed;
+        track.set_uncovered({});
+        track.update_stationary(sight, now, whole, about(track).has_value());
         // The rim of an object is never quite still. If somebody is near, the rim may be theirs, and stays.
-        const int rim = alone ? reach_ + 1 : 0;
+        const int rim = whole ? reach_ + 1 : 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t value) {
             if (rim == 0 && !Steadiness::alike(field.at(i, j), value)) return;
             for (int y = std::max(0, j - rim); y <= std::min(field.height() - 1, j + rim); ++y) {
@@ -132,8 +138,9 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
         for_each_pixel(track.patch(),
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
-        if (uncovered || now.seconds - track.seen().seconds > thresholds.stationary.occluded_after)
-            end(track, true, now);
+        if (uncovered && !track.uncovered()) track.set_uncovered(now);
+        const bool gone = uncovered && now.seconds - track.uncovered()->seconds >= thresholds.stationary.gone_after;
+        if (gone || now.seconds - track.seen().seconds > thresholds.stationary.occluded_after) end(track, true, now);
     }
 }
 
@@ -282,20 +289,21 @@ void EventFinder::settle(const FrameView& sight, const Moment& now) {
     for (Track& track : tracks_) {
         if (track.state() != State::moving || track.seen().frame != now.frame) continue;
         if (!track.has_settled(steadiness_, flicker_, now)) continue;
-        track.settle(steadiness_, sight, now);
-        merge_stationary(track, sight);
+        track.settle(steadiness_, flicker_, sight, now);
+        track.set_changed(share_at(track.still_since()));
+        merge_stationary(track);
     }
 }
 
 /// Merges stationary parts of one object, which came to rest separately because some were occluded. The better known
 /// track stays.
-void EventFinder::merge_stationary(Track& part, const FrameView& sight) {
+void EventFinder::merge_stationary(Track& part) {
     for (Track& other : tracks_) {
         if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
         const bool is_whole = part.first().frame < other.first().frame && part.usual_area() > other.usual_area();
         Track& whole = is_whole ? part : other;
         Track& rest = is_whole ? other : part;
-        whole.add_part(rest, sight);
+        whole.add_part(rest);
         rest.drop();
         if (!is_whole) return;
     }
@@ -304,7 +312,7 @@ void EventFinder::merge_stationary(Track& part, const FrameView& sight) {
 void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (track.is_over()) return;
     const bool certain = track.is_confirmed();
-    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
+    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, scene_, now);
     tracklet.stretch = stretches_.size() - 1;
     // Tracklets of rain and leaves are dropped: in a stream of days they would fill the memory.
     const bool jumps = !tracklet.settled && tracklet.continuous < thresholds.event.continuous;
@@ -323,10 +331,30 @@ TrackedFrame EventFinder::tracked(const Moment& now) const {
     return frame;
 }
 
-std::vector<Event> EventFinder::finish(const fields::Planes& scene) {
+/// Records the share of the picture that differs from the empty scene.
+void EventFinder::record_share(const Plane<std::uint8_t>& field, const Moment& now) {
+    const auto differs = std::ranges::count_if(field.pixels(), [](std::uint8_t value) { return value != 0; });
+    const double share = static_cast<double>(differs) / std::max<double>(1, static_cast<double>(field.pixels().size()));
+    largest_share_ = std::max(largest_share_, share);
+    shares_.emplace_back(now.seconds, share);
+    while (now.seconds - shares_.front().first > thresholds.claim.remembered) shares_.pop_front();
+}
+
+/// The largest share of the picture that differed within a second of a moment.
+double EventFinder::share_at(const Moment& moment) const {
+    double largest = 0;
+    for (const auto& [seconds, share] : shares_) {
+        if (std::abs(seconds - moment.seconds) <= 1) largest = std::max(largest, share);
+    }
+    return largest;
+}
+
+Findings EventFinder::finish() {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
-    return conclude(std::move(ended_), {field_, first_, last_, stretches_}, scene, options_);
+    Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_}, options_);
+    found.largest_share = largest_share_;
+    return found;
 }
 
 }  // namespace vvr::events

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/events/association.h"
@@ -48,10 +50,11 @@ class EventFinder {
         std::erase_if(ended_, [&](const Tracklet& tracklet) { return tracklet.end.at.seconds < seconds; });
     }
 
+    /// The empty scene that the fields are compared with. Without one, nothing is said to have been left or taken.
+    void set_scene(fields::Planes scene) { scene_ = std::move(scene); }
+
     /// Ends all tracks. To be called once, after the last field.
-    /// \param scene the empty scene that the fields were compared with; empty where there is none
-    /// \returns the events by their first frames
-    std::vector<Event> finish(const fields::Planes& scene = {});
+    Findings finish();
 
   private:
     bool follows_gap(const Moment& now) const;
@@ -72,9 +75,11 @@ class EventFinder {
                const FrameView& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now);
     void settle(const FrameView& sight, const Moment& now);
-    void merge_stationary(Track& part, const FrameView& sight);
+    void merge_stationary(Track& part);
     void end(Track& track, bool taken, const Moment& now);
     TrackedFrame tracked(const Moment& now) const;
+    void record_share(const Plane<std::uint8_t>& field, const Moment& now);
+    double share_at(const Moment& moment) const;
 
     EventOptions options_;
     Size field_;
@@ -86,6 +91,9 @@ class EventFinder {
     Flicker flicker_;
     std::vector<Track> tracks_;
     std::vector<Tracklet> ended_;
+    fields::Planes scene_;
+    std::deque<std::pair<double, double>> shares_;  ///< seconds and share of the picture, of recent fields
+    double largest_share_ = 0;
     Moment first_;
     Moment last_;
     std::vector<Stretch> stretches_;

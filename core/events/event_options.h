@@ -1,6 +1,15 @@
 #pragma once
 
+#include <array>
+
 namespace vvr::events {
+
+/// A term of evidence: from the value at which it is no evidence to the value at which it is certain. A claim needs
+/// half of the way.
+struct Ramp {
+    double none = 0;
+    double certain = 1;
+};
 
 /// All thresholds of event detection. Times are in seconds of the clip. Lengths are multiples of the object's own
 /// length (the longer side of its box) and areas multiples of its own area, so that one set of numbers suits near and
@@ -80,6 +89,7 @@ struct Thresholds {
         double visible = 0.3;        ///< share of its pixels; with fewer visible, it is not seen
         double undisturbed = 0.8;    ///< share of its pixels; with more visible, nobody occludes it
         double occluded_after = 60;  ///< seconds for which a stationary object, or one of a group, may be occluded
+        double gone_after = 1;       ///< seconds for which its place must be uncovered before it is gone
         double same_place = 0.5;     ///< lengths; largest shift of its centre over an occlusion
     } stationary;
 
@@ -137,13 +147,29 @@ struct Thresholds {
         double size = 0.5;    ///< share of the other's area; a larger one is no fragment
     } fragment;
 
+    /// The evidence for a claim ("left behind", "taken"); see `Evidence`.
+    struct {
+        double every = 0.2;       ///< seconds between two frames of the mean picture
+        double remembered = 60;   ///< seconds for which the share of the picture that differs is remembered
+        double told = 0.5;        ///< confidence; with less, it is a change and no event
+        double overlap = 0.3;     ///< share of the smaller one that the region and the steady pixels have in common
+        double least_area = 0.5;  ///< share of the steady pixels' area; a smaller region is a remainder
+        std::array<int, 9> levels{6, 8, 11, 16, 22, 32, 45, 64, 90};  ///< grey levels that compete for the outline
+        Ramp difference{2, 14};                                       ///< grey levels
+        Ramp outline{2, 10};                                          ///< grey levels between both outlines
+        Ramp thickness{0.05, 0.25};                                   ///< share of its length
+        Ramp alone{0, 6};                                             ///< seconds
+        Ramp moved{1.6, 0.2};                                         ///< lengths
+        double alive = 1.4;                                           ///< lengths; what moved as far is no thing
+        Ramp flicker{7, 1};                                           ///< changes per pixel
+        Ramp changed{0.6, 0.2};                                       ///< share of the picture
+    } claim;
+
     /// Things that were left or taken, who did it, and ghosts.
     struct {
-        double before = 3;          ///< seconds before a thing appears: its bearer is beside it from then …
-        double after = 0.5;         ///< … until this many seconds after
-        double most_between = 0.5;  ///< seconds per frame; with longer ones, a bearer may come and go unseen
-        double edge_ratio = 1.3;    ///< ratio of edges in frame and empty scene that shows where the thing is
-        double edges = 10;          ///< grey levels; weaker edges are light or noise
+        double before = 3;         ///< seconds before a thing appears: its bearer is beside it from then …
+        double after = 0.5;        ///< … until this many seconds after
+        double least_share = 0.5;  ///< share of the thing's area; a smaller bearer can't have brought it
     } thing;
 
     /// Small events that crowd one part of the picture.

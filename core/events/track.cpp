@@ -192,7 +192,7 @@ bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, co
     return steady >= stationary.settled_part * patch_.area && flicker.of(patch_) < thresholds.pixel.flicker;
 }
 
-void Track::settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now) {
+void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now) {
     const bool young = now.seconds - first_.seconds < 2 * stationary.stay;
     const bool small = patch_.area < stationary.carried * origin_.area;
     const bool out_of_another = origin_.track.has_value() && (young || small);
@@ -208,6 +208,8 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
     });
     const Moment still_since = nearly_last_of(std::move(since));
     Moment still = still_since;
+    const double length = std::max({thresholds.least_length, usual_size_.x, usual_size_.y});
+    const double moved = glm::distance(low_, high_) / length;
     if (out_of_another) {
         // Before that moment, the track was the bearer.
         first_ = still;
@@ -233,13 +235,15 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
             still = open->first;
         }
     }
-    settled_ = Settled{patch_, still_since, edge_strength(patch_, sight)};
+    settled_ = Settled{patch_, still_since, {.moved = moved, .flicker = flicker.of(patch_)}, {}};
+    still_ = StillPicture(patch_, field_);
     velocity_ = {};
     place_ = patch_.centre;
     place_at_ = now;
     recent_.clear();
     stay_ = {still, now, patch_.centre, patch_.box};
-    update_stationary(sight, now, true);
+    uncovered_.reset();
+    update_stationary(sight, now, true, true);
 }
 
 bool Track::belongs_to(const Track& other) const {
@@ -249,14 +253,14 @@ bool Track::belongs_to(const Track& other) const {
            std::abs(settled_->since.seconds - other.settled_->since.seconds) <= stationary.stay;
 }
 
-void Track::add_part(const Track& part, const FrameView& sight) {
+void Track::add_part(const Track& part) {
     patch_ = joined(patch_, part.patch_);
     box_ = bounding_box(box_, patch_.box);
     place_ = patch_.centre;
     stay_.place = patch_.centre;
     stay_.box = patch_.box;
     settled_->patch = patch_;
-    settled_->edges = edge_strength(patch_, sight);
+    still_ = StillPicture(patch_, field_);
     portrait_.reset();
     portrait_due_ = 0;
 }
@@ -265,11 +269,15 @@ double Track::visible_part(const Plane<std::uint8_t>& field) const {
     return part_alike(patch_, field);
 }
 
-void Track::update_stationary(const FrameView& sight, const Moment& now, bool alone) {
+void Track::update_stationary(const FrameView& sight, const Moment& now, bool whole, bool beside) {
     stay_.last = now;
     pixels_ = patch_;
     record_position(now, patch_.box, patch_.centre, patch_.area);
-    if (alone) {
+    const bool alone = whole && !beside;
+    if (alone && alone_at_) settled_->evidence.alone += now.seconds - alone_at_->seconds;
+    alone_at_ = alone ? std::optional(now) : std::nullopt;
+    if (whole) {
+        still_.add(sight, now);
         last_whole_ = now;
         near_.reset();
         take_portrait(sight, patch_, now);
@@ -282,6 +290,7 @@ void Track::resume_motion(const Moment& now) {
     stay_.last = last_whole_;
     stays_.add_exactly(stay_);
     state_ = State::moving;
+    still_ = {};
 }
 
 void Track::join(const Track& piece) {
@@ -298,10 +307,10 @@ void Track::take_portrait(const FrameView& sight, const Patch& patch, const Mome
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
 }
 
-Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
+Tracklet Track::finish(std::optional<std::size_t> into, const fields::Planes& scene, const Moment& now) {
     Tracklet result;
     result.stood_to_end = stands();
-    result.gone = now;
+    result.gone = uncovered_.value_or(now);
     result.stood_from_start = state_ == State::appeared;
     if (stands()) stays_.add_exactly(stay_);
     state_ = State::over;
@@ -327,6 +336,15 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     result.box = box_;
     result.look = look_;
     result.stays = stays_.finish();
+    if (settled_) {
+        if (auto differs = compare_with_scene(still_, settled_->patch, scene)) {
+            settled_->evidence.difference = differs->difference;
+            settled_->evidence.edges = differs->edges;
+            settled_->evidence.scene_edges = differs->scene_edges;
+            settled_->evidence.thickness = differs->thickness;
+            settled_->region = std::move(differs->region);
+        }
+    }
     result.settled = std::move(settled_);
     result.portrait = portrait_;
     return result;

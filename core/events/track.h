@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/events/appearance.h"
+#include "core/events/claim.h"
 #include "core/events/event_options.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
@@ -117,21 +118,35 @@ class Track {
 
     /// Makes the object stationary: from now on it consists of its steady pixels. If it split from another object, as a
     /// bag does, it begins when it became still.
-    void settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now);
+    void settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now);
 
     /// Whether both are parts of one stationary object: side by side, and still within `stationary.stay` of each other.
     /// \param other stationary, as this one
     bool belongs_to(const Track& other) const;
 
     /// Adds a stationary part to this stationary object.
-    void add_part(const Track& part, const FrameView& sight);
+    void add_part(const Track& part);
 
     /// The share of a stationary object's pixels that are visible, 0 to 1.
     double visible_part(const Plane<std::uint8_t>& field) const;
 
     /// Continues a stationary object that is visible.
-    /// \param alone nobody occludes it or is beside it
-    void update_stationary(const FrameView& sight, const Moment& now, bool alone);
+    /// \param whole nobody occludes it
+    /// \param beside somebody is near it
+    void update_stationary(const FrameView& sight, const Moment& now, bool whole, bool beside);
+
+    /// Continues a stationary object that is occluded.
+    void miss_stationary() { alone_at_.reset(); }
+
+    /// When less than half of its place first differed from the empty scene since it was last seen.
+    const std::optional<Moment>& uncovered() const { return uncovered_; }
+    void set_uncovered(std::optional<Moment> since) { uncovered_ = since; }
+
+    /// When it became still. Only for a stationary object.
+    const Moment& still_since() const { return settled_->since; }
+
+    /// Records the share of the picture that differed from the empty scene when it became still.
+    void set_changed(double share) { settled_->evidence.changed = share; }
 
     /// Ends the stationary state: the object moves.
     void resume_motion(const Moment& now);
@@ -141,7 +156,8 @@ class Track {
 
     /// Ends the track.
     /// \param into number of the track in which it merged
-    Tracklet finish(std::optional<std::size_t> into, const Moment& now);
+    /// \param scene the empty scene; may be empty
+    Tracklet finish(std::optional<std::size_t> into, const fields::Planes& scene, const Moment& now);
 
     /// Ends the track without a tracklet: it was a fragment of another.
     void drop() { state_ = State::over; }
@@ -189,6 +205,9 @@ class Track {
     Stay stay_;
     Moment risen_;       ///< when it last moved again
     Moment last_whole_;  ///< when it was last stationary and not occluded
+    StillPicture still_;
+    std::optional<Moment> alone_at_;  ///< now, while it is whole and nobody is near
+    std::optional<Moment> uncovered_;
     Path path_;
     Stays stays_{thresholds.stationary.stay};
     std::optional<Portrait> portrait_;

@@ -11,9 +11,10 @@ namespace vvr::events {
 
 /// What is known of an object when it becomes stationary.
 struct Settled {
-    Patch patch;       ///< its steady pixels
-    Moment since;      ///< when its pixels became steady
-    double edges = 0;  ///< contrast of the frame across its outline, grey levels
+    Patch patch;                  ///< its steady pixels
+    Moment since;                 ///< when its pixels became steady
+    Evidence evidence;            ///< all terms but `carried` and `confidence`
+    std::optional<Patch> region;  ///< the pixels of the field in which its stay differs from the empty scene
 };
 
 /// One end of a tracklet.

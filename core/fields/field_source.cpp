@@ -17,7 +17,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     options.flow.every_frame = needs.flow_of_every_frame;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
     if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
-    return compute_fields(*clip_, options, sink);
+    return compute_fields(*clip_, options, sink, needs.scene);
 }
 
 }  // namespace vvr::fields

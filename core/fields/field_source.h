@@ -13,6 +13,9 @@
 
 namespace vvr::fields {
 
+/// Receives the empty scene, once, before the first field. It is not called where the fields need no empty scene.
+using SceneSink = std::function<void(const Reference&)>;
+
 /// Receives each frame with its field, in frame order, from one thread at a time.
 using FieldSink = std::function<void(const video::SharedFrame&, Field&&)>;
 
@@ -30,7 +33,8 @@ struct FieldSummary {
 /// `options.span` begins either.
 ///
 /// \throws Error usage for invalid options, not_video if no frame decodes; and whatever `sink` throws
-FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink);
+FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
+                            const SceneSink& scene_sink = {});
 
 /// What is known of a scene before the first frame.
 struct EmptyScene {
@@ -60,6 +64,7 @@ struct FieldNeeds {
     bool flow_of_every_frame = false;  ///< flow at all frames
     bool colour = false;               ///< every frame's picture; else those of the first and last frame suffice
     std::int64_t every = 1;            ///< seeds and flow at frames whose number is a multiple of this
+    SceneSink scene{};                 ///< who wants the empty scene
 };
 
 /// The source of a clip's fields: computed from its frames, or read from data files (yellow boxes of Fig. 3).

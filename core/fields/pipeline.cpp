@@ -276,7 +276,8 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
     return run(read, work, options, sink);
 }
 
-FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
+FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
+                            const SceneSink& scene_sink) {
     validate(options);
     EmptyScene scene{.reference = {},
                      .region = make_region(options, source.field_size(), source.info().size),
@@ -284,6 +285,7 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     const SingleThreadedOpenCv one_thread;
     if (needs_reference(options)) {
         on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
+        if (scene_sink) scene_sink(scene.reference);
     }
     FieldStages work(scene, options);
     ClipReader read(source, options.span, work.reach(), work.is_stateful());

@@ -350,6 +350,7 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
         summary.reference.grey = Plane<std::uint8_t>(field_size());
         std::ranges::transform(summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
                                [](const Bgr& bgr) { return static_cast<std::uint8_t>(fields::brightness_of(bgr)); });
+        if (needs.scene) needs.scene(summary.reference);
     }
     for (const Part& part : parts_) {
         for (const StoredFrame& stored : part.manifest.frames) {

@@ -37,10 +37,11 @@ struct Found {
     generator::Scene scene;
     std::vector<events::Event> events;
     std::vector<events::FrameLabels> labels;
+    std::vector<events::Change> changes;
 };
 
 Found found_in(generator::Scene scene, const std::string& reference = "median") {
-    Found found{std::move(scene), {}, {}};
+    Found found{std::move(scene), {}, {}, {}};
     video::SourceOptions source;
     source.colour = true;
     source.field_size = {-1, -1};
@@ -49,12 +50,16 @@ Found found_in(generator::Scene scene, const std::string& reference = "median") 
     fields.flow.method = "none";
     events::EventFinder finder(found.scene.size());
     const auto clip = generator::open_scene(found.scene, source);
-    const fields::FieldSummary summary =
-        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    fields::compute_fields(
+        *clip, fields,
+        [&](const video::SharedFrame& frame, fields::Field&& field) {
             found.labels.push_back(
                 finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts}).labels);
-        });
-    found.events = finder.finish(summary.reference);
+        },
+        [&](const fields::Reference& empty) { finder.set_scene(empty); });
+    events::Findings findings = finder.finish();
+    found.events = std::move(findings.events);
+    found.changes = std::move(findings.changes);
     return found;
 }
 

@@ -94,14 +94,21 @@ TEST(Stays, AreWhereTheMiddleKeepsItsPlace) {
     EXPECT_NEAR(found[0].place.x, 100, 3);
 }
 
+/// A finder for fields without pictures, where what is no object is black.
+events::EventFinder finder_on_black() {
+    events::EventFinder finder({120, 90}, {.scene_is_learnt = false});
+    finder.set_scene({Plane<std::uint8_t>({120, 90}), {}});
+    return finder;
+}
+
 std::vector<events::Event> events_of(int frames, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
-    events::EventFinder finder({120, 90});
+    events::EventFinder finder = finder_on_black();
     for (int f = 0; f < frames; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
         finder.add({field, {}, {}}, at(f));
     }
-    return finder.finish();
+    return finder.finish().events;
 }
 
 TEST(EventFinder, NothingIsNoEventAndABlinkIsNone) {
@@ -159,13 +166,13 @@ TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
 
 /// Two files of 200 frames, and between them nothing for so many.
 std::vector<events::Event> events_about_gap(int gap, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
-    events::EventFinder finder({120, 90});
+    events::EventFinder finder = finder_on_black();
     for (int f = 0; f < 400; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
         finder.add({field, {}, {}}, at(f < 200 ? f : f + gap));
     }
-    return finder.finish();
+    return finder.finish().events;
 }
 
 TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
@@ -206,6 +213,7 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
     const Plane<std::uint8_t> floor({120, 90}, 90);
     const auto events_of_ghost = [&](int from, int to) {
         events::EventFinder finder({120, 90});
+        finder.set_scene(scene);
         for (int f = 0; f < 400; ++f) {
             Plane<std::uint8_t> field({120, 90});
             const bool ghost = f >= from && f < to;
@@ -214,7 +222,7 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
             if (to < 400) fill(field, {f - to + 60, 15, f - to + 72, 55}, 100);
             finder.add({field, ghost ? floor : scene.grey, {}}, at(f < 200 ? f : f + 1000));
         }
-        return finder.finish(scene);
+        return finder.finish().events;
     };
     EXPECT_TRUE(events_of_ghost(200, 400).empty()) << "it may be another light, or a camera that was turned";
     // It came while somebody could see it, in the second file: the ghost had been there before the gap, too.
@@ -235,6 +243,7 @@ TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
     scene.grey = Plane<std::uint8_t>({120, 90}, 90);
     const auto events_of_patch = [&](int to) {
         events::EventFinder finder({120, 90});
+        finder.set_scene(scene);
         for (int f = 0; f < 400; ++f) {
             Plane<std::uint8_t> field({120, 90});
             Plane<std::uint8_t> grey = scene.grey;
@@ -244,7 +253,7 @@ TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
             }
             finder.add({field, grey, {}}, at(f < 200 ? f : f + 1000));
         }
-        return finder.finish(scene);
+        return finder.finish().events;
     };
     EXPECT_TRUE(events_of_patch(400).empty()) << "on both sides of the gap, all the time";
     ASSERT_EQ(events_of_patch(200).size(), 1U);
@@ -252,13 +261,15 @@ TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
 }
 
 TEST(EventFinder, ASlowRateIsNoGap) {
-    events::EventFinder finder({120, 90});
+    events::EventFinder finder = finder_on_black();
     for (int f = 0; f < 40; ++f) {
         Plane<std::uint8_t> field({120, 90});
         if (f >= 5) fill(field, {60, 60, 72, 70}, 220);
         finder.add({field, {}, {}}, {f, 5.0 * f});
     }
-    EXPECT_EQ(finder.finish().size(), 1U);
+    const events::Findings found = finder.finish();
+    EXPECT_TRUE(found.events.empty()) << "nobody was seen to bring it";
+    EXPECT_EQ(found.changes.size(), 1U);
 }
 
 TEST(EventFinder, EventsDoNotLeaveTheField) {

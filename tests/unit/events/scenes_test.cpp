@@ -26,11 +26,13 @@ std::vector<events::Event> events_of(const generator::Scene& scene) {
     fields.flow.method = "none";
     events::EventFinder finder(scene.size());
     const auto clip = generator::open_scene(scene, source);
-    const fields::FieldSummary summary =
-        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    fields::compute_fields(
+        *clip, fields,
+        [&](const video::SharedFrame& frame, fields::Field&& field) {
             finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        });
-    return finder.finish(summary.reference);
+        },
+        [&](const fields::Reference& empty) { finder.set_scene(empty); });
+    return finder.finish().events;
 }
 
 struct Visit {
