@@ -77,8 +77,9 @@ int offset_of(const fields::Planes& mean, const fields::Planes& empty, std::size
     for (int j = 0; j < box.height(); ++j) {
         for (int i = 0; i < box.width(); ++i) {
             if (settled.at(box.left + i, box.top + j) != 0) continue;
-            differences.push_back(empty.colour.empty() ? mean.grey.at(i, j) - empty.grey.at(i, j)
-                                                       : mean.colour.at(i, j)[channel] - empty.colour.at(i, j)[channel]);
+            differences.push_back(empty.colour.empty()
+                                      ? mean.grey.at(i, j) - empty.grey.at(i, j)
+                                      : mean.colour.at(i, j)[channel] - empty.colour.at(i, j)[channel]);
         }
     }
     if (differences.empty()) return 0;

@@ -42,6 +42,7 @@ class Conclusion {
     }
 
     Findings run() {
+        found_.overlays = span_.overlays;
         look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_fragments();
@@ -61,6 +62,15 @@ class Conclusion {
     /// Whether it was there when its stretch began. Then nobody knows what it did before.
     bool was_there_first(const Tracklet& own) const {
         return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
+    }
+
+    /// Whether it is digits of the camera's clock.
+    bool is_overlay(const PixelBox& box) const {
+        return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) {
+            const PixelBox both = intersection(box, clock);
+            const double all = std::max(1, box.width() * box.height());
+            return !both.empty() && both.width() * both.height() >= thresholds.overlay.inside * all;
+        });
     }
 
     /// Marks objects at the first and last moment of their stretch, before ghosts are corrected.
@@ -113,7 +123,7 @@ class Conclusion {
             own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
         const double least = !inside ? limit.least : own.from ? limit.least_fragment : limit.least_inside;
-        candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled);
+        candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
         if (!candidate.wanted) return;
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;

@@ -21,6 +21,7 @@ struct Span {
     Moment first;
     Moment last;
     std::vector<Stretch> stretches;  ///< a single one where there is no gap
+    std::vector<PixelBox> overlays;  ///< the camera's clocks
 
     double seconds_per_frame() const {
         return (last.seconds - first.seconds) / std::max(1.0, static_cast<double>(last.frame - first.frame));

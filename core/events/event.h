@@ -84,9 +84,10 @@ struct Event {
 
 /// All that is found in a clip.
 struct Findings {
-    std::vector<Event> events;    ///< by their first frames
-    std::vector<Change> changes;  ///< by their first frames
-    double largest_share = 0;     ///< largest share of the picture that differs from the empty scene in a frame
+    std::vector<Event> events;       ///< by their first frames
+    std::vector<Change> changes;     ///< by their first frames
+    std::vector<PixelBox> overlays;  ///< clocks that the camera writes into its pictures, field pixels
+    double largest_share = 0;        ///< largest share of the picture that differs from the empty scene in a frame
 };
 
 /// The sum of its stays, seconds.

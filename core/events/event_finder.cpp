@@ -36,6 +36,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     }
     last_ = stretches_.back().last = now;
     record_share(sight.field, now);
+    clocks_.add(sight.grey, now);
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
     Blobs blobs = find_blobs(without_stationary(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
@@ -63,10 +64,17 @@ void EventFinder::restart() {
     steadiness_ = {};
 }
 
-/// The field without the stationary objects, which it also updates.
+/// The field without the camera's clock and without the stationary objects, which it also updates.
 Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, const Moment& now) {
     const Plane<std::uint8_t>& field = sight.field;
     Plane<std::uint8_t> rest = field;
+    for (const PixelBox& clock : clocks_.found()) {
+        for (int j = clock.top; j < clock.bottom; ++j) {
+            std::ranges::fill(
+                rest.row(j).subspan(static_cast<std::size_t>(clock.left), static_cast<std::size_t>(clock.width())),
+                std::uint8_t{0});
+        }
+    }
     for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);
@@ -352,7 +360,7 @@ double EventFinder::share_at(const Moment& moment) const {
 Findings EventFinder::finish() {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
-    Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_}, options_);
+    Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_, clocks_.found()}, options_);
     found.largest_share = largest_share_;
     return found;
 }

@@ -10,6 +10,7 @@
 #include "core/events/conclude.h"
 #include "core/events/event.h"
 #include "core/events/event_options.h"
+#include "core/events/overlay.h"
 #include "core/events/patch.h"
 #include "core/events/track.h"
 #include "core/fields/planes.h"
@@ -89,6 +90,7 @@ class EventFinder {
     std::int64_t next_frame_ = 0;
     Steadiness steadiness_;
     Flicker flicker_;
+    ClockFinder clocks_;
     std::vector<Track> tracks_;
     std::vector<Tracklet> ended_;
     fields::Planes scene_;

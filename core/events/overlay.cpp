@@ -1,0 +1,119 @@
+#include "core/events/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/cv_view.h"
+#include "core/events/event_options.h"
+
+namespace vvr::events {
+
+namespace {
+
+constexpr auto& limit = thresholds.overlay;
+
+}  // namespace
+
+void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
+    if (grey.empty()) return;
+    const bool first = before_.empty();
+    // A longer gap doesn't tell at which phase a pixel changed.
+    const bool follows = !first && now.seconds > last_ && now.seconds - last_ <= limit.most_between;
+    if (first || now.seconds - begin_ >= limit.window) {
+        if (!first) look();
+        changes_ = Plane<Changes>(grey.size());
+        begin_ = now.seconds;
+        next_look_ = begin_ + limit.every;
+    }
+    if (follows) {
+        const auto values = grey.pixels();
+        const auto before = before_.pixels();
+        const auto second = static_cast<std::int32_t>(std::floor(now.seconds - begin_));
+        const std::complex<double> phase = std::polar(1.0, 2 * std::numbers::pi * now.seconds);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (std::abs(int{values[k]} - int{before[k]}) < limit.level) continue;
+            Changes& changes = changes_.pixels()[k];
+            changes.phases += std::complex<float>(phase);
+            ++changes.count;
+            if (changes.last != second) ++changes.seconds;
+            changes.last = second;
+        }
+    }
+    last_ = now.seconds;
+    before_ = grey;
+    if (now.seconds < next_look_) return;
+    next_look_ = now.seconds + limit.every;
+    look();
+}
+
+/// Looks for pixels that changed in phase: first those of the seconds, then what changes with them in the same line.
+void ClockFinder::look() {
+    const double seconds = last_ - begin_;
+    const Size size = changes_.size();
+    Plane<std::uint8_t> ticks(size);
+    for (std::size_t k = 0; k < ticks.pixels().size(); ++k) {
+        const Changes& changes = changes_.pixels()[k];
+        const bool in_phase = std::abs(changes.phases) >= static_cast<float>(limit.in_phase * changes.count);
+        const bool often = changes.seconds >= limit.least && changes.seconds >= limit.least_rate * seconds &&
+                           changes.count <= limit.most_per_second * changes.seconds;
+        ticks.pixels()[k] = often && in_phase ? 255 : 0;
+    }
+    cv::Mat near;
+    cv::dilate(cv_view(ticks), near, cv::Mat::ones(3, 2 * limit.stroke + 1, CV_8U));
+    cv::Mat labels;
+    cv::Mat boxes;
+    cv::Mat centres;
+    const int count = cv::connectedComponentsWithStats(near, labels, boxes, centres, 8, CV_32S);
+    for (int n = 1; n < count; ++n) {
+        const cv::Rect around(boxes.at<int>(n, cv::CC_STAT_LEFT), boxes.at<int>(n, cv::CC_STAT_TOP),
+                              boxes.at<int>(n, cv::CC_STAT_WIDTH), boxes.at<int>(n, cv::CC_STAT_HEIGHT));
+        const cv::Mat own = (labels(around) == n) & cv_view(ticks)(around);
+        const int pixels = cv::countNonZero(own);
+        const cv::Rect digit = cv::boundingRect(own) + around.tl();
+        if (pixels < limit.pixels || digit.height > limit.height * size.height) continue;
+        std::complex<float> phase;
+        for (int j = digit.y; j < digit.y + digit.height; ++j) {
+            for (int i = digit.x; i < digit.x + digit.width; ++i) {
+                if (ticks.at(i, j) != 0) phase += changes_.at(i, j).phases;
+            }
+        }
+        phase /= std::abs(phase);
+        // The tens of seconds and the minutes change less often, at the same phase.
+        PixelBox line{digit.x, digit.y, digit.x + digit.width, digit.y + digit.height};
+        const auto changes_with_it = [&](int i) {
+            int in_phase = 0;
+            int others = 0;
+            for (int j = line.top; j < line.bottom; ++j) {
+                const Changes& changes = changes_.at(i, j);
+                if (changes.count == 0) continue;
+                const float along = (changes.phases * std::conj(phase)).real();
+                (along >= static_cast<float>(limit.in_phase * changes.count) ? in_phase : others) += 1;
+            }
+            return in_phase > others;
+        };
+        const int reach = 2 * line.height();
+        for (int i = line.left; i >= 0 && i >= line.left - reach; --i) {
+            if (changes_with_it(i)) line.left = i;
+        }
+        for (int i = line.right - 1; i < size.width && i < line.right + reach; ++i) {
+            if (changes_with_it(i)) line.right = i + 1;
+        }
+        keep(intersection(line.inflated(limit.stroke, limit.stroke), {0, 0, size.width, size.height}));
+    }
+}
+
+/// Adds a box, or widens one that it meets.
+void ClockFinder::keep(const PixelBox& box) {
+    const auto known = std::ranges::find_if(found_, [&](const PixelBox& other) { return other.intersects(box); });
+    if (known == found_.end()) {
+        found_.push_back(box);
+    } else {
+        *known = bounding_box(*known, box);
+    }
+}
+
+}  // namespace vvr::events
