@@ -52,10 +52,8 @@ def test_labels_with_the_clock_of_the_recording(t):
     told = t.vvr("info", "2026-11-21T07-30-00Z.mp4")
     check("recorded 2026-11-21 07:30:00 UTC, by file name" in told.out, str(told))
     t.clip()
-    t.render("clip.avi", "--start-time", "recorded").expect(
-        1, "--start-time recorded: the name of 'clip.avi' does not say when it was recorded; give the date and time")
-    t.render("clip.avi", "--start-time", "container").expect(
-        1, "--start-time container: the container of 'clip.avi' does not say when it was written; give the date and time")
+    t.render("clip.avi", "--start-time", "recorded").expect(1, "--start-time", "'clip.avi'", code="time-of-day-unknown")
+    t.render("clip.avi", "--start-time", "container").expect(1, "--start-time", "'clip.avi'", code="time-of-day-unknown")
 
 
 def time_of_day_in(text):
@@ -118,17 +116,16 @@ def test_parts_of_a_clip_by_the_clock(t):
     t.vvr("extract", name, "-o", "data", "--start", "@00:00:00").expect(0, "2026-11-22 00:00:00 to the end at", "100 frames")
     t.vvr("extract", name, "-o", "data2", "--start", "@02:00", "--start-time", "2026-11-22 01:59:55").expect(
         0, "2026-11-22 02:00:00 to the end", "(as given)", "150 frames")
-    t.render("data", "--start", "@00:00:00").expect(1, "'data' was extracted already; extract that part of the clip")
+    t.render("data", "--start", "@00:00:00").expect(1, "'data'", "--start", code="extraction-unsuitable")
     t.render(name, "--start", "@12:00").expect(
-        1, f"--start: there is nothing of @12:00 in '{name}', which begins at 2026-11-21 23:59:50 and ends at 2026-11-22 00:00:10 (by file name)")
-    t.render(name, "--between", "12:00-13:00").expect(1, "--between: there is nothing of 12:00-13:00")
-    t.render(name, "--between", "2-5").expect(1, "--between: '2-5' is not a part of the day like 02:00-05:00")
-    t.render(name, "--start", "2026-11-22").expect(1, "--start: '2026-11-22' is not a date and time like 2026-11-22 02:00, or a time of day like @02:00")
-    t.render(name, "--end", "2026-11-21 23:00").expect(1, "--end: there is nothing of 2026-11-21 23:00")
+        1, "--start", "@12:00", f"'{name}'", "2026-11-21 23:59:50", "2026-11-22 00:00:10", code="span-empty")
+    t.render(name, "--between", "12:00-13:00").expect(1, "--between", "12:00-13:00", code="span-empty")
+    t.render(name, "--between", "2-5").expect(1, "--between", "'2-5'", "02:00-05:00", code="option-value")
+    t.render(name, "--start", "2026-11-22").expect(1, "--start", "'2026-11-22'", "2026-11-22 02:00", "@02:00", code="option-value")
+    t.render(name, "--end", "2026-11-21 23:00").expect(1, "--end", "2026-11-21 23:00", code="span-empty")
     t.clip()
     for option, value in (("--start", "@02:00"), ("--end", "2026-11-22 02:00"), ("--between", "02:00-05:00")):
-        t.render("clip.avi", option, value).expect(
-            1, f"{option} {value}: nothing tells at which time of day 'clip.avi' was recorded; say when it begins with --start-time DATETIME")
+        t.render("clip.avi", option, value).expect(1, f"{option} {value}", "'clip.avi'", "--start-time", code="time-of-day-unknown")
 
 
 def test_parts_of_each_night(t):
@@ -142,7 +139,8 @@ def test_parts_of_each_night(t):
     report = json.loads(t.path("r.json").read_text())
     check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
     check("left out, no signal" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
-    t.vvr("extract", *files, "-o", "data", "--between", "22:00-05:00").expect(1, "has 2 parts of it, and an extraction is of one stretch")
+    t.vvr("extract", *files, "-o", "data", "--between", "22:00-05:00").expect(
+        1, "--between", "'2026-11-20_22-00-00.avi'", "2 parts", "--start and --end", code="options-conflict")
 
 
 def test_labels_can_be_switched_off(t):
@@ -210,16 +208,16 @@ def test_keyframes_of_a_series_stand_in_each_brick(t):
 
 def test_annotations_that_are_refused(t):
     t.clip()
-    for options, *texts in [
-        (("--theme", "lihgt"), "--theme: there is no 'lihgt'", "did you mean 'light'?"),
-        (("--background", "red"), "--background: 'red': a colour is #rrggbb, or none"),
-        (("--background", "#12345g"), "a colour is #rrggbb"),
-        (("--start-time", "yesterday"), "--start-time: 'yesterday': a date and time is written 2026-11-21 08:00:00"),
-        (("--start-time", "2026-02-30 08:00"), "a date and time is written"),
-        (("--keyframes", "33"), "--keyframes: '33'"),
-        (("--show", "volume,rulre"), "--show: there is no 'rulre'", "did you mean 'ruler'?"),
+    for options, code, *texts in [
+        (("--theme", "lihgt"), "choice-unknown", "--theme", "'lihgt'", "'light'"),
+        (("--background", "red"), "option-value", "--background", "'red'", "#rrggbb"),
+        (("--background", "#12345g"), "option-value", "'#12345g'", "#rrggbb"),
+        (("--start-time", "yesterday"), "option-value", "--start-time", "'yesterday'", "2026-11-21 08:00:00"),
+        (("--start-time", "2026-02-30 08:00"), "option-value", "'2026-02-30 08:00'"),
+        (("--keyframes", "33"), "option-value-out-of-range", "--keyframes", "'33'"),
+        (("--show", "volume,rulre"), "choice-unknown", "--show", "'rulre'", "'ruler'"),
     ]:
-        t.render("clip.avi", *options).expect(1, *texts)
+        t.render("clip.avi", *options).expect(1, *texts, code=code)
     t.expect_files("clip.avi")
 
 

@@ -221,14 +221,14 @@ def test_archive_tries_again(t):
     archive(t, "--quiet").expect(6, "bad.avi failed, status 3: 'in/bad.avi'", code="not-video")
     for tries in (2, 3):
         check(archive(t, "--dry-run").out.startswith("failed, again   bad.avi: 'in/bad.avi' is not"), "dry run")
-        archive(t).expect(6, "1/1 bad.avi failed", "1 done before")
+        archive(t).expect(6, "1/1 bad.avi failed", "1 done before", code="not-video")
         check(sidecar(t, "bad.avi")["tries"] == tries, str(sidecar(t, "bad.avi")))
     # A service that runs every ten minutes has not failed for a clip that is known to be dead.
     result = archive(t).expect(0, "nothing to do; 1 done before, 1 failed too often (--tries)")
     check("is not a video" not in result.err, "told again and again")
     check(archive(t, "--quiet").expect(0).err == "", "a dead clip is news")
     check(archive(t, "--dry-run").out.startswith("given up        bad.avi: 'in/bad.avi' is not"), "dry run")
-    archive(t, "--tries", "4").expect(6, "1/1 bad.avi failed")
+    archive(t, "--tries", "4").expect(6, "1/1 bad.avi failed", code="not-video")
     t.path("in/bad.avi").write_bytes(t.path("in/a.avi").read_bytes())
     age(t, "in/bad.avi")
     archive(t).expect(0, "1/1 bad.avi: ")
@@ -237,7 +237,7 @@ def test_archive_tries_again(t):
     before = sidecar(t, "a.avi")
     t.write("in/a.avi", "no video")
     age(t, "in/a.avi")
-    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "; the picture that is there stays", code="not-video")
+    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "stays", code="not-video")
     check([name for name in outputs(t) if name.startswith("a.")] == sorted(f"a.avi{ending}" for ending in ENDINGS), str(outputs(t)))
     after = sidecar(t, "a.avi")
     check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
@@ -280,9 +280,9 @@ def test_archive_goes_on_past_what_it_cannot_read(t):
         t.path("in/shut").chmod(0)
     result = archive(t)
     t.path("in/shut").chmod(0o755)
-    result.expect(6, "vvr: 'in/gone.avi': No such file or directory")
+    result.expect(6, "'in/gone.avi'", "No such file or directory")
     if os.geteuid() != 0:
-        result.expect(6, "vvr: 'in/shut': Permission denied")
+        result.expect(6, "'in/shut'", "Permission denied")
     check({"a.avi.png", "open/c.avi.png"} <= set(outputs(t)), "others are left out")
     # Something stands where a folder has to be.
     t.path("in/gone.avi").unlink()
@@ -293,24 +293,25 @@ def test_archive_goes_on_past_what_it_cannot_read(t):
 
 def test_archive_refuses_what_cannot_be(t):
     clips(t, "a.avi")
-    t.vvr("archive", "in").expect(1, "no output: say where the pictures go with -o DIR")
-    t.vvr("archive", "-o", "out").expect(1, "no INPUT: give the folder that holds the clips")
-    t.vvr("archive", "in", "in", "-o", "out").expect(1, "one argument too many")
+    t.vvr("archive", "in").expect(1, "-o DIR", code="output-missing")
+    t.vvr("archive", "-o", "out").expect(1, "INPUT", code="input-missing")
+    t.vvr("archive", "in", "in", "-o", "out").expect(1, "'in'", code="input-unsuitable")
     t.vvr("archive", "in", "-o", "in").expect(1, "such as 'in/pictures'", code="options-conflict")
-    t.vvr("archive", "none", "-o", "out").expect(2, "'none'", "is mounted", code="file-not-found")
+    t.vvr("archive", "none", "-o", "out").expect(2, "'none'", "No such file or directory", code="file-not-found")
     t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "vvr render 'in/a.avi' -o picture.png", code="not-a-folder")
     t.write("file", "")
     t.vvr("archive", "in", "-o", "file").expect(2, "'file'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "file/out").expect(2, "'file/out'", code="not-a-folder")
-    t.vvr("archive", "in", "-o", "/proc/out").expect(2, "cannot make the folder '/proc/out'")
-    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share such as 2/8, the second of eight")
-    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 1h30m, 00:01:30 or 2d")
-    t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
-    t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
-    t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(1, "'%Y-%m-%d' is no pattern of names: a time needs %Y, %m, %d and %H, or %s", "(--names)")
-    t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "it has '{cam}', and fields are * ? {camera} {number} %Y")
-    t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "did you mean")
-    t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end has to come after the start")
+    t.vvr("archive", "in", "-o", "/proc/out").expect(2, "'/proc/out'", "-o", code="file-not-found")
+    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard", "'3/2'", "2/8", code="option-value")
+    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle", "'soon'", "90s", code="option-value")
+    t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory", "'much'", "500M", code="option-value")
+    t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only", "--prune", code="options-conflict")
+    t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(
+        1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
+    t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
+    t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "'--sise'", "'--size'", code="option-unknown")
+    t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
     check(not t.path("out").exists(), "a refused run leaves something")
 
 
@@ -337,7 +338,7 @@ def test_archive_knows_the_names_of_recorders(t):
 def test_archive_without_opengl_blames_no_clip(t):
     clips(t, "a.avi", "b.avi")
     result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl", "--device", "200")
-    result.expect(4, "no clip could be drawn, so this run ends here:", code="opengl-unavailable")
+    result.expect(4, "egl", "`vvr doctor`", code="opengl-unavailable")
     check(all(known["tries"] == 0 for known in sidecars(t).values()), "the clips are blamed")
     archive(t).expect(0, "2 clips drawn")
 
@@ -352,7 +353,8 @@ def test_archive_limits_its_workers(t):
     check(sidecar(t, "long.avi")["code"] == "worker-timeout", str(sidecar(t, "long.avi")))
     check([name for name in outputs(t) if name.startswith("long")] == ["long.avi.json"], str(outputs(t)))
     t.path("in/long.avi").unlink()
-    t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "200M", "--size", "4000x4000").expect(6, "a.avi failed, status ", "--max-memory")
+    t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "200M", "--size", "4000x4000").expect(
+        6, "a.avi failed, status ", "--max-memory", code="out-of-memory")
 
 
 def test_an_archive_says_what_its_workers_warn_of(t):
@@ -439,13 +441,14 @@ def test_archive_takes_no_other_file_for_a_lock(t):
     t.path(f"out/{lock_name('b.avi')}").symlink_to("../victim/empty")
     os.mkfifo(t.path(f"out/{lock_name('c.avi')}"))
     clips(t, "d.avi")
-    archive(t, timeout=60).expect(6, "1 clip drawn, 3 failed", f"a.avi failed, cannot lock 'out/{lock_name('a.avi')}': it is a link; remove it",
-                                  "b.avi failed, cannot lock", f"'out/{lock_name('c.avi')}': it is not a regular file; remove it")
+    archive(t, timeout=60).expect(
+        6, "1 clip drawn, 3 failed", "a.avi failed, ", f"'out/{lock_name('a.avi')}'", "b.avi failed, ", f"'out/{lock_name('b.avi')}'",
+        f"'out/{lock_name('c.avi')}'", code="not-a-file")
     check(not t.path("victim/new").exists(), "a link was followed to nowhere")
     check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
     t.path("out/index.html").unlink()
     t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
-    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link", code="not-a-file")
+    t.vvr("archive", "-o", "out", "--index-only").expect(2, f"'out/{lock_name('index.html')}'", code="not-a-file")
 
 
 def test_archive_tidies_only_what_is_the_clips(t):
@@ -468,8 +471,8 @@ def test_archive_names_names_that_are_too_long(t):
     os.utime(t.path("in/a.avi"), (1, 1))  # so that it comes last
     result = archive(t, "--jobs", "1").expect(6, "2 clips drawn, 0 failed")
     for length in (244, 251, 255):
-        text = f"'in/{long[length]}': its '{long[length]}.report.json' would be too long a name ({length + 12} bytes, 255 are possible); rename the clip"
-        check(text in result.err, f"{result}\nexpected {text}")
+        line = next((line for line in result.err.splitlines() if f"'in/{long[length]}'" in line), "")
+        check(f"'{long[length]}.report.json'" in line and f"{length + 12} bytes" in line and "255" in line, f"{result}\nof {length} bytes: {line}")
     complete(t, ["a.avi", long[243]])
     archive(t).expect(6, "nothing to do; 2 done before")
 
@@ -481,9 +484,9 @@ def test_archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
     for name in ("b.avi", full):
         t.path(f"out/{name}.json").mkdir(parents=True)
     t.path("out/c.avi.json").symlink_to("c.avi.json")
-    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': it is a folder; remove it",
-                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link; remove it",
-                                     f"{full} failed, cannot write", "4/4 a.avi: ")
+    archive(t, "--jobs", "1").expect(
+        6, "1 clip drawn, 3 failed", "b.avi failed, ", "'out/b.avi.json'", "c.avi failed, ", "'out/c.avi.json'", f"{full} failed, ",
+        "4/4 a.avi: ", code="not-a-file")
     check("a.avi" in t.path("out/index.html").read_text(), "no index")
     check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
 
@@ -603,7 +606,7 @@ def test_archive_on_a_full_disk(t):
     if t.run(["unshare", "-rm", "true"]).status != 0:
         return
     result = t.run([*small, t.vvr_path, "archive", "in", "-o", "out", *QUICK])
-    result.expect(2, "free some space or choose another folder", code="disk-full", out=None)
+    result.expect(2, "'out", code="disk-full", out=None)
     check(".vvr-" not in result.out, f"left behind: {result}")
 
 
@@ -647,7 +650,7 @@ def test_archive_draws_no_playlists(t):
     t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
     t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
     result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
-    result.expect(6, "list.m3u8", "it is a playlist, and an archive draws only video files")
+    result.expect(6, "'in/list.m3u8'", "playlist")
     check(t.path("out/seg.ts.png").exists(), "the video was not drawn")
 
 
@@ -735,13 +738,12 @@ def test_archive_draws_days_of_cameras(t):
     # Beside a picture of each clip.
     archive(t, "--per", "both", "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
     check("2026-11-21/08/gate/00.02.avi.png" in outputs(t) and "2026-11-21/08/hall/00.02.avi.png" not in outputs(t), f"{outputs(t)}")
-    archive(t, "--per", "week").expect(1, "--per: there is no 'week'")
+    archive(t, "--per", "week").expect(1, "--per", "'week'", code="choice-unknown")
 
 
 def test_archive_takes_no_camera_for_a_way_out(t):
     frigate(t, "cam .. 2026-11-21 08.00.avi", "cam .x 2026-11-21 08.00.avi", "cam a 2026-11-21 08.00.avi")
-    result = archive(t, "--per", "day", "--names", "cam {camera} %Y-%m-%d %H.%M").expect(6, "its camera '..' cannot be the name of a folder",
-                                                                                     "its camera '.x' cannot be", "1 clip drawn")
+    result = archive(t, "--per", "day", "--names", "cam {camera} %Y-%m-%d %H.%M").expect(6, "'..'", "'.x'", "1 clip drawn")
     check(outputs(t) == sorted([f"a/2026-11-21{ending}" for ending in ENDINGS] + ["index.html"]), f"{outputs(t)} {result}")
     check(not list(t.folder.glob("2026*")), f"{t.files()}")
 
@@ -758,8 +760,8 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     archive(t, "--per", "day").expect(0, "4 clips drawn")
     days = pictures(t)
 
-    def prune(status, *texts, options=()):
-        archive(t, "--per", "day", "--prune", *options).expect(status, *texts)
+    def prune(status, *texts, options=(), code=None):
+        archive(t, "--per", "day", "--prune", *options).expect(status, *texts, code=code)
         check(pictures(t) == days, f"{options} {texts}: left are {pictures(t)}")
 
     away = t.path("away")
@@ -780,7 +782,7 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
         prune(0)
     t.path("in/broken.avi").symlink_to("broken.avi")
     t.path(f"in/{names[0]}").rename(t.path("kept.avi"))
-    prune(2, "'in/broken.avi' can't be read: Too many levels of symbolic links; so nothing is pruned")
+    prune(2, "'in/broken.avi'", "Too many levels of symbolic links", code="io")
     t.path("in/broken.avi").unlink()
     # Moved within the archive, the day is there still.
     t.path("in/2026-11-20/11/gate").mkdir(parents=True)
@@ -788,7 +790,7 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     prune(0)
     if os.geteuid() != 0:
         t.path(f"{folders[21]}/10").chmod(0)
-        prune(2, "can't be read: Permission denied; so nothing is pruned")
+        prune(2, "Permission denied", code="io")
         t.path(f"{folders[21]}/10").chmod(0o755)
     # A sidecar of an older vvr does not tell its clips.
     for day in ("gate/2026-11-20", "gate/2026-11-21"):
@@ -810,7 +812,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
     t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=600, size="384x288")
     os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
-    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "; the picture that is there stays", code="worker-timeout")
+    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "stays", code="worker-timeout")
     after = sidecar(t, day)
     check(whole_before == {name: t.path(f"out/{name}").read_bytes() for name in whole_before}, f"{outputs(t)}")
     check((after["state"], after["tries"], after["frames"], after["day"]["clips"]) == ("failed", 1, before["frames"], 3), f"{after}")

@@ -101,18 +101,18 @@ def test_colours_of_a_stored_flow(t):
         t.render(clip, *look, output=name).expect(0)
     check(t.rgb("clip.png") == t.rgb("data.png"), "a stored flow gives other colours")
     t.vvr("extract", "clip.mkv", "-o", "thin", "--flow-every", "2").expect(0)
-    t.render("thin", *look, output="no.png").expect(1, "'thin' was not extracted with the flow of each frame", "(--flow-every)")
+    t.render("thin", *look, output="no.png").expect(1, "'thin'", "--flow-every", code="extraction-unsuitable")
 
 
 def test_colours_that_cannot_be(t):
     moving_clip(t)
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
-    t.render("clip.mkv", "--color", "directoin").expect(1, "--color: there is no 'directoin' (did you mean 'direction'?)")
+    t.render("clip.mkv", "--color", "directoin").expect(1, "--color", "'directoin'", "'direction'", code="choice-unknown")
     for colour in ("direction", "speed", "flow"):
-        t.render("clip.mkv", "--color", colour, "--flow", "none").expect(
-            1, f"{colour}: it needs flow, and flow none computes none; choose another flow or colour")
-    t.render("data", "--color", "edges").expect(1, "edges: 'data' holds the values of one filter; render the clip itself")
-    t.render("clip.mkv", "--color", "object", "--filter", "edges").expect(1, "the filter 'edges' marks no objects")
+        t.render("clip.mkv", "--color", colour, "--flow", "none").expect(1, f"{colour}", "none", code="options-conflict")
+    t.render("data", "--color", "edges").expect(1, "edges", "'data'", code="extraction-unsuitable")
+    t.render("clip.mkv", "--color", "object", "--filter", "edges").expect(
+        1, "--color object", "'edges'", "--filter", code="options-conflict")
     check(not t.path("out.png").exists(), "a picture was written")
 
 

@@ -44,23 +44,23 @@ def test_compare_allows_rounding_and_single_pixels(t):
     png(t, "a.png", (100, 50))
     png(t, "b.png", (100, 50), 130, [(50, 25, 255), (3, 3, 0)])
     t.vvr("compare", "a.png", "b.png").expect(0, out=None)
-    t.vvr("compare", "a.png", "b.png", "--tolerance-percent", "0").expect(7, "0.04 % of the pixels differ by more than 0.02, 0 % may", out=None)
-    t.vvr("compare", "a.png", "b.png", "--tolerance", "0.005").expect(7, "100 % of the pixels differ by more than 0.005", out=None)
+    t.vvr("compare", "a.png", "b.png", "--tolerance-percent", "0").expect(7, "0.04 %", "0.02", "0 %", code="picture-differs", out=None)
+    t.vvr("compare", "a.png", "b.png", "--tolerance", "0.005").expect(7, "100 %", "0.005", code="picture-differs", out=None)
 
 
 def test_compare_tells_where_they_differ(t):
     png(t, "a.png", (120, 80))
     png(t, "b.png", (120, 80), 128, [(x, y, 28) for x in range(60, 66) for y in range(40, 46)])
     told = t.vvr("compare", "a.png", "b.png").expect(
-        7, "vvr: at 60,40: A 0.5020 0.5020 0.5020 and B 0.1098 0.1098 0.1098 differ by 0.3922",
-        "'a.png' and 'b.png' differ: a patch of 8x8 pixels differs by 0.221 in the mean, 0.03 is allowed", out=None)
+        7, "60,40: A 0.5020 0.5020 0.5020 and B 0.1098 0.1098 0.1098", "0.3922", "'a.png'", "'b.png'", "8x8", "0.221", "0.03",
+        code="picture-differs", out=None)
     check(told.err.count("vvr: at ") == 10, "not the ten worst pixels")
     rows = [line for line in told.err.splitlines() if line.startswith("vvr: |")]
     check(len(rows) == 20 and all(len(row) == len("vvr: ||") + 60 for row in rows), str(told))
     marked = {(row, column) for row, line in enumerate(rows) for column, mark in enumerate(line[6:66]) if mark != " "}
     check(marked == {(row, column) for row in (10, 11) for column in (30, 31, 32)}, f"{marked}")
     check("max    0.392157\n" in told.out and "off    36 of 9600 pixels, 0.3750 %\n" in told.out, str(told))
-    quiet = t.vvr("compare", "a.png", "b.png", "--quiet").expect(7, out=None)
+    quiet = t.vvr("compare", "a.png", "b.png", "--quiet").expect(7, code="picture-differs", out=None)
     check(quiet.err.count("\n") == 1, str(quiet))
 
 
@@ -68,13 +68,13 @@ def test_compare_looks_at_size_channels_and_numbers_first(t):
     png(t, "a.png")
     png(t, "wide.png", (41, 20))
     png(t, "clear.png", alpha=True)
-    t.vvr("compare", "a.png", "wide.png").expect(7, "'a.png' and 'wide.png' differ: sizes 40x20 and 41x20")
-    t.vvr("compare", "a.png", "clear.png").expect(7, "differ: channels R,G,B and R,G,B,A")
+    t.vvr("compare", "a.png", "wide.png").expect(7, "'a.png'", "'wide.png'", "40x20", "41x20", code="picture-differs")
+    t.vvr("compare", "a.png", "clear.png").expect(7, "'a.png'", "'clear.png'", "R,G,B and R,G,B,A", code="picture-differs")
     floats(t, "good.exr", [0.5] * 12)
     floats(t, "bad.exr", [0.5] * 10 + [float("nan"), float("inf")])
     text = "differ: 2 of the second picture's values are no number or infinite, first at 1,"
-    t.vvr("compare", "good.exr", "bad.exr").expect(7, text)
-    t.vvr("compare", "bad.exr", "bad.exr").expect(7, "2 of the first picture's values")
+    t.vvr("compare", "good.exr", "bad.exr").expect(7, "'good.exr'", "'bad.exr'", "2", "1,", code="picture-differs")
+    t.vvr("compare", "bad.exr", "bad.exr").expect(7, "'bad.exr'", "2", code="picture-differs")
     t.vvr("compare", "good.exr", "good.exr").expect(0, out=None)
 
 
@@ -94,7 +94,7 @@ def test_compare_as_json(t):
     worst = told["worst"]
     check(len(worst) == 1 and (worst[0]["x"], worst[0]["y"], worst[0]["b"]) == (7, 9, [1, 1, 1]), str(worst))
     png(t, "wide.png", (41, 20))
-    told = json.loads(t.vvr("compare", "a.png", "wide.png", "--json").expect(7, out=None).out)
+    told = json.loads(t.vvr("compare", "a.png", "wide.png", "--json").expect(7, code="picture-differs", out=None).out)
     check((told["same"], told["verdict"], told["mean"], told["worst"]) == (False, "size", None, []), str(told))
 
 
@@ -113,15 +113,16 @@ def test_compare_draws_the_difference(t):
 def test_compare_refuses(t):
     png(t, "a.png")
     t.write("text.png", "no picture")
-    t.vvr("compare", "a.png").expect(1, "compare takes two pictures, and was given 1: vvr compare A B")
-    t.vvr("compare", "a.png", "a.png", "a.png").expect(1, "was given 3")
-    t.vvr("compare", "a.png", "none.png").expect(2, "cannot read picture 'none.png'")
-    t.vvr("compare", "text.png", "a.png").expect(2, "cannot read picture 'text.png'")
-    t.vvr("compare", "a.png", "a.png", "--tolerance", "2").expect(1, "--tolerance: '2' is not a number from 0 to 1")
-    t.vvr("compare", "a.png", "a.png", "--tolerance-percent", "nan").expect(1, "--tolerance-percent: 'nan'")
-    t.vvr("compare", "a.png", "a.png", "--tolerance-patch", "x").expect(1, "--tolerance-patch: 'x'")
-    t.vvr("compare", "a.png", "a.png", "--diff", "d.pgn").expect(1, "did you mean '.png'?")
-    t.vvr("compare", "a.png", "a.png", "--diff", "none/d.png").expect(2, "there is no folder 'none'")
+    t.vvr("compare", "a.png").expect(1, "1", "vvr compare A B", code="input-unsuitable")
+    t.vvr("compare", "a.png", "a.png", "a.png").expect(1, "3", "vvr compare A B", code="input-unsuitable")
+    t.vvr("compare", "a.png", "none.png").expect(2, "'none.png'", "No such file or directory", code="file-not-found")
+    t.vvr("compare", "text.png", "a.png").expect(2, "'text.png'", "PNG, JPEG, TIFF or OpenEXR", code="file-invalid")
+    t.vvr("compare", "a.png", "a.png", "--tolerance", "2").expect(1, "--tolerance", "'2'", "0 to 1", code="option-value-out-of-range")
+    t.vvr("compare", "a.png", "a.png", "--tolerance-percent", "nan").expect(
+        1, "--tolerance-percent", "'nan'", code="option-value-out-of-range")
+    t.vvr("compare", "a.png", "a.png", "--tolerance-patch", "x").expect(1, "--tolerance-patch", "'x'", code="option-value")
+    t.vvr("compare", "a.png", "a.png", "--diff", "d.pgn").expect(1, "'.pgn'", "'.png'", code="output-format-unknown")
+    t.vvr("compare", "a.png", "a.png", "--diff", "none/d.png").expect(2, "'none/d.png'", "mkdir -p 'none'", code="file-not-found")
     t.expect_files("a.png", "text.png")
 
 
@@ -132,8 +133,7 @@ def golden(t, *arguments, output=()):
 
 def test_golden_that_is_missing_then_blessed_then_met(t):
     t.clip()
-    golden(t).expect(7, "there is no golden picture 'golden.png' to compare with; look at 'golden.candidate.png', and if "
-                        "it is right, bless it (--bless)")
+    golden(t).expect(7, "'golden.png'", "'golden.candidate.png'", "--bless", code="reference-missing")
     t.expect_files("clip.avi", "golden.candidate.png")
     t.expect_picture("golden.candidate.png")
     golden(t, "--bless").expect(0, "'golden.png': blessed")
@@ -149,7 +149,7 @@ def test_golden_that_differs_keeps_the_candidate_until_it_is_met(t):
     golden(t, "--bless").expect(0)
     before = t.path("golden.png").read_bytes()
     golden(t, "--camera", "10,46", "--diff", "diff.png").expect(
-        7, "vvr: |", "the picture differs from 'golden.png': ", "look at 'golden.candidate.png'")
+        7, "vvr: |", "'golden.png'", "'golden.candidate.png'", code="picture-differs")
     t.expect_files("clip.avi", "diff.png", "golden.candidate.png", "golden.png")
     check(t.path("golden.png").read_bytes() == before, "the golden picture was touched")
     golden(t).expect(0)
@@ -157,13 +157,13 @@ def test_golden_that_differs_keeps_the_candidate_until_it_is_met(t):
     golden(t, "--camera", "10,46", "--bless").expect(0)
     golden(t, "--camera", "10,46", output=("-o", "out.png")).expect(0, "'out.png': 20 frames")
     check(t.path("out.png").read_bytes() == t.path("golden.png").read_bytes(), "blessed is not what is drawn")
-    golden(t).expect(7)
+    golden(t).expect(7, code="picture-differs")
 
 
 def test_golden_of_another_size_or_renderer(t):
     t.clip()
     golden(t, "--bless").expect(0)
-    golden(t, "--size", "161x100").expect(7, "differs from 'golden.png': sizes 160x100 and 161x100; look at")
+    golden(t, "--size", "161x100").expect(7, "'golden.png'", "160x100", "161x100", code="picture-differs")
     data = t.path("golden.png").read_bytes()
     name = data[data.index(b"vvr:renderer\0"):][13:30]
     at = data.index(b"vvr:renderer\0") + 13
@@ -173,29 +173,29 @@ def test_golden_of_another_size_or_renderer(t):
     chunk = data[begin:begin + 4 + length].replace(name[:4], b"soft")
     t.write("golden.png", data[:begin] + chunk + struct.pack(">I", zlib.crc32(chunk)) + data[begin + 8 + length:])
     golden(t).expect(0)
-    golden(t, "--camera", "10,46").expect(7, "'golden.png' was drawn by soft")
+    golden(t, "--camera", "10,46").expect(7, "'golden.png'", "soft", code="picture-differs")
 
 
 def test_golden_that_cannot_be_read_or_kept(t):
     t.clip()
     t.write("golden.png", "no picture")
     # Found before anything is drawn, and before the clip is opened.
-    t.vvr("render", "none.avi", "--golden", "golden.png").expect(2, "cannot read picture 'golden.png'")
-    golden(t).expect(2, "cannot read picture 'golden.png'")
-    t.vvr("render", "clip.avi", "--golden", "none/golden.png", "--bless").expect(2, "there is no folder 'none'")
+    t.vvr("render", "none.avi", "--golden", "golden.png").expect(2, "'golden.png'", code="file-invalid")
+    golden(t).expect(2, "'golden.png'", code="file-invalid")
+    t.vvr("render", "clip.avi", "--golden", "none/golden.png", "--bless").expect(
+        2, "'none/golden.png'", "mkdir -p 'none'", code="file-not-found")
     # No one may make files there, not even root; what counts is that there is no golden picture.
-    t.vvr("render", "clip.avi", "--golden", "/proc/golden.png").expect(
-        7, "there is no golden picture '/proc/golden.png'", "the candidate could not be kept: cannot make a file in '/proc'")
-    t.vvr("render", "clip.avi", "--golden", "golden.pgn").expect(1, "did you mean '.png'?")
+    t.vvr("render", "clip.avi", "--golden", "/proc/golden.png").expect(7, "'/proc/golden.png'", "'/proc'", code="reference-missing")
+    t.vvr("render", "clip.avi", "--golden", "golden.pgn").expect(1, "'.pgn'", "'.png'", code="output-format-unknown")
     t.expect_files("clip.avi", "golden.png")
 
 
 def test_golden_options_that_do_not_fit(t):
     t.clip()
-    t.render("clip.avi", "--bless").expect(1, "--bless: add --golden FILE to say which picture is blessed")
-    t.render("clip.avi", "--diff", "d.png").expect(1, "--diff: add --golden FILE to say what the picture is compared with")
-    golden(t, "--animate", "3", output=("-o", "a.####.png")).expect(1, "--golden compares one picture")
-    t.vvr("render", "clip.avi").expect(1, "no output: say where the picture goes with -o FILE")
+    t.render("clip.avi", "--bless").expect(1, "--bless", "--golden FILE", code="option-needs-another")
+    t.render("clip.avi", "--diff", "d.png").expect(1, "--diff", "--golden FILE", code="option-needs-another")
+    golden(t, "--animate", "3", output=("-o", "a.####.png")).expect(1, "--golden", "--animate", code="options-conflict")
+    t.vvr("render", "clip.avi").expect(1, "-o FILE", code="output-missing")
     t.expect_files("clip.avi")
 
 

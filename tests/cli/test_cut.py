@@ -156,9 +156,10 @@ def test_cut_takes_the_searches_options(t):
     left = json.loads(t.path("left.json").read_text())["events"][0]
     t.vvr("cut", clip, "--events", "left", "--event", "1", "--exact", "-o", "left.mp4").expect(
         0, f"{left['last']['frame'] - left['first']['frame'] + 1} frames encoded")
-    t.vvr("cut", clip, "--events", "left", "--event", "2", "-o", "none.mp4").expect(1, "has 1 event; choose that")
+    t.vvr("cut", clip, "--events", "left", "--event", "2", "-o", "none.mp4").expect(
+        1, "--event", "event 2", "1 event", code="event-unknown")
     t.vvr("cut", clip, "--roi", "0,0 20,0 20,20 0,20", "--event", "1", "-o", "none.mp4").expect(
-        1, f"--event: there is no event 1: '{clip}' has no events")
+        1, "--event", "event 1", f"'{clip}'", code="event-unknown")
 
 
 def test_cut_keeps_when_it_was_recorded_and_how_it_is_turned(t):
@@ -189,11 +190,12 @@ def test_cut_of_a_damaged_clip(t):
 def test_cut_refuses_events_that_are_not_there(t):
     clip = bag(t)
     events(t, clip)
-    t.vvr("cut", clip, "--event", "4", "-o", "x.mp4").expect(1, f"vvr: --event: there is no event 4: '{clip}' has 3 events; choose 1 to 3")
+    t.vvr("cut", clip, "--event", "4", "-o", "x.mp4").expect(
+        1, "--event", "event 4", f"'{clip}'", "3 events", "1 to 3", code="event-unknown")
     t.vvr("cut", clip, "--event", "9", "--report", "report.json", "-o", "x.mp4").expect(
-        1, "vvr: --event: there is no event 9: 'report.json' has 3 events; choose 1 to 3")
-    t.vvr("cut", clip, "--event", "0", "-o", "x.mp4").expect(1, "--event: '0'", "1")
-    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "'edges' marks no objects, so there are no events")
+        1, "--event", "event 9", "'report.json'", "3 events", "1 to 3", code="event-unknown")
+    t.vvr("cut", clip, "--event", "0", "-o", "x.mp4").expect(1, "--event", "'0'", "1", code="option-value-out-of-range")
+    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "--filter", "'edges'", code="options-conflict")
     t.expect_files(clip, "report.json")
 
 
@@ -201,14 +203,14 @@ def test_cut_refuses_reports_that_are_none(t):
     clip = bag(t)
     cut = ("cut", clip, "--event", "1", "-o", "x.mp4", "--report")
     t.write("text.json", "what is this")
-    t.vvr(*cut, "text.json").expect(1, "vvr: --report 'text.json' is no report of `vvr render`; make one with: vvr render CLIP")
+    t.vvr(*cut, "text.json").expect(1, "--report", "'text.json'", "vvr render CLIP", code="input-unsuitable")
     t.write("list.json", "[1, 2]")
-    t.vvr(*cut, "list.json").expect(1, "is no report of `vvr render`")
+    t.vvr(*cut, "list.json").expect(1, "'list.json'", "`vvr render`", code="input-unsuitable")
     t.write("null.json", json.dumps({"report": 1, "input": {"name": clip}, "events": None}))
-    t.vvr(*cut, "null.json").expect(1, "tells of no events, as they were not searched for")
+    t.vvr(*cut, "null.json").expect(1, "--report 'null.json'", "vvr render CLIP --report", code="input-unsuitable")
     t.write("odd.json", json.dumps({"report": 1, "input": {"name": clip}, "events": [{"first": 3}]}))
-    t.vvr(*cut, "odd.json").expect(1, "is not as `vvr render` writes it")
-    t.vvr(*cut, "none.json").expect(2, "none.json: can't be opened: No such file or directory")
+    t.vvr(*cut, "odd.json").expect(1, "'odd.json'", "`vvr render`", code="input-unsuitable")
+    t.vvr(*cut, "none.json").expect(2, "none.json", "No such file or directory", code="file-not-found")
     events(t, clip)
     os.rename(t.path(clip), t.path("renamed.mp4"))
     t.vvr("cut", "renamed.mp4", "--event", "1", "--report", "report.json", "-o", "x.mp4").expect(
@@ -218,14 +220,16 @@ def test_cut_refuses_reports_that_are_none(t):
 def test_cut_refuses_pieces_that_are_empty(t):
     t.clip("clip.mkv", seconds=4)
     for exact in ((), ("--exact",)):
-        t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 5 s to its end; ", "choose another piece")
-        t.vvr("cut", "clip.mkv", "--from", "40f", "--to", "90f", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from frame 40 to frame 90")
-        t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "3s", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 3 s")
-        t.vvr("cut", "clip.mkv", "--from", "20f", "--to", "10f", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 10, a frame")
-        t.vvr("cut", "clip.mkv", "--from", "3.02s", "--to", "3.05s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 3.02 s to 3.05 s; choose another piece")
-    t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv").expect(1, "to its end; its last frame is at 3.900 s; choose another piece")
+        t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv'", "5 s", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--from", "40f", "--to", "90f", "-o", "x.mkv", *exact).expect(
+            1, "'clip.mkv'", "frame 40", "frame 90", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "3s", "-o", "x.mkv", *exact).expect(1, "3 s", "--from", "--to", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--from", "20f", "--to", "10f", "-o", "x.mkv", *exact).expect(1, "10", "--from", "--to", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--from", "3.02s", "--to", "3.05s", "-o", "x.mkv", *exact).expect(
+            1, "'clip.mkv'", "3.02 s", "3.05 s", code="span-empty")
+    t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv").expect(1, "'clip.mkv'", "3.900 s", code="span-empty")
     t.vvr("cut", "clip.mkv", "--from", "1s", "--to", "10f", "--margin", "2", "-o", "x.mkv").expect(
-        1, "--margin is in seconds, and to 10 is a frame; give a time such as 12.5s")
+        1, "--margin", "10", "12.5s", code="options-conflict")
     t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "9s", "-o", "x.mkv").expect(0, "warning: 'clip.mkv' ends at 3.900 s")
 
 
@@ -236,31 +240,31 @@ def test_cut_refuses_what_cannot_be_cut(t):
     t.vvr("extract", "clip.avi", "-o", "data").expect(0)
     os.mkfifo(t.path("pipe"))
     cut = lambda name: t.vvr("cut", name, "--from", "0", "-o", "x.mkv", timeout=20)
-    cut("frames").expect(1, "'frames' is a sequence of pictures, not a clip; give video files, or a folder of them")
-    cut("frames/%03d.png").expect(1, "is a sequence of pictures")
-    cut("data").expect(1, "'data' is what `vvr extract` wrote, and has no video in it")
-    cut("-").expect(1, "'-' is stdin, which can't be cut")
-    cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream' is an address; save it to a file first")
-    cut("pipe").expect(1, "'pipe' is not a regular file")
+    cut("frames").expect(1, "'frames'", "pictures", code="input-unsuitable")
+    cut("frames/%03d.png").expect(1, "'frames/%03d.png'", "pictures", code="input-unsuitable")
+    cut("data").expect(1, "'data'", "`vvr extract`", code="input-unsuitable")
+    cut("-").expect(1, "'-'", "stdin", code="input-unsuitable")
+    cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream'", "address", code="input-unsuitable")
+    cut("pipe").expect(1, "'pipe'", code="input-unsuitable")
     t.path("empty").mkdir()
-    cut("empty").expect(1, "'empty' is a folder without video files; give video files, or a folder of them")
-    cut("none.avi").expect(2, "cannot read 'none.avi': No such file or directory")
+    cut("empty").expect(1, "'empty'", code="input-unsuitable")
+    cut("none.avi").expect(2, "'none.avi'", "No such file or directory", code="file-not-found")
     t.write("notes.avi", "this is no video\n" * 100)
-    cut("notes.avi").expect(3, "'notes.avi' is not a video")
+    cut("notes.avi").expect(3, "'notes.avi'", "`ffprobe`", code="not-video")
     t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
-    cut("sound.m4a").expect(3, "'sound.m4a' has no video")
+    cut("sound.m4a").expect(3, "'sound.m4a'", "audio", "aac", code="no-video-stream")
     check(not t.path("x.mkv").exists(), "something was written")
 
 
 def test_cut_needs_a_piece_and_an_output(t):
     t.clip("clip.avi")
-    t.vvr("cut", "clip.avi", "--from", "0").expect(1, "no output: say where the piece goes with -o FILE")
-    t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "no piece: say which with --event N, or with --from TIME --to TIME")
-    t.vvr("cut", "clip.avi", "--event", "1", "--from", "0", "-o", "x.avi").expect(1, "--from", "--event")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.png").expect(1, "cannot write 'x.png': the name of a clip ends in .mp4, .mov")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.avi", "--exact").expect(1, "an exact piece can't be a .avi", "choose .mp4", "--exact")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "no/x.mkv").expect(2, "there is no folder 'no'")
-    t.vvr("cut", "-o", "x.avi", "--from", "0").expect(1, "no INPUT")
+    t.vvr("cut", "clip.avi", "--from", "0").expect(1, "-o FILE", code="output-missing")
+    t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "--event N", "--from TIME --to TIME", code="usage")
+    t.vvr("cut", "clip.avi", "--event", "1", "--from", "0", "-o", "x.avi").expect(1, "--from", "--event", code="usage")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.png").expect(1, "'x.png'", ".mp4, .mov", code="output-format-unknown")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.avi", "--exact").expect(1, ".avi", ".mp4", "--exact", code="output-format-unknown")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "no/x.mkv").expect(2, "'no/x.mkv'", "mkdir -p 'no'", code="file-not-found")
+    t.vvr("cut", "-o", "x.avi", "--from", "0").expect(1, "INPUT", code="input-missing")
     t.expect_files("clip.avi")
 
 
@@ -272,26 +276,25 @@ def test_cut_never_writes_over_its_input(t):
     for name in ("clip.mkv", "./clip.mkv", "hard.mkv", "soft.mkv"):
         for exact in ((), ("--exact",)):
             t.vvr("cut", "clip.mkv", "--from", "1s", "-o", name, *exact).expect(
-                1, f"-o '{name}' would replace what is read, 'clip.mkv'; choose another name")
+                1, f"-o '{name}'", "'clip.mkv'", code="output-replaces-input")
     check(t.path("clip.mkv").read_bytes() == before, "the input has changed")
 
 
 def test_cut_names_containers_that_can_hold_the_codec(t):
     t.clip("clip.mkv", codec=("-c:v", "ffv1"))
-    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4").expect(
-        1, "cannot write 'x.mp4': .mp4 can't hold video (ffv1); choose ", ".mkv", "--exact")
+    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4").expect(1, "'x.mp4'", "ffv1", ".mkv", "--exact", code="options-conflict")
     t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4", "--exact").expect(0, "10 frames encoded")
     bag(t)
-    t.vvr("cut", "bag.mp4", "--from", "1s", "-o", "x.webm").expect(1, ".webm can't hold video (h264); choose .mp4, .mov")
+    t.vvr("cut", "bag.mp4", "--from", "1s", "-o", "x.webm").expect(1, ".webm", "h264", ".mp4, .mov", code="options-conflict")
     t.ffmpeg("-i", "bag.mp4", "-c:v", "copy", "-c:a", "pcm_mulaw", "-ar", "8000", "law.mkv")
-    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mp4").expect(1, ".mp4 can't hold audio (pcm_mulaw); choose .mov")
+    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mp4").expect(1, ".mp4", "pcm_mulaw", ".mov", code="options-conflict")
     t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mkv").expect(0, "frames copied")
 
 
 def test_cut_refuses_to_copy_without_times(t):
     t.clip("clip.mp4", codec=("-c:v", "libx264", "-pix_fmt", "yuv420p"))
     t.ffmpeg("-i", "clip.mp4", "-c", "copy", "-bsf:v", "h264_mp4toannexb", "raw.h264")
-    t.vvr("cut", "raw.h264", "--from", "1s", "-o", "x.mp4").expect(3, "'raw.h264' can't be copied: ", "(--exact)")
+    t.vvr("cut", "raw.h264", "--from", "1s", "-o", "x.mp4").expect(3, "'raw.h264'", "--exact", code="copy-impossible")
     t.vvr("cut", "raw.h264", "--from", "10f", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded anew")
 
 
@@ -299,7 +302,7 @@ def test_cut_of_a_full_disk_leaves_nothing(t):
     clip = bag(t)
     for exact in ((), ("--exact",)):
         command = f'ulimit -f 4; "{t.vvr_path}" cut {clip} --from 0 -o x.mp4 {" ".join(exact)}'
-        t.run(["bash", "-c", command]).expect(2, "cannot write 'x.mp4': File too large; free some space")
+        t.run(["bash", "-c", command]).expect(2, "'x.mp4'", "File too large", code="disk-full")
         t.expect_files(clip)
 
 

@@ -6,8 +6,6 @@ import struct
 
 from harness import check, moving_clip
 
-NO_MANIFEST = "it holds other files, and no manifest of `vvr extract`"
-
 
 def same(t, one, other):
     check(t.path(one).read_bytes() == t.path(other).read_bytes(), f"{one} and {other} differ")
@@ -26,15 +24,15 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
     check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
     t.render("part1", "part2", "part3", output="parts.html").expect(0)
     check("<title>clip.mkv</title>" in t.path("parts.html").read_text(encoding="utf-8"), "the page has another title")
-    for part, *texts in [
-        ("4/3", "--part: '4/3' is not a share such as 2/8"),
-        ("0/3", "'0/3' is not a share"),
-        ("1", "'1' is not a share"),
-        ("1/x", "'1/x' is not a share"),
-        ("2/42", "--part 2/42: 'clip.mkv' has 41 frames; ask for fewer parts"),
+    for part, code, *facts in [
+        ("4/3", "option-value", "--part", "'4/3'", "2/8"),
+        ("0/3", "option-value", "--part", "'0/3'"),
+        ("1", "option-value", "--part", "'1'"),
+        ("1/x", "option-value", "--part", "'1/x'"),
+        ("2/42", "option-value-out-of-range", "--part 2/42", "'clip.mkv'", "41 frames"),
     ]:
-        t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
-    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5f").expect(1, "leave out the start and the end (--start, --end)")
+        t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *facts, code=code)
+    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5f").expect(1, "--start", "--end", code="options-conflict")
     check(not t.path("none").exists(), "a folder was made")
 
 
@@ -62,8 +60,7 @@ def test_colour_of_the_video_needs_extracted_frames(t):
     clip = moving_clip(t)
     look = ("--backend", "software", "--color", "video")
     t.vvr("extract", clip, "-o", "data").expect(0)
-    t.render("data", *look, output="no.png").expect(
-        1, "'data' was extracted without the frames' colours: extract it again with them, or render the clip itself (--with-color)")
+    t.render("data", *look, output="no.png").expect(1, "'data'", "--with-color", code="extraction-unsuitable")
     check(not t.path("no.png").exists(), "a picture was written")
     t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
     check(len(list(t.path("data/color").iterdir())) == 40, "not a picture a frame")
@@ -102,11 +99,11 @@ def test_four_parts_are_one_whole(t):
     t.render("whole", "--backend", "software", output="whole.png").expect(0)
     t.render(*parts, "--backend", "software", output="parts.png").expect(0, "40 frames")
     same(t, "whole.png", "parts.png")
-    t.render("part0", "part20").expect(1, "not consecutive parts", "ends with frame 9, the second begins with frame 20")
-    t.render("part10", "part0").expect(1, "give the parts in order")
-    t.render("part0", "clip.mkv").expect(1, "'part0' holds no video files, so it can't be a part of one recording")
+    t.render("part0", "part20").expect(1, "frame 9", "frame 20", code="extraction-unsuitable")
+    t.render("part10", "part0").expect(1, "'part10'", "'part0'", code="extraction-unsuitable")
+    t.render("part0", "clip.mkv").expect(1, "'part0'", code="input-unsuitable")
     t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10f", "--grid", "9").expect(0)
-    t.render("part0", "part10").expect(1, "grid is '14' and '9'")
+    t.render("part0", "part10").expect(1, "grid", "'14'", "'9'", code="extraction-unsuitable")
 
 
 def test_part_gives_the_picture_that_the_clip_gives(t):
@@ -130,58 +127,59 @@ def test_extract_replaces_only_its_own(t):
     moving_clip(t)
     t.path("mine").mkdir()
     t.write("mine/notes.txt", "keep me")
-    t.vvr("extract", "clip.mkv", "-o", "mine").expect(2, "cannot write to 'mine'", NO_MANIFEST, "choose a new or an empty folder")
-    t.vvr("extract", "clip.mkv", "-o", "mine/notes.txt").expect(2, "it is not a folder")
-    t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "there is no folder 'none'")
-    t.vvr("extract", "clip.mkv").expect(1, "no output", "-o DIR")
-    t.vvr("extract", "-o", "data").expect(1, "no INPUT")
+    t.vvr("extract", "clip.mkv", "-o", "mine").expect(2, "'mine'", "`vvr extract`", code="folder-not-empty")
+    t.vvr("extract", "clip.mkv", "-o", "mine/notes.txt").expect(2, "'mine/notes.txt'", code="not-a-folder")
+    t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "'none/data'", "mkdir -p 'none'", code="file-not-found")
+    t.vvr("extract", "clip.mkv").expect(1, "-o DIR", code="output-missing")
+    t.vvr("extract", "-o", "data").expect(1, "INPUT", code="input-missing")
     t.vvr("extract", "clip.mkv", "-o", "data", "--start", "736.40199999999999s", "--end", "750.4019999999999s").expect(
-        1, "'clip.mkv' has no frame from 736.402 s to 750.402 s")
-    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40f").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
+        1, "'clip.mkv'", "736.402 s", "750.402 s", code="span-empty")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40f").expect(
+        1, "'clip.mkv'", "frame 40", "40 frames", "3.900 s", code="span-empty")
     t.expect_files("clip.mkv", "mine", "mine/notes.txt")
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5f", "--flow", "none").expect(0, "5 frames")
     check(len(list(t.path("data/scalar").iterdir())) == 5, "the older extraction was not replaced")
-    t.render("data", "--show", "arrows").expect(1, "was extracted without flow", "--show")
+    t.render("data", "--show", "arrows").expect(1, "'data'", "--show", code="extraction-unsuitable")
     t.render("data", "--show", "volume").expect(0)
 
 
 def test_options_that_an_extraction_decided(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
-    t.render("data", "--filter", "edges").expect(1, "--filter edges: 'data' was extracted with difference")
-    t.render("data", "--grid", "9").expect(1, "--grid 9: 'data' was extracted with 14; leave it out, or run `vvr seeds` with it")
-    t.render("data", "--end", "9f").expect(1, "--end 9f: 'data' was extracted with none", "vvr extract")
+    t.render("data", "--filter", "edges").expect(1, "--filter edges", "'data'", "difference", code="extraction-unsuitable")
+    t.render("data", "--grid", "9").expect(1, "--grid 9", "'data'", "14", "`vvr seeds`", code="extraction-unsuitable")
+    t.render("data", "--end", "9f").expect(1, "--end 9f", "'data'", "vvr extract", code="extraction-unsuitable")
 
 
 def test_manifest_that_lies(t):
     t.vvr("extract", moving_clip(t, frames=12), "-o", "good").expect(0)
 
-    def change(status, text, edit):
+    def change(status, code, edit, *facts, file="manifest.json"):
         shutil.rmtree(t.path("bad"), ignore_errors=True)
         shutil.copytree(t.path("good"), t.path("bad"))
         told = manifest(t, "bad")
         edit(told)
         t.write("bad/manifest.json", json.dumps(told))
-        t.render("bad", "--show", "volume,arrows").expect(status, "bad/", text)
+        t.render("bad", "--show", "volume,arrows").expect(status, f"'bad/{file}'", *facts, code=code)
 
-    change(2, "not JSON", lambda m: m["frames"][3].update(pts=float("nan")))
-    change(2, "'frames[3].pts' is null, not a number", lambda m: m["frames"][3].update(pts=None))
-    change(2, "the time of frame 3, 0 s, is before that of frame 2", lambda m: m["frames"][3].update(pts=0.0))
-    change(2, "frame 4 follows frame 2", lambda m: m["frames"].pop(3))
-    change(2, "scalar/000012.png': there is no such file", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}))
-    change(3, "it lists no frames", lambda m: m["frames"].clear())
-    change(2, "96x64 with 3 channel(s) of uint8 where 8-bit 97x64", lambda m: m.update(field_width=97))
-    change(2, "'field_width' is 1e+300, not a whole number", lambda m: m.update(field_width=1e300))
-    change(2, "'clip.rate' is \"fast\"", lambda m: m["clip"].update(rate="fast"))
-    change(2, "seeds where the manifest says 99", lambda m: m["frames"][3].update(seeds=99))
-    change(2, "there is no 'settings'", lambda m: m.pop("settings"))
-    change(2, "its format_version is 2, this vvr reads 1", lambda m: m.update(format_version=2))
-    change(2, "the extraction was not finished", lambda m: m.update(complete=False))
+    change(2, "file-invalid", lambda m: m["frames"][3].update(pts=float("nan")), "JSON")
+    change(2, "file-invalid", lambda m: m["frames"][3].update(pts=None), "'frames[3].pts'", "null")
+    change(2, "file-invalid", lambda m: m["frames"][3].update(pts=0.0), "frame 3, 0 s", "frame 2, 0.2 s")
+    change(2, "file-invalid", lambda m: m["frames"].pop(3), "frame 4", "frame 2")
+    change(2, "file-not-found", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}), file="scalar/000012.png")
+    change(3, "no-frame", lambda m: m["frames"].clear())
+    change(2, "file-invalid", lambda m: m.update(field_width=97), "96x64", "97x64", file="first.png")
+    change(2, "file-invalid", lambda m: m.update(field_width=1e300), "'field_width'", "1e+300")
+    change(2, "file-invalid", lambda m: m["clip"].update(rate="fast"), "'clip.rate'", '"fast"')
+    change(2, "file-invalid", lambda m: m["frames"][3].update(seeds=99), "99", file="seeds/000003.txt")
+    change(2, "file-invalid", lambda m: m.pop("settings"), "'settings'")
+    change(2, "file-invalid", lambda m: m.update(format_version=2), "format_version", "2", "1")
+    change(2, "file-invalid", lambda m: m.update(complete=False))
     t.write("bad/manifest.json", "{ junk")
-    t.render("bad").expect(2, "'bad/manifest.json': not JSON; run `vvr extract` again")
+    t.render("bad").expect(2, "'bad/manifest.json'", "`vvr extract`", code="file-invalid")
     shutil.copytree(t.path("good"), t.path("cut"))
     t.path("cut/flow/000004.flo").write_bytes(b"PIEH")
-    t.render("cut", "--show", "tracelines").expect(2, "000004.flo: not a flow file")
+    t.render("cut", "--show", "tracelines").expect(2, "cut/flow/000004.flo", "4 bytes", "12", code="file-invalid")
     check(not t.path("out.png").exists(), "a picture of bad data")
 
 
@@ -196,11 +194,11 @@ def test_seeds_from_lists(t):
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 30 2 0 1\n")
     t.render("clip.mkv", "--seeds", "one", "--show", "volume", "--verbose").expect(0, " 1 arrows")
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 nan 2 0 1\n")
-    t.render("clip.mkv", "--seeds", "one").expect(2, "one/000007.txt:5: 'nan' is not a finite number")
+    t.render("clip.mkv", "--seeds", "one").expect(2, "one/000007.txt:5", "'nan'", code="file-invalid")
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 90 64\npoints 0\n")
-    t.render("clip.mkv", "--seeds", "one").expect(2, "seeds of a field of 90x64, but the clip's fields have 96x64")
-    t.render("clip.mkv", "--seeds", "none").expect(2, "--seeds: cannot read the folder 'none'")
-    t.render("clip.mkv", "--seeds", "data").expect(2, "--seeds: 'data' holds no list of seeds")
+    t.render("clip.mkv", "--seeds", "one").expect(2, "90x64", "96x64", code="file-invalid")
+    t.render("clip.mkv", "--seeds", "none").expect(2, "--seeds", "'none'", code="file-not-found")
+    t.render("clip.mkv", "--seeds", "data").expect(2, "--seeds", "'data'", code="file-not-found")
 
 
 def test_inspect_shows_one_frame(t):
@@ -209,9 +207,10 @@ def test_inspect_shows_one_frame(t):
     t.vvr("inspect", "clip.mkv", "--frame", "2.05s", "-o", "b.png").expect(0, "frame 20 at 2.000 s")
     same(t, "a.png", "b.png")
     check(t.picture_size("a.png")[0] == 1280, f"{t.picture_size('a.png')}")
-    t.vvr("inspect", "clip.mkv", "--frame", "40f", "-o", "c.png").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
-    t.vvr("inspect", "clip.mkv", "--frame", "00:01:00", "-o", "c.png").expect(1, "40 frames")
+    t.vvr("inspect", "clip.mkv", "--frame", "40f", "-o", "c.png").expect(
+        1, "--frame", "'clip.mkv'", "40 frames", "3.900 s", code="option-value-out-of-range")
+    t.vvr("inspect", "clip.mkv", "--frame", "00:01:00", "-o", "c.png").expect(1, "--frame", "40 frames", code="option-value-out-of-range")
     t.vvr("inspect", "clip.mkv", "-o", "c.png").expect(0, "frame 20 at 2.000 s; --frame TIME chooses another")
     t.path("c.png").unlink()
-    t.vvr("inspect", "clip.mkv", "--frame", "3f").expect(1, "no output")
+    t.vvr("inspect", "clip.mkv", "--frame", "3f").expect(1, "-o FILE", code="output-missing")
     t.expect_files("a.png", "b.png", "clip.mkv")

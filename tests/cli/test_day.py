@@ -82,8 +82,8 @@ def test_preset_of_a_day(t):
     t.render("day.mkv", "--preset", "day", "--show", "volume", output="plain.png").expect(0)
     t.render("day.mkv", "--show", "volume", "--preset=day", output="order.png").expect(0)
     check(t.path("plain.png").read_bytes() == t.path("order.png").read_bytes(), "options beside a preset win, in any order")
-    t.render("day.mkv", "--preset", "dya").expect(1, "--preset: there is no 'dya'", "did you mean 'day'?")
-    t.render("day.mkv", "--time", "busy", output="s.{brick}.png").expect(1, "--time busy is for one picture of a clip")
+    t.render("day.mkv", "--preset", "dya").expect(1, "--preset", "'dya'", "'day'", code="choice-unknown")
+    t.render("day.mkv", "--time", "busy", output="s.{brick}.png").expect(1, "--time busy", code="options-conflict")
 
 
 def test_idle_time_of_extracted_data(t):

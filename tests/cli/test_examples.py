@@ -40,7 +40,7 @@ def test_example_workflow_compares(t):
     check(passed.status == 0, str(passed))
     t.path("golden/door.png").write_bytes(t.path("golden/hall.png").read_bytes())
     failed = compare()
-    check(failed.status == 7 and "differs from 'golden/door.png'" in failed.err, str(failed))
+    check(failed.status == 7 and "'golden/door.png'" in failed.err and "[picture-differs]\n" in failed.err, str(failed))
     kept = sorted(path.name for path in t.path("golden").glob("door.*"))
     check(kept == ["door.candidate.png", "door.diff.png", "door.png"], f"{kept}")
     # No text, so the machine's fonts don't count.
@@ -132,8 +132,8 @@ def test_watch_service_keeps_the_address_to_itself(t):
     check(done.status == 0 and t.path("gate.html").exists(), str(done))
     check("gate.avi" not in line and "rtsp" not in line, f"other users read {line}")
     t.write("stream", "\n")
-    t.vvr("watch", "@stream", "-o", "gate.png").expect(1, "the file 'stream' holds no address; its first line is one")
-    t.vvr("watch", "@none", "-o", "gate.png").expect(2, "none: can't be opened: No such file or directory")
+    t.vvr("watch", "@stream", "-o", "gate.png").expect(1, "'stream'", "rtsp://camera/stream", code="input-missing")
+    t.vvr("watch", "@none", "-o", "gate.png").expect(2, "none", "No such file or directory", code="file-not-found")
 
 
 def test_units_are_sound(t):

@@ -108,7 +108,7 @@ def test_norms(t):
         shown[norm] = (any(x < 0.45 for x in found), any(x > 0.55 for x in found))
     check(shown == {"channel": (True, True), "luminance": (False, True), "hue": (True, False)},
           f"the green and the white square: {shown}")
-    t.render("colours.mkv", "--norm", "colour").expect(1, "--norm: there is no 'colour'", "channel, luminance, hue")
+    t.render("colours.mkv", "--norm", "colour").expect(1, "--norm", "'colour'", "channel, luminance, hue", code="choice-unknown")
 
 
 def test_cast_shadows_can_be_kept(t):

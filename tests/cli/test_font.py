@@ -60,24 +60,24 @@ def test_golden_of_another_font_says_so(t, fonts):
     t.vvr("render", "clip.avi", "--size", "320x200", "--golden", "golden.png", "--bless", "--font", fonts[0]).expect(0)
     t.vvr("render", "clip.avi", "--size", "320x200", "--golden", "golden.png", "--font", fonts[0]).expect(0)
     t.vvr("render", "clip.avi", "--size", "320x200", "--golden", "golden.png", "--font", fonts[1]).expect(
-        7, f"'golden.png' was lettered in {fonts[0]}, this in {fonts[1]}")
+        7, "'golden.png'", fonts[0], fonts[1], code="picture-differs")
 
 
 def test_font_that_is_none(t):
     t.clip()
     t.write("words.ttf", "no letters")
-    for font, text in [("none.ttf", "--font: cannot read 'none.ttf': No such file or directory; check the name"),
-                       ("words.ttf", "--font: 'words.ttf' is no font that FreeType can read; give a .ttf or .otf file"),
-                       ("/dev/zero", "'/dev/zero' is no file but a device")]:
-        t.render("clip.avi", "--font", font).expect(2, text)
-        t.vvr("inspect", "clip.avi", "--frame", "1s", "-o", "out.png", "--font", font).expect(2, text)
-        t.vvr("watch", "clip.avi", "-o", "out.png", "--font", font).expect(2, text)
-        t.vvr("archive", ".", "-o", "pictures", "--settle", "0s", "--font", font).expect(2, text)
+    for font, code, *facts in [("none.ttf", "file-not-found", "--font", "'none.ttf'", "No such file or directory"),
+                               ("words.ttf", "file-invalid", "--font", "'words.ttf'", ".ttf", ".otf"),
+                               ("/dev/zero", "not-a-file", "'/dev/zero'")]:
+        t.render("clip.avi", "--font", font).expect(2, *facts, code=code)
+        t.vvr("inspect", "clip.avi", "--frame", "1s", "-o", "out.png", "--font", font).expect(2, *facts, code=code)
+        t.vvr("watch", "clip.avi", "-o", "out.png", "--font", font).expect(2, *facts, code=code)
+        t.vvr("archive", ".", "-o", "pictures", "--settle", "0s", "--font", font).expect(2, *facts, code=code)
     t.expect_files("clip.avi", "words.ttf")
 
 
 def test_font_is_not_overwritten(t, fonts):
-    t.render("clip.avi", "--font", fonts[0], "--report", fonts[0]).expect(1, f"--report '{fonts[0]}' would replace what is read")
+    t.render("clip.avi", "--font", fonts[0], "--report", fonts[0]).expect(1, f"--report '{fonts[0]}'", code="output-replaces-input")
 
 
 def test_archive_draws_again_with_another_font(t, fonts):
@@ -101,4 +101,4 @@ def test_golden_of_other_settings_says_so(t):
     check("other settings" not in done.err, str(done))
     t.vvr(*options, "--threshold", "25", "--tolerance-percent", "100", "--tolerance-patch", "1").expect(
         0, "'golden.png' has other settings: threshold was 24, is 25")
-    t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png' has other settings: opacity was 1, is 0.1")
+    t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png'", "opacity", "1", "0.1", code="picture-differs")

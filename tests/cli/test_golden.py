@@ -75,4 +75,4 @@ def test_golden_pictures_differ_from_each_other(t):
     folder = t.source / "tests" / "golden"
     check({path.stem for path in folder.glob("*.png")} == set(PICTURES), f"pictures in {folder} that no test draws")
     for one, other in itertools.combinations(PICTURES, 2):
-        t.vvr("compare", folder / f"{one}.png", folder / f"{other}.png", "--quiet").expect(7, out=None)
+        t.vvr("compare", folder / f"{one}.png", folder / f"{other}.png", "--quiet").expect(7, code="picture-differs", out=None)

@@ -17,7 +17,7 @@ class Kept:
 
     def refuses(self, *command, read=None):
         run = self.t.vvr(*command, stdin=None if read is None else open(self.t.path(read), "rb"))
-        run.expect(1, "would replace what is read")
+        run.expect(1, code="output-replaces-input")
         check(self.t.path(self.name).read_bytes() == self.bytes, f"{self.name} has changed: {run}")
 
 

@@ -387,15 +387,15 @@ def test_page_is_whole_and_the_same(t):
     check(str(t.folder) not in text, "the page names a folder")
     check("vvr:" not in text and text.count("{{") == 0, "a place was left open")
     t.write("old.html", "older")
-    t.render("none.avi", output="old.html").expect(2)
+    t.render("none.avi", output="old.html").expect(2, code="file-not-found")
     check(t.path("old.html").read_text() == "older", "a failure touched the older page")
     t.expect_files("a.html", "b.HTM", "clip.avi", "old.html")
 
 
 def test_page_that_cannot_be(t):
     t.clip()
-    t.render("clip.avi", output="p.{brick}.html").expect(1, "'p.{brick}.html': a page holds one picture; its name takes no field")
-    t.render("clip.avi", "--animate", "5", output="p.html").expect(1, "'p.html': a page holds one picture; leave out --animate")
-    t.render("clip.avi", output="none/p.html").expect(2, "there is no folder 'none'")
-    t.render("clip.avi", "--report", "p.html", output="p.html").expect(1, "--report and -o both name 'p.html'")
+    t.render("clip.avi", output="p.{brick}.html").expect(1, "'p.{brick}.html'", code="name-pattern-invalid")
+    t.render("clip.avi", "--animate", "5", output="p.html").expect(1, "'p.html'", "--animate", code="options-conflict")
+    t.render("clip.avi", output="none/p.html").expect(2, "'none/p.html'", "mkdir -p 'none'", code="file-not-found")
+    t.render("clip.avi", "--report", "p.html", output="p.html").expect(1, "--report", "-o", "'p.html'", code="options-conflict")
     t.expect_files("clip.avi")

@@ -88,7 +88,7 @@ def test_page_heading_of_a_stream(t):
 def test_page_camera_needs_a_page(t):
     clips(t, "plain.avi")
     t.vvr("render", "plain.avi", "-o", "out.png", "--page-camera", "gate").expect(
-        1, "--page-camera is for a page; name one with --page FILE, or as -o FILE.html")
+        1, "--page-camera", "--page FILE", "-o FILE.html", code="option-needs-another")
 
 
 @pytest.mark.parametrize("hours", [0, 2])

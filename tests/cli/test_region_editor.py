@@ -48,9 +48,11 @@ def test_region_editor_of_what_cannot_be(t):
     t.vvr("inspect", "clip.mkv", "-o", "roi.html").expect(
         0, "draw regions on frame 20 at 2.000 s, and copy the option for them; --frame TIME chooses another")
     t.path("roi.html").unlink()
-    t.vvr("inspect", "clip.mkv", "--frame", "9s", "-o", "roi.html").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
-    t.vvr("inspect", "clip.mkv", "--frame", "1s", "--roi", "1,2 3,4", "-o", "roi.html").expect(1, "a polygon has at least three points")
-    t.vvr("inspect", "clip.mkv", "--frame", "1s", "-o", "no/roi.html").expect(2, "there is no folder 'no'")
+    t.vvr("inspect", "clip.mkv", "--frame", "9s", "-o", "roi.html").expect(
+        1, "--frame", "'clip.mkv'", "40 frames", "3.900 s", code="option-value-out-of-range")
+    t.vvr("inspect", "clip.mkv", "--frame", "1s", "--roi", "1,2 3,4", "-o", "roi.html").expect(
+        1, "--roi", "character 8", "1,2 3,4", code="option-value")
+    t.vvr("inspect", "clip.mkv", "--frame", "1s", "-o", "no/roi.html").expect(2, "'no/roi.html'", "mkdir -p 'no'", code="file-not-found")
     t.expect_files("clip.mkv")
     t.ffmpeg("-i", "clip.mkv", "-frames:v", "1", "area.png")
     t.vvr("inspect", "clip.mkv", "--frame", "1s", "--roi", "area.png", "-o", "roi.html").expect(
@@ -248,8 +250,8 @@ def test_areas_come_from_a_text_file(t):
     t.vvr("inspect", "clip.mkv", "--frame", "1s", "--mask", "areas.txt", "-o", "roi.html").expect(0)
     check("0,0 30,0 30,64 0,64" in t.path("roi.html").read_text(), "the page begins without the areas")
     t.write("two.txt", "0,0 30,0\n")
-    t.render("clip.mkv", "--roi", "two.txt").expect(1, "--roi: a polygon has at least three points", "; the file 'two.txt' has it")
-    t.render("clip.mkv", "--mask", "none.txt").expect(2, "--mask: none.txt: can't be opened: No such file or directory")
+    t.render("clip.mkv", "--roi", "two.txt").expect(1, "--roi", "'two.txt'", code="option-value")
+    t.render("clip.mkv", "--mask", "none.txt").expect(2, "--mask", "none.txt", "No such file or directory", code="file-not-found")
 
 
 def test_a_picture_is_an_area_where_it_is_128_or_brighter(t):

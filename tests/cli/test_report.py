@@ -113,19 +113,19 @@ def test_report_counts_damage(t):
 def test_report_survives_a_picture_that_differs(t):
     t.clip()
     arguments = ("render", "clip.avi", "--size", "160x100", "--golden", "golden.png", "--report", "report.json")
-    t.vvr(*arguments).expect(7)
+    t.vvr(*arguments).expect(7, code="reference-missing")
     read(t)
 
 
 def test_report_that_cannot_be_written(t):
     t.clip()
-    t.render("clip.avi", "--report", "none/report.json").expect(2, "cannot write 'none/report.json'", "mkdir -p 'none'")
+    t.render("clip.avi", "--report", "none/report.json").expect(2, "'none/report.json'", "mkdir -p 'none'", code="file-not-found")
     t.path("folder").mkdir()
-    t.render("clip.avi", "--report", "folder").expect(2, "cannot write 'folder': it is a folder")
-    t.vvr("render", "clip.avi", "--report", "r.json", "--animate", "3").expect(1, "--animate: say where the pictures go")
+    t.render("clip.avi", "--report", "folder").expect(2, "'folder'", code="not-a-file")
+    t.vvr("render", "clip.avi", "--report", "r.json", "--animate", "3").expect(1, "--animate", "-o FILE", code="output-missing")
     t.expect_files("clip.avi", "folder")
     t.write("report.json", "older")
-    t.vvr("render", "none.avi", "--report", "report.json").expect(2)
+    t.vvr("render", "none.avi", "--report", "report.json").expect(2, code="file-not-found")
     check(t.path("report.json").read_text() == "older", "a failure touched the older report")
 
 
@@ -144,11 +144,10 @@ def test_report_names_are_text(t):
 def test_report_has_a_file_of_its_own(t):
     t.clip()
     before = t.path("clip.avi").read_bytes()
-    t.render("clip.avi", "--report", "./out.png").expect(
-        1, "--report and -o both name 'out.png'; give the report a name of its own, such as report.json")
+    t.render("clip.avi", "--report", "./out.png").expect(1, "--report", "-o", "'out.png'", "report.json", code="options-conflict")
     t.vvr("render", "clip.avi", "--golden", "g.png", "--report", "g.png").expect(
-        1, "--report and --golden both name 'g.png'")
-    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi' would replace what is read")
+        1, "--report", "--golden", "'g.png'", code="options-conflict")
+    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi'", code="output-replaces-input")
     check(t.path("clip.avi").read_bytes() == before, "the clip was written over")
     t.expect_files("clip.avi")
 
@@ -163,10 +162,10 @@ def test_report_of_one_frame(t):
 
 def test_report_of_no_frames(t):
     t.write("empty.avi", "")
-    result = t.vvr("render", "empty.avi", "--report", "report.json").expect(3, "empty.avi")
+    result = t.vvr("render", "empty.avi", "--report", "report.json").expect(3, "'empty.avi'", "0 bytes", code="file-empty")
     check(result.err.count("\n") == 1, str(result))
     t.clip()
-    t.vvr("render", "clip.avi", "--start", "60s", "--report", "report.json").expect(1, "'clip.avi' has no frame from 60 s")
+    t.vvr("render", "clip.avi", "--start", "60s", "--report", "report.json").expect(1, "'clip.avi'", "60 s", code="span-empty")
     t.expect_files("clip.avi", "empty.avi")
 
 

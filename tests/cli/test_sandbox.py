@@ -99,7 +99,7 @@ def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     """Each by a clip of its own, in one run; the clip that asks for nothing is drawn."""
     calls = ["execve", "execveat", "ptrace", "peek", "mount", "unshare", "bpf", "userfaultfd", "int80", "x32"]
     clips(t, "good.avi", *[f"{call}.avi" for call in calls])
-    archive(t, "--sandbox", "required", env=hijacked()).expect(6, f"1 clip drawn, {len(calls)} failed")
+    archive(t, "--sandbox", "required", env=hijacked()).expect(6, f"1 clip drawn, {len(calls)} failed", code="worker-killed")
     wrong = {call: sidecar(t, f"{call}.avi")["status"] for call in calls if sidecar(t, f"{call}.avi")["status"] != SIGSYS}
     check(not wrong, f"not ended by SIGSYS: {wrong}")
     if os.uname().machine == "x86_64":
@@ -230,7 +230,7 @@ def test_a_sandbox_that_is_required_and_not_there(t, feature, said):
 
 
 def test_unknown_sandbox(t):
-    archive(t, "--sandbox", "strict").expect(1, "--sandbox", "'strict'", "auto, off, required")
+    archive(t, "--sandbox", "strict").expect(1, "--sandbox", "'strict'", "auto, off, required", code="choice-unknown")
 
 
 def test_the_sandbox_lets_links_and_named_files_through(t, walls):

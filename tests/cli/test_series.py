@@ -98,15 +98,15 @@ def test_a_film_of_the_window(t):
     check(changed(7, 9) > 50, f"in a brick the stripes don't run: {changed(7, 9)} pixels change")
     check(changed(9, 10) > 2 * changed(7, 9), f"the window does not move: {changed(9, 10)} pixels change")
     t.render("clip.mkv", *look, "--slide", "1", output="window.gif").expect(0, "'window.gif': 4 pictures")
-    for arguments, output, *texts in [
-        (("--slide", "3"), "a.png", "--slide makes a film, but 'a.png' is none; name one: "),
-        (("--slide", "3"), "a.{brick}.png", "--slide makes a film"),
-        (("--slide", "3", "--animate", "3"), "a.mp4", "--slide moves the window and --animate the stripes"),
-        (("--slide", "3", "--golden", "g.png"), "a.mp4", "--golden compares one picture, and --slide makes a film"),
-        (("--slide", "0"), "a.mp4", "--slide: '0' is not a whole number from 1 to 1000"),
-        (("--slide", "3", "--time", "busy"), "a.mp4", "--time busy is for one picture of a clip"),
+    for arguments, output, code, *facts in [
+        (("--slide", "3"), "a.png", "options-conflict", "--slide", "'a.png'"),
+        (("--slide", "3"), "a.{brick}.png", "options-conflict", "--slide", "'a.{brick}.png'"),
+        (("--slide", "3", "--animate", "3"), "a.mp4", "options-conflict", "--slide", "--animate"),
+        (("--slide", "3", "--golden", "g.png"), "a.mp4", "options-conflict", "--golden", "--slide"),
+        (("--slide", "0"), "a.mp4", "option-value-out-of-range", "--slide", "'0'", "1 to 1000"),
+        (("--slide", "3", "--time", "busy"), "a.mp4", "options-conflict", "--time busy"),
     ]:
-        t.render("clip.mkv", *look, *arguments, output=output).expect(1, *texts)
+        t.render("clip.mkv", *look, *arguments, output=output).expect(1, *facts, code=code)
 
 
 def test_a_series_in_the_colours_of_the_video(t):
@@ -152,20 +152,20 @@ def test_bricks_of_ten_seconds_unless_told(t):
 def test_series_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", "--show", "volume,tracelines", output="a.{brick}.png").expect(
-        1, "'a.{brick}.png' is the name of a series", "--animate takes {frame}")
-    t.render("clip.avi", output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate", "{brick}")
-    t.render("clip.avi", output="a.{brik}.png").expect(1, "did you mean 'brick'?")
-    t.render("clip.avi", output="a.{brick}.{brick}.png").expect(1, "has two fields")
-    t.render("clip.avi", output="a.{brick}.gif").expect(1, "its name takes no field")
-    t.render("clip.avi", output="none/a.{brick}.png").expect(2, "there is no folder 'none'")
-    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick: length must be greater than 0")
+        1, "'a.{brick}.png'", "--animate", "{frame}", code="options-conflict")
+    t.render("clip.avi", output="a.{frame}.png").expect(1, "'a.{frame}.png'", "--animate", "{brick}", code="option-needs-another")
+    t.render("clip.avi", output="a.{brik}.png").expect(1, "{brik}", "'a.{brik}.png'", "'brick'", code="name-pattern-invalid")
+    t.render("clip.avi", output="a.{brick}.{brick}.png").expect(1, "'a.{brick}.{brick}.png'", code="name-pattern-invalid")
+    t.render("clip.avi", output="a.{brick}.gif").expect(1, "'a.{brick}.gif'", code="name-pattern-invalid")
+    t.render("clip.avi", output="none/a.{brick}.png").expect(2, "'none'", code="file-not-found")
+    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick", "0", code="option-value-out-of-range")
     t.expect_files("clip.avi")
 
 
 def test_a_series_that_fails_half_way_leaves_whole_pictures(t):
     moving_clip(t)
     t.path("a.2.png").mkdir()
-    t.render("clip.mkv", "--brick", "10f", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory")
+    t.render("clip.mkv", "--brick", "10f", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory", code="not-a-file")
     t.expect_files("a.0.png", "a.1.png", "a.2.png", "clip.mkv")
     for i in range(2):
         t.expect_picture(f"a.{i}.png")

@@ -74,7 +74,7 @@ def test_settings_of_extractions_are_numbers(t):
     check((settings["threshold"], settings["alpha"], settings["iterations"]) == ("16", "10", "60"), f"{settings}")
     # What was used may be said again, and nothing else.
     t.render("data", "--threshold", "16", "--alpha", "10").expect(0)
-    t.render("data", "--threshold", "17").expect(1, "--threshold 17: 'data' was extracted with 16; leave it out, or run `vvr extract` with it")
+    t.render("data", "--threshold", "17").expect(1, "--threshold 17", "'data'", "16", "`vvr extract`", code="extraction-unsuitable")
 
 
 def test_presets_set_what_a_command_has(t):
@@ -88,8 +88,9 @@ def test_presets_set_what_a_command_has(t):
     t.render("data", *look, output="data.png").expect(0)
     check(t.rgb("clip.png") == t.rgb("data.png"), "data of the preset give another picture")
     # One error, of all that is not so.
-    said = t.render("usual", *look).expect(1, "'usual' was extracted with other settings than are asked for: illumination none (not global)",
-                                           "solver jacobi (not pyramid)", "`vvr extract --preset paper` with them")
+    said = t.render("usual", *look).expect(
+        1, "'usual'", "illumination none (not global)", "solver jacobi (not pyramid)",
+        "`vvr extract --preset paper`", code="extraction-unsuitable")
     check("there is no option" not in said.err, str(said))
     for command in (("inspect", "clip.avi", "-o", "frame.png"), ("cut", "clip.avi", "-o", "cut.avi", "--from", "0.5s")):
         t.vvr(*command, "--preset", "paper").expect(0)
@@ -97,7 +98,7 @@ def test_presets_set_what_a_command_has(t):
     for line in ("solver               jacobi (preset paper)", "preset               paper (preset paper)",
                  "filter               difference (default)"):
         check(line in said, said)
-    t.vvr("config", "--preset", "paper").expect(1, "--preset: name the COMMAND")
+    t.vvr("config", "--preset", "paper").expect(1, "--preset", "COMMAND", code="option-needs-another")
 
 
 def test_presets_of_config_files(t):

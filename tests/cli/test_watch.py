@@ -131,7 +131,7 @@ def test_render_of_a_live_stream_is_refused(t):
         with Server(t, f"tcp://127.0.0.1:{port}?listen=1", loop=True):
             listening(port)
             t.vvr(command[0], f"tcp://127.0.0.1:{port}", *command[1:]).expect(
-                1, "is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS -t 60 -c copy piece.mkv` records")
+                1, "`vvr watch`", "`ffmpeg -i ADDRESS -t 60 -c copy piece.mkv`", code="input-unsuitable")
     t.expect_files("cam.ts")
 
 
@@ -314,36 +314,37 @@ def test_watch_refuses(t):
     t.clip()
     t.write("text.txt", "no video")
     t.path("folder").mkdir()
-    for arguments, status, *texts in [
-        (("clip.avi",), 1, "no output: say where the picture goes with -o FILE"),
-        (("-o", "out.png"), 1, "no INPUT"),
-        (("clip.avi", "-o", "out.gif"), 1, "'out.gif': an animated file is written when it ends, and a stream does not"),
-        (("clip.avi", "-o", "out.png", "--start", "3s"), 1, "--start: a stream begins now"),
-        (("clip.avi", "-o", "out.png", "--end", "3s"), 1, "--end: --duration ends a stream"),
-        (("clip.avi", "-o", "out.png", "--between", "02:00-05:00"), 1, "--between: a stream is drawn as it comes"),
-        (("clip.avi", "-o", "out.png", "--start-time", "container"), 1, "a stream is not recorded"),
-        (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "--reference median: it takes the whole clip"),
-        (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "a stream is not recorded"),
-        (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "--seeds: a list for each frame is for a clip whose frames are known; give one"),
-        (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "--duration: '30x' is not a length of time like 90s"),
-        (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "--lag"),
-        (("missing.ts", "-o", "out.png"), 2, "cannot read 'missing.ts': No such file", "give a URL such as rtsp://camera/stream"),
-        (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "cannot read 'tcp://127.0.0.1:1': Connection refused"),
-        (("folder", "-o", "out.png"), 1, "'folder' is a folder, not a stream"),
-        (("clip.avi", "-o", "none/out.png"), 2, "there is no folder 'none'"),
-        (("text.txt", "-o", "out.png"), 3, "'text.txt' is not a video"),
-        (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "/dev/null"),
-        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "--log-format: there is no 'xml'"),
-        (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "cannot write the log 'none/log'"),
+    for arguments, status, code, *texts in [
+        (("clip.avi",), 1, "output-missing", "-o FILE"),
+        (("-o", "out.png"), 1, "input-missing", "INPUT"),
+        (("clip.avi", "-o", "out.gif"), 1, "output-format-unknown", "'out.gif'"),
+        (("clip.avi", "-o", "out.png", "--start", "3s"), 1, "option-unknown", "--start"),
+        (("clip.avi", "-o", "out.png", "--end", "3s"), 1, "option-unknown", "--end", "--duration"),
+        (("clip.avi", "-o", "out.png", "--between", "02:00-05:00"), 1, "option-unknown", "--between"),
+        (("clip.avi", "-o", "out.png", "--start-time", "container"), 1, "choice-unknown", "--start-time"),
+        (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "options-conflict", "--reference median"),
+        (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "choice-unknown", "--start-time"),
+        (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "options-conflict", "--seeds"),
+        (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "option-value", "--duration", "'30x'", "90s"),
+        (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "option-value-out-of-range", "--lag", "0.1s to 60s"),
+        (("missing.ts", "-o", "out.png"), 2, "file-not-found", "'missing.ts'", "No such file", "rtsp://camera/stream"),
+        (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "stream-unreachable", "'tcp://127.0.0.1:1'", "Connection refused"),
+        (("folder", "-o", "out.png"), 1, "input-unsuitable", "'folder'", "`vvr render`"),
+        (("clip.avi", "-o", "none/out.png"), 2, "file-not-found", "'none'", "mkdir -p 'none'"),
+        (("text.txt", "-o", "out.png"), 3, "not-video", "'text.txt'", "`ffprobe`"),
+        (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "not-video" if device_library() else "usage", "/dev/null"),
+        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "choice-unknown", "--log-format", "'xml'", "text, json"),
+        (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "file-not-found", "'none/log'"),
     ]:
-        t.vvr("watch", *arguments).expect(status, *texts)
+        t.vvr("watch", *arguments).expect(status, *texts, code=code)
     t.ffmpeg("-i", "clip.avi", "-t", "1", "short.avi")
-    t.vvr("watch", "short.avi", "-o", "out.png").expect(3, "'short.avi' ended before the first picture")
+    t.vvr("watch", "short.avi", "-o", "out.png").expect(3, "'short.avi'", code="not-video")
     port = free_port()
     with socket.socket() as mute:
         mute.bind(("127.0.0.1", port))
         mute.listen()
-        t.vvr("watch", f"tcp://127.0.0.1:{port}", "-o", "out.png", "--patience", "1").expect(2, "nothing came in time")
+        t.vvr("watch", f"tcp://127.0.0.1:{port}", "-o", "out.png", "--patience", "1").expect(
+            2, f"'tcp://127.0.0.1:{port}'", code="stream-timeout")
     t.expect_files("clip.avi", "folder", "short.avi", "text.txt")
 
 
@@ -359,7 +360,7 @@ def test_logs_for_machines(t):
     check(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z", lines[-1]["time"]), f"{lines}")
     told = t.render("clip.avi", "--log-format", "json").expect(0)
     check(json.loads(told.err)["level"] == "info", str(told))
-    t.render("missing.avi", "--log-file", "log.txt", "--quiet").expect(2)
+    t.render("missing.avi", "--log-file", "log.txt", "--quiet").expect(2, code="file-not-found")
     t.render("clip.avi", "--log-file", "log.txt").expect(0, "vvr: 'out.png'")
     text = t.path("log.txt").read_text(encoding="utf-8")
     check(len(text.splitlines()) == 2 and "Z vvr: cannot read 'missing.avi'" in text, text)
