@@ -167,18 +167,19 @@ struct Thresholds {
 
     /// A clock that the camera writes into its pictures.
     struct {
-        double window = 120;           ///< seconds in which changes are counted
-        double every = 10;             ///< seconds between two looks
-        double most_between = 0.4;     ///< seconds; after a longer gap, the phase of a change is unknown
-        int level = 32;                ///< grey levels; smaller changes are noise
-        int least = 10;                ///< seconds in which a pixel changed; fewer may be in phase by chance
-        double least_rate = 0.2;       ///< share of all seconds: a stroke is in about half of the digits
+        double window = 60;         ///< seconds in which changes are counted: the clip's time and the clock drift apart
+        double every = 10;          ///< seconds between two looks
+        double most_between = 0.4;  ///< seconds; after a longer gap, the phase of a change is unknown
+        int level = 32;             ///< grey levels; smaller changes are noise
+        int least = 10;             ///< seconds in which a pixel changed; fewer may be in phase by chance
+        double least_rate = 0.2;    ///< share of all seconds: a stroke is in about half of the digits
         double most_per_second = 1.5;  ///< changes in each of these seconds
-        double in_phase = 0.9;         ///< length of the mean of their phases
-        int stroke = 3;                ///< pixels between two strokes of a digit
-        int pixels = 6;                ///< pixels that change in phase
-        double height = 0.15;          ///< of the picture's; a digit is smaller
-        double inside = 0.7;           ///< share of an object's box; with more of it on the clock, it is digits
+        double in_phase = 0.7;         ///< length of the mean of their phases
+        double rayleigh = 12;  ///< changes x that length squared; by chance, it is larger in exp(-12) of all pixels
+        int stroke = 3;        ///< pixels between two strokes of a digit
+        int pixels = 6;        ///< pixels that change in phase
+        double height = 0.15;  ///< of the picture's; a digit is smaller
+        double inside = 0.7;   ///< share of an object's box; with more of it on the clock, it is digits
     } overlay;
 
     /// Things that were left or taken, who did it, and ghosts.

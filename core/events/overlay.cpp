@@ -57,7 +57,8 @@ void ClockFinder::look() {
     Plane<std::uint8_t> ticks(size);
     for (std::size_t k = 0; k < ticks.pixels().size(); ++k) {
         const Changes& changes = changes_.pixels()[k];
-        const bool in_phase = std::abs(changes.phases) >= static_cast<float>(limit.in_phase * changes.count);
+        const double length = std::abs(changes.phases) / std::max<double>(1, changes.count);
+        const bool in_phase = length >= limit.in_phase && changes.count * length * length >= limit.rayleigh;
         const bool often = changes.seconds >= limit.least && changes.seconds >= limit.least_rate * seconds &&
                            changes.count <= limit.most_per_second * changes.seconds;
         ticks.pixels()[k] = often && in_phase ? 255 : 0;
