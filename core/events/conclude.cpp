@@ -122,7 +122,8 @@ class Conclusion {
         const bool jumps =
             own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = !inside ? limit.least : own.from ? limit.least_fragment : limit.least_inside;
+        const double least = own.from ? (inside ? limit.least_fragment : limit.least_inside)
+                                      : (inside ? limit.least_inside : limit.least);
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
         if (!candidate.wanted) return;
         if (!stands_only) {

@@ -6,6 +6,7 @@
 
 #include "core/events/association.h"
 #include "core/events/event_options.h"
+#include "core/events/path.h"
 
 namespace vvr::events {
 
@@ -172,6 +173,52 @@ void begin_with_group(std::size_t k, Trajectories& trajectories) {
     own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
 }
 
+/// Whether `part` is where `whole` went. Somebody who stands for long is often seen as two: what is still, and what
+/// moves. What was still doesn't go anywhere by itself: it vanishes when the other part goes.
+bool leaves_with(const Tracklet& part, const Tracklet& whole) {
+    if (!whole.stood_to_end || whole.stood_from_start || part.stretch != whole.stretch || part.path.empty()) {
+        return false;
+    }
+    const double gone = whole.end.at.seconds;
+    if (part.begin.at.seconds >= gone || part.end.at.seconds <= gone) return false;
+    const double away = glm::distance(place_at(part.path, whole.end.at.frame), whole.end.place);
+    return away < limit.reach * std::max({thresholds.least_length, part.length, whole.length});
+}
+
+/// Joins both parts of one object, whose times overlap.
+void add_departure(Tracklet part, Tracklet& whole) {
+    const std::int64_t gone = whole.end.at.frame;
+    std::size_t first = 0;
+    while (first + 1 < part.path.size() && part.path[first].at.frame <= gone) ++first;
+    part.path.erase(part.path.begin(), part.path.begin() + static_cast<std::ptrdiff_t>(first));
+    part.areas.erase(part.areas.begin(), part.areas.begin() + static_cast<std::ptrdiff_t>(first));
+    std::erase_if(part.stays, [&](const Stay& stay) { return stay.first.frame <= gone; });
+    const double area = std::max(part.area, whole.area);
+    append(part, whole);
+    whole.area = area;
+    whole.stood_to_end = part.stood_to_end;
+    whole.gone = part.gone;
+}
+
+/// Joins the parts of objects that stood.
+void join_parts(std::vector<Trajectory>& all) {
+    std::map<std::size_t, std::size_t> of_track;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        for (const std::size_t track : all[k].tracks) of_track[track] = k;
+    }
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto parent = all[k].whole.from ? of_track.find(*all[k].whole.from) : of_track.end();
+        if (parent == of_track.end() || parent->second == k) continue;
+        Trajectory& whole = all[parent->second];
+        if (whole.tracks.empty() || !leaves_with(all[k].whole, whole.whole)) continue;
+        add_departure(std::move(all[k].whole), whole.whole);
+        for (const std::size_t track : all[k].tracks) of_track[track] = parent->second;
+        whole.tracks.insert(whole.tracks.end(), all[k].tracks.begin(), all[k].tracks.end());
+        all[k].tracks.clear();
+    }
+    std::erase_if(all, [](const Trajectory& trajectory) { return trajectory.tracks.empty(); });
+}
+
 }  // namespace
 
 Trajectories join(std::vector<Tracklet> tracklets) {
@@ -189,8 +236,11 @@ Trajectories join(std::vector<Tracklet> tracklets) {
             trajectory.tracks.push_back(tracklets[*n].number);
             append(tracklets[*n], trajectory.whole);
         }
-        for (const std::size_t track : trajectory.tracks) trajectories.of_track[track] = trajectories.all.size();
         trajectories.all.push_back(std::move(trajectory));
+    }
+    join_parts(trajectories.all);
+    for (std::size_t k = 0; k < trajectories.all.size(); ++k) {
+        for (const std::size_t track : trajectories.all[k].tracks) trajectories.of_track[track] = k;
     }
     for (std::size_t k = 0; k < trajectories.all.size(); ++k) begin_with_group(k, trajectories);
     return trajectories;
