@@ -23,7 +23,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/wall_clock.h"
 #include "core/video/demuxer.h"
 #include "core/video/video_files.h"

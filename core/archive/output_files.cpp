@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 
 namespace vvr::archive {

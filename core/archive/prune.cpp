@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "core/archive/claim.h"
 #include "core/archive/clips.h"
+#include "core/archive/lock_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"

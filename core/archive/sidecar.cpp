@@ -14,7 +14,7 @@
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/image/atomic_file.h"
 

@@ -338,40 +338,4 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
     return stretches;
 }
 
-namespace {
-
-/// Cuts a volume between layers with different values of `turn`.
-template <class Turn>
-std::vector<Brick> cut_by_turns(const Volume& volume, const Turn& turn) {
-    std::vector<Brick> bricks;
-    for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        if (bricks.empty() || turn(volume.layer(i)) != turn(volume.layer(i - 1))) bricks.push_back({i, 0});
-        ++bricks.back().count;
-    }
-    return bricks;
-}
-
-}  // namespace
-
-std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock) {
-    return cut_by_turns(volume, [&](const Layer& layer) { return std::floor((layer.pts + clock) / length); });
-}
-
-std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length) {
-    const std::int64_t first = volume.layers() > 0 ? volume.layer(0).first_frame : 0;
-    return cut_by_turns(volume, [&](const Layer& layer) { return (layer.first_frame - first) / length; });
-}
-
-std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
-                                  const std::optional<fields::SeedFlags>& flags) {
-    std::vector<FrameSeed> used;
-    for (const FrameSeed& at : volume.seeds()) {
-        const std::int64_t layer = at.frame / volume.step();
-        const auto after = std::ranges::upper_bound(bricks, layer, {}, &Brick::first);
-        const std::int64_t brick = first + std::max<std::int64_t>(0, after - bricks.begin() - 1);
-        if (flags.value_or(at.seed.flags).in(brick)) used.push_back(at);
-    }
-    return used;
-}
-
 }  // namespace vvr::bricks

@@ -20,7 +20,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 namespace vvr::image {
 

@@ -1,4 +1,4 @@
-// All uses of OpenImageIO. This file is a library of its own, which core/image/codec.cpp loads.
+// All uses of OpenImageIO. This file is a library of its own, which core/image/picture_file.cpp loads.
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/image/codec.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::image {
 namespace {

@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
 #include "core/image/picture.h"

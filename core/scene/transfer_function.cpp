@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 
 namespace vvr::scene {
 

@@ -17,14 +17,14 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/planes.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
-#include "core/image/codec.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::store {
 

@@ -21,9 +21,9 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film.h"
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr {
 namespace {

@@ -1,5 +1,3 @@
-#include "core/image/film.h"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -11,9 +9,10 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/image/atomic_file.h"
-#include "core/image/palette.h"
+#include "core/image/video_encoder.h"
+#include "core/image/picture.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>

@@ -1,5 +1,3 @@
-#include "core/archive/claim.h"
-
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -11,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "core/archive/lock_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 
 namespace vvr::archive {
 

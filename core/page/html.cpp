@@ -1,16 +1,19 @@
-#include "core/page/text.h"
+#include "core/page/html.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/digest.h"
+#include "core/events/event_kind.h"
 
 extern "C" {
 #include <libavutil/base64.h>
 }
-
-#include <fmt/format.h>
-
-#include "core/base/digest.h"
 
 namespace vvr::page {
 
@@ -136,6 +139,53 @@ std::string joined(std::string_view before, std::span<const std::pair<std::strin
     std::string text(before);
     for (const auto& [name, part] : files) text += part;
     return text;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The name of an emphasis, which is also a CSS class.
+std::string_view name_of(events::Emphasis emphasis) {
+    switch (emphasis) {
+        case events::Emphasis::none:
+            return "none";
+        case events::Emphasis::standing:
+            return "standing";
+        case events::Emphasis::strong:
+            return "strong";
+    }
+    return {};
+}
+
+std::string_view name_of(events::Tally tally) {
+    switch (tally) {
+        case events::Tally::none:
+            return "none";
+        case events::Tally::lasts:
+            return "lasts";
+        case events::Tally::still:
+            return "still";
+        case events::Tally::count:
+            return "count";
+    }
+    return {};
+}
+
+}  // namespace
+
+Json json_of_kinds() {
+    Json kinds = Json::array();
+    for (const events::EventKindRow& row : events::ranked_kinds()) {
+        kinds.push_back({{"name", row.name},
+                         {"words", row.words},
+                         {"by", row.by},
+                         {"isThing", row.is_thing},
+                         {"emphasis", name_of(row.emphasis)},
+                         {"tally", name_of(row.tally)},
+                         {"choice", row.choice != nullptr ? Json(row.choice->name) : Json()}});
+    }
+    return kinds;
 }
 
 }  // namespace vvr::page

@@ -1,4 +1,4 @@
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 #include <algorithm>
 #include <numeric>

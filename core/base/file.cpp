@@ -1,4 +1,4 @@
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 #include <algorithm>
 #include <cerrno>
