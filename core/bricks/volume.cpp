@@ -86,7 +86,7 @@ Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
         throw Error(ErrorCode::option_value_out_of_range,
-                    fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
+                    fmt::format("a volume needs at least 2 layers and 1 frame per layer, not {} and {}",
                                 options.capacity, options.step));
     }
 }
@@ -103,14 +103,14 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
                  bool moves) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorCode::not_video,
-                    fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
-                                field.scalar.width(), field.scalar.height(), size_.width, size_.height));
+                    fmt::format("the field of frame {} has {}x{} pixels, not {}x{} as the frames before it",
+                                field.index, field.scalar.width(), field.scalar.height(), size_.width, size_.height));
     }
     if (frames_ == 0) coloured_ = !colour.empty();
     if (colour.size() != (coloured_ ? size_ : Size{})) {
         throw Error(
             ErrorCode::not_video,
-            fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
+            fmt::format("the picture of frame {} has {}x{} pixels, not {}x{} as the frames before it", field.index,
                         colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }
     SparsePlane scalar(field.scalar);

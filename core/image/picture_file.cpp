@@ -56,8 +56,9 @@ std::string_view format_of(const std::filesystem::path& name, std::string_view b
         std::ranges::find_if(read_formats, [&](const ReadFormat& row) { return begin.starts_with(row.first_bytes); });
     if (format != read_formats.end()) return format->name;
     throw Error(ErrorCode::file_invalid,
-                fmt::format("cannot read picture '{}': it is no PNG, JPEG, TIFF or OpenEXR file, {}", name.string(),
-                            begin.empty() ? "but empty" : "whatever its name says; convert it"));
+                fmt::format("cannot read picture '{}': {}", name.string(),
+                            begin.empty() ? "the file is empty; give another file"
+                                          : "the content is not PNG, JPEG, TIFF or OpenEXR; convert the file"));
 }
 
 }  // namespace
@@ -137,13 +138,11 @@ const PictureCodec& load() {
         std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
                             [&](const char* words) { return text.find(words) != std::string::npos; });
     if (short_of_memory || !is_memory_available(bytes_of_all)) {
-        throw Error(ErrorCode::out_of_memory,
-                    fmt::format("out of memory for the library that reads and writes pictures: {}; allow the program "
-                                "more",
-                                text));
+        throw Error(
+            ErrorCode::out_of_memory,
+            fmt::format("out of memory while loading the library for picture files: {}; give vvr more memory", text));
     }
-    throw Error(ErrorCode::io,
-                fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", text));
+    throw Error(ErrorCode::io, fmt::format("cannot load the library for picture files: {}; reinstall vvr", text));
 }
 
 }  // namespace
@@ -214,7 +213,7 @@ constexpr std::size_t longest_description = 60'000;
 
 /// A picture file format.
 struct Format {
-    std::string_view ending;
+    std::string_view extension;
     Stored stored;
     bool alpha;       ///< supports transparency
     bool settings;    ///< supports any attribute; else the settings become lines of the description
@@ -236,14 +235,15 @@ constexpr std::array formats{
 };
 
 const Format& format_of(const std::filesystem::path& path) {
-    const std::string ending = extension_of(path);
-    const auto format = std::ranges::find(formats, ending, &Format::ending);
+    const std::string extension = extension_of(path);
+    const auto format = std::ranges::find(formats, extension, &Format::extension);
     if (format != formats.end()) return *format;
     const std::vector<std::string> known = picture_file_extensions();
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
-                            ending.empty() ? "a name without an ending" : "'" + ending + "'",
-                            did_you_mean(ending, known), fmt::join(known, " ")));
+                fmt::format("cannot write '{}': {}{}; use one of: {}", path.string(),
+                            extension.empty() ? "it has no file extension"
+                                              : fmt::format("the file extension '{}' is unknown", extension),
+                            did_you_mean(extension, known), fmt::join(known, " ")));
 }
 
 std::uint8_t byte_of(float value) {
@@ -301,11 +301,11 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
                      const Metadata& metadata, int jpeg_quality) {
     if (std::max(size.width, size.height) > format.most_side) {
         throw Error(ErrorCode::io,
-                    fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} per side; "
+                    fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} pixels per side; "
                                 "choose a smaller size or another format",
-                                path.string(), size.width, size.height, format.ending, format.most_side));
+                                path.string(), size.width, size.height, format.extension, format.most_side));
     }
-    return {.format = std::string(format.ending.substr(1)),
+    return {.format = std::string(format.extension.substr(1)),
             .name = path.string(),
             .size = size,
             .colours = channels,
@@ -318,10 +318,10 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
 }  // namespace
 
 std::vector<std::string> picture_file_extensions() {
-    std::vector<std::string> endings;
-    endings.reserve(formats.size());
-    for (const Format& format : formats) endings.emplace_back(format.ending);
-    return endings;
+    std::vector<std::string> extensions;
+    extensions.reserve(formats.size());
+    for (const Format& format : formats) extensions.emplace_back(format.extension);
+    return extensions;
 }
 
 bool holds_pixel_data(const std::filesystem::path& path) {

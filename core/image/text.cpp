@@ -182,10 +182,9 @@ void check_font(const std::filesystem::path& file) {
                     {"font"});
     }
     if (!Font(file.string()).measure("0", 12)) {
-        throw Error(
-            ErrorCode::file_invalid,
-            fmt::format("font: '{}' is no font that FreeType can read; give a .ttf or .otf file", file.string()),
-            {"font"});
+        throw Error(ErrorCode::file_invalid,
+                    fmt::format("font: FreeType cannot read '{}' as a font; give a .ttf or .otf file", file.string()),
+                    {"font"});
     }
 }
 

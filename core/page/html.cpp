@@ -126,10 +126,11 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
         filled += text.substr(0, open);
         if (open == std::string_view::npos) return filled;
         const std::size_t close = text.find("}}", open);
-        if (close == std::string_view::npos) throw std::out_of_range("a place in a page that has no end");
+        if (close == std::string_view::npos) throw std::out_of_range("a placeholder in a page has no end");
         const std::string_view name = text.substr(open + 2, close - open - 2);
         const auto value = std::ranges::find(values, name, &std::pair<std::string_view, std::string>::first);
-        if (value == values.end()) throw std::out_of_range(fmt::format("a page has no value for '{}'", name));
+        if (value == values.end())
+            throw std::out_of_range(fmt::format("the placeholder '{}' in a page has no value", name));
         filled += value->second;
         text.remove_prefix(close + 2);
     }

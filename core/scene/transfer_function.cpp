@@ -17,18 +17,19 @@
 namespace vvr::scene {
 
 TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(std::move(points)) {
-    if (points_.empty()) throw Error(ErrorCode::option_value, "a transfer function needs at least one point");
+    if (points_.empty()) throw Error(ErrorCode::option_value, "a transfer function has no points; give at least one");
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const TransferPoint& point = points_[i];
         if (!(point.extinction >= 0) || !std::isfinite(point.extinction) || !std::isfinite(point.value)) {
-            throw Error(ErrorCode::option_value_out_of_range,
-                        fmt::format("point {} of the transfer function has value {} and extinction "
-                                    "{}; extinction is 0 or more, both are finite",
-                                    i + 1, point.value, point.extinction));
+            throw Error(
+                ErrorCode::option_value_out_of_range,
+                fmt::format("point {} of the transfer function has the value {} and the extinction {}; give finite "
+                            "numbers, and an extinction of at least 0",
+                            i + 1, point.value, point.extinction));
         }
         if (i > 0 && point.value < points_[i - 1].value) {
             throw Error(ErrorCode::option_value,
-                        fmt::format("the values of a transfer function ascend, but {} follows {}", point.value,
+                        fmt::format("the values of a transfer function must increase, but {} follows {}", point.value,
                                     points_[i - 1].value));
         }
     }
@@ -95,15 +96,15 @@ double number_in(std::string_view word, const Column& column, const std::string&
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc() && end == word.data() + word.size() && value >= 0 && value <= column.high) return value;
-    throw Error(ErrorCode::option_value, fmt::format("{}: {} is '{}'; it has to be a number from 0 to {}", where,
-                                                     column.name, word, column.high));
+    throw Error(ErrorCode::option_value,
+                fmt::format("{}: {} is '{}'; give a number from 0 to {}", where, column.name, word, column.high));
 }
 
 std::string read_text(const std::filesystem::path& path) {
     try {
         return read_file(path.string(), most_bytes::text);
     } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("cannot read transfer function '{}': {}", path.string(), error.what()));
+        throw Error(error.code(), fmt::format("transfer: {}", error.what()), {"transfer"});
     }
 }
 
@@ -190,22 +191,21 @@ TransferFunction parse_transfer(const std::string& text, const std::string& name
         if (words.empty()) continue;
         if (words.size() != columns.size()) {
             throw Error(ErrorCode::option_value,
-                        fmt::format("{}: {} numbers; a point has {}: value red green blue opacity", where, words.size(),
+                        fmt::format("{}: found {} numbers; give {}: value red green blue opacity", where, words.size(),
                                     columns.size()));
         }
         std::array<double, columns.size()> values{};
         for (std::size_t i = 0; i < columns.size(); ++i) values[i] = number_in(words[i], columns[i], where);
         if (!points.empty() && values[0] <= points.back().value) {
-            throw Error(ErrorCode::option_value, fmt::format("{}: value {} follows {}; values have to ascend", where,
+            throw Error(ErrorCode::option_value, fmt::format("{}: value {} follows {}; values must increase", where,
                                                              values[0], points.back().value));
         }
         points.push_back({values[0], {values[1], values[2], values[3]}, extinction_of(values[4])});
     }
     if (points.empty()) {
-        throw Error(ErrorCode::option_value,
-                    fmt::format("{}: no point; a transfer function needs a line with value red green "
-                                "blue opacity",
-                                name));
+        throw Error(
+            ErrorCode::option_value,
+            fmt::format("{}: found no points; give at least one line with: value red green blue opacity", name));
     }
     return TransferFunction(std::move(points));
 }
