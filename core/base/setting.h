@@ -14,22 +14,22 @@
 
 namespace vvr {
 
-/// The values that a number may have, both ends included.
+/// The allowed values of a number, both ends included.
 struct Range {
     double low = 0;
     double high = 0;
 };
 
-/// What there is to know of a setting beside its value. The command line, config files, the checks of options and
-/// docs/cli.md all read it here. The default is that of the variable that holds the value.
+/// Describes a setting. The command line, config files, range checks and docs/cli.md use it. The default is the initial
+/// value of the setting's variable.
 struct Setting {
     std::string_view name;  ///< "min-area"
-    std::string_view unit;  ///< what the value is: "PIXELS"
+    std::string_view unit;  ///< or kind of value: "PIXELS"
     std::string_view help;
     Range range{};                       ///< of a number
-    std::string_view default_text{};     ///< what decides where no value is given: "the filter's"
+    std::string_view default_text{};     ///< replaces the default in help: "the filter's"
     bool may_be_file = false;            ///< the value may be the name of a file
-    std::string_view not_live_reason{};  ///< why a live stream has no such setting; empty = it has
+    std::string_view not_live_reason{};  ///< why live streams lack the setting; empty = they have it
 };
 
 /// \throws Error usage for a number out of the setting's range, NaN too; other values have no range

@@ -142,7 +142,7 @@ SparsePlane merged_planes(fields::Values values, const SparsePlane& before, cons
 
 }  // namespace
 
-void join(Layer& layer, const Layer& next, fields::Values values) {
+void merge(Layer& layer, const Layer& next, fields::Values values) {
     if (!next.colour.empty() || !next.owner.empty()) {
         next.scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (const std::uint8_t value : run) {
@@ -206,7 +206,7 @@ void LayerMerger::add(const std::vector<Layer>& layers) {
 }
 
 void LayerMerger::merge_at(std::vector<Layer>& layers, std::size_t i) {
-    join(layers[i], layers[i + 1], values_);
+    merge(layers[i], layers[i + 1], values_);
     layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     losses_.erase(losses_.begin() + static_cast<std::ptrdiff_t>(i));
     if (i < losses_.size()) losses_[i] = merge_loss(layers[i], layers[i + 1]);

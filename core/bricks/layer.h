@@ -114,7 +114,7 @@ struct Layer {
 /// Merges a layer with the next one. Each voxel keeps the colour and owner of the greater value, or of the first if
 /// both are equal.
 /// \param values kind of values, which determines how two values merge
-void join(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
+void merge(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
 
 /// The loss of merging two neighbouring layers, in pixels times frames. A layer of n frames that has u non-zero pixels
 /// shows n·u. The loss is how much more the merged layer shows than the two layers. It is 0 if nothing moves.

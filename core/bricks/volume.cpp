@@ -121,7 +121,7 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
         layers() == options_.capacity)
         merge_pairs();
     if (!options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step) {
-        join(layers_.back(), layer, options_.values);
+        merge(layers_.back(), layer, options_.values);
     } else {
         add_layer(std::move(layer));
     }
@@ -289,14 +289,14 @@ void Volume::drop_front(std::int64_t layers) {
 }
 
 void Volume::merge_pairs() {
-    std::vector<Layer> joined;
-    joined.reserve(layers_.size());
+    std::vector<Layer> merged;
+    merged.reserve(layers_.size());
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
-        if (i + 1 < layers_.size()) join(layer, layers_[i + 1], options_.values);
-        joined.push_back(std::move(layer));
+        if (i + 1 < layers_.size()) merge(layer, layers_[i + 1], options_.values);
+        merged.push_back(std::move(layer));
     }
-    layers_ = std::move(joined);
+    layers_ = std::move(merged);
     options_.step *= 2;
     thin_seeds();
 }
