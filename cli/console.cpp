@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 namespace vvr::cli {
 

@@ -9,8 +9,8 @@
 
 #include <spdlog/logger.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::cli {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 namespace vvr::gl {
 

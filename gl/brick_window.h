@@ -6,7 +6,6 @@
 
 #include "core/base/plane.h"
 #include "core/bricks/brick.h"
-#include "core/bricks/brick_layers.h"
 #include "core/bricks/cells.h"
 #include "core/space/layout.h"
 #include "gl/objects.h"

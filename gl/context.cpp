@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
+#include "core/base/setting.h"
 #include "gl/check.h"
 
 namespace vvr::gl {

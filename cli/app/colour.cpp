@@ -1,6 +1,6 @@
 #include "cli/app/colour.h"
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/fields/filter.h"
 
 namespace vvr::app {

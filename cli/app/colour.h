@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/fields/options.h"
 #include "gl/render_options.h"
 

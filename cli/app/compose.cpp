@@ -7,7 +7,7 @@
 #include "cli/app/letter.h"
 #include "core/glance/trails.h"
 #include "core/labels/ruler.h"
-#include "core/scene/overlay.h"
+#include "core/scene/scene.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {

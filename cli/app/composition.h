@@ -6,7 +6,7 @@
 
 #include "cli/app/framing.h"
 #include "core/bricks/brick.h"
-#include "core/bricks/owners.h"
+#include "core/bricks/layer.h"
 #include "core/bricks/volume.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/scene/overlay.h"
+#include "core/scene/scene.h"
 #include "core/scene/slices.h"
 #include "gl/framebuffer.h"
 

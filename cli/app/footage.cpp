@@ -13,7 +13,7 @@
 #include "cli/app/input.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/store/manifest.h"
 #include "core/video/input.h"

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/scene/overlay.h"
+#include "core/scene/scene.h"
 
 namespace vvr::app {
 

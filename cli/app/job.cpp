@@ -7,10 +7,10 @@
 
 #include "cli/app/settings.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/fields/field_source.h"
-#include "core/image/film.h"
 #include "core/image/text.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr::app {
 

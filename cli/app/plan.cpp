@@ -9,12 +9,12 @@
 
 #include "cli/app/settings.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/bricks/brick.h"
 #include "core/fields/flow.h"
-#include "core/image/film.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr::app {
 

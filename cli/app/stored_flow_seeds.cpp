@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/fields/filter.h"
 #include "core/fields/flo_file.h"

@@ -7,12 +7,11 @@
 #include "cli/app/drawn.h"
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
-#include "core/image/film.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 #include "core/page/moments.h"
 #include "core/page/page.h"
-#include "core/page/stills.h"
 
 namespace vvr::app {
 

@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film.h"
+#include "core/image/video_encoder.h"
 #include "core/video/container.h"
 #include "core/video/frame_source.h"
 #include "core/video/packet_copy.h"

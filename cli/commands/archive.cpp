@@ -15,7 +15,7 @@
 #include "cli/options/job_options.h"
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "gl/context.h"
 
 namespace vvr::commands {

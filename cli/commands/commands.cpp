@@ -12,8 +12,8 @@
 #include "cli/options/log_options.h"
 #include "cli/options/output.h"
 #include "cli/versions.h"
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::commands {
 

@@ -16,8 +16,8 @@
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 #include "core/video/container.h"
 
 namespace vvr::commands {

@@ -14,9 +14,9 @@
 #include "cli/options/help.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 
 namespace vvr::options {

@@ -18,7 +18,6 @@
 
 #include "cli/options/config_choice.h"
 #include "cli/options/help.h"
-#include "core/base/choice.h"
 #include "core/base/setting.h"
 
 namespace CLI {

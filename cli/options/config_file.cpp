@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "cli/options/presets.h"
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::options {
 

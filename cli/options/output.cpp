@@ -22,14 +22,13 @@
 
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 #include "core/video/frame_source.h"
 
 namespace vvr::options {

@@ -11,10 +11,10 @@
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/fields/reference.h"
-#include "core/image/film.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr::options {
 

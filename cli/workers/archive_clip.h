@@ -9,8 +9,8 @@
 
 #include "cli/signals.h"
 #include "cli/workers/worker.h"
-#include "core/archive/claim.h"
 #include "core/archive/clips.h"
+#include "core/archive/lock_file.h"
 #include "core/archive/verdict.h"
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"

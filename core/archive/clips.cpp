@@ -23,7 +23,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/wall_clock.h"
 #include "core/video/demuxer.h"
 #include "core/video/video_files.h"
@@ -96,15 +96,15 @@ class Walk {
         struct stat status {};
         if (::stat(out.c_str(), &status) == 0) seen_.emplace(status.st_dev, status.st_ino);
         if (::stat(in.c_str(), &status) == 0 && !S_ISDIR(status.st_mode)) {
-            throw Error(ErrorCode::not_a_folder,
-                        fmt::format("'{}' is a file, and an archive is a folder of clips; draw one clip with: vvr "
-                                    "render '{}' -o picture.png",
-                                    in.string(), in.string()));
+            throw Error(
+                ErrorCode::not_a_folder,
+                fmt::format(
+                    "'{}' is a file; give a folder of clips, or draw one clip with: vvr render '{}' -o picture.png",
+                    in.string(), in.string()));
         }
         if (::stat(in.c_str(), &status) != 0) {
             throw Error(code_of_system_error(errno),
-                        fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
-                                    "is mounted",
+                        fmt::format("cannot read the archive '{}': {}; check its name, and that its disk is mounted",
                                     in.string(), reason_of(errno)));
         }
         // A link to a folder that contains this one could bring in the whole machine.
@@ -116,8 +116,8 @@ class Walk {
         }
         if (!seen_.emplace(status.st_dev, status.st_ino).second) {
             throw Error(ErrorCode::options_conflict,
-                        fmt::format("'{}' holds the clips and is to hold their pictures too; give -o a folder of its "
-                                    "own, such as '{}'",
+                        fmt::format("'{}' is the folder of the clips, and cannot be that of their pictures too; choose "
+                                    "another one, such as '{}'",
                                     in.string(), (in / "pictures").lexically_normal().string()));
         }
     }
@@ -145,7 +145,7 @@ class Walk {
         if (::stat((in_ / folder).c_str(), &status) != 0) {
             scan_.problems.push_back({folder, reason_of(errno), true});
         } else if (above_.contains({status.st_dev, status.st_ino})) {
-            scan_.problems.push_back({folder, "it is a link to a folder that holds all clips; remove it"});
+            scan_.problems.push_back({folder, "it is a symbolic link to a folder above the archive; remove it"});
         } else if (!is_kernel_filesystem(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
             list(folder);
         }
@@ -174,7 +174,7 @@ class Walk {
         const bool link = type == fs::file_type::symlink;
         if (!clip && !link) return;
         if (clip && video::is_playlist_name(path)) {
-            scan_.problems.push_back({path, "it is a playlist, and an archive draws only video files; name those"});
+            scan_.problems.push_back({path, "it is a playlist, not a video file; exclude it"});
             return;
         }
         struct stat status {};
@@ -207,8 +207,9 @@ void drop_long_names(Scan& scan) {
         }
         if (longest.size() <= longest_name) return false;
         scan.problems.push_back(
-            {clip.path, fmt::format("its '{}' would be too long a name ({} bytes, {} are possible); rename the clip",
-                                    text_of_path(longest), longest.size(), longest_name)});
+            {clip.path,
+             fmt::format("the name of its file '{}' would have {} bytes, more than {}; shorten the name of the clip",
+                         text_of_path(longest), longest.size(), longest_name)});
         return true;
     });
 }
@@ -228,7 +229,7 @@ void drop_conflicts(Scan& scan) {
         for (const std::string& file : files) {
             if (!taken.contains(file) && !folders.contains(file)) continue;
             scan.problems.push_back(
-                {clip.path, fmt::format("its '{}' would stand where {} does; rename the clip", text_of_path(file),
+                {clip.path, fmt::format("its file '{}' would replace {}; rename the clip", text_of_path(file),
                                         folders.contains(file) ? "a folder of clips" : "another file of the archive")});
             return true;
         }
@@ -306,9 +307,11 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
         if (!can_be_folder(path) || paths.contains(path)) {
             if (refused.insert(camera).second) {
                 grouped.problems.push_back(
-                    {clip.path, fmt::format("its camera '{}' cannot be the name of a folder for pictures; "
-                                            "names can tell another",
-                                            text_of_path(camera))});
+                    {clip.path,
+                     fmt::format(
+                         "its camera '{}' cannot name a folder of pictures; give a pattern of file names that finds "
+                         "another camera",
+                         text_of_path(camera))});
             }
             continue;
         }

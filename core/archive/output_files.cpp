@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 
 namespace vvr::archive {
@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path with_extension(const fs::path& out, const std::string& clip, std::string_view ending) {
-    return out / (clip + std::string(ending));
+fs::path with_extension(const fs::path& out, const std::string& clip, std::string_view extension) {
+    return out / (clip + std::string(extension));
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::string path_of_text(std::string_view text) {
 }
 
 fs::path output_path(const fs::path& out, const std::string& clip, OutputKind kind) {
-    return with_extension(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->ending);
+    return with_extension(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->extension);
 }
 
 fs::path sidecar_path(const fs::path& out, const std::string& clip) {
@@ -116,8 +116,7 @@ void check_own_folder(const fs::path& out, const fs::path& folder) {
         const auto what = irregular_file_at(place);
         if (!what || *what == "a folder") continue;
         throw Error(ErrorCode::not_a_folder,
-                    fmt::format("cannot write into '{}': it is {}, and no folder of this archive; "
-                                "remove it",
+                    fmt::format("cannot write into '{}': it is {}, not a folder of this archive; remove it",
                                 place.string(), *what));
     }
 }
@@ -126,7 +125,7 @@ OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t m
     const int file = open_no_follow(path, O_RDONLY);
     if (file < 0) {
         const auto what = irregular_file_at(path);
-        return {{}, what && *what != "a folder" ? fmt::format("it is {}, and no file", *what) : ""};
+        return {{}, what && *what != "a folder" ? fmt::format("it is {}, not a file", *what) : ""};
     }
     OwnText own;
     std::string text(beginning.size(), 0);
@@ -137,8 +136,7 @@ OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t m
             read_to_end(file, text, most)) {
             own.text = std::move(text);
         } else {
-            own.problem =
-                fmt::format("it has {} bytes, or can't be read; at most {} are possible", status.st_size, most);
+            own.problem = fmt::format("it has {} bytes, more than {}, or cannot be read", status.st_size, most);
         }
     }
     ::close(file);

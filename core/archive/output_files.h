@@ -38,7 +38,7 @@ enum class OutputKind { picture, page, thumbnail, report, still };
 struct OutputRow {
     OutputKind kind;
     std::string_view name;
-    std::string_view ending;
+    std::string_view extension;
 };
 
 inline constexpr std::array output_rows{

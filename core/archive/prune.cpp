@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "core/archive/claim.h"
 #include "core/archive/clips.h"
+#include "core/archive/lock_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
@@ -92,9 +92,8 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         }
     }
     if (error) {
-        throw Error(
-            code_of_system_error(error.value()),
-            fmt::format("cannot read '{}': {}; check the name and its permissions", out.string(), error.message()));
+        throw Error(code_of_system_error(error.value()),
+                    fmt::format("cannot read '{}': {}; check its name and permissions", out.string(), error.message()));
     }
     std::ranges::sort(outputs.problems, {}, &ScanProblem::path);
     std::ranges::sort(outputs.sidecars, {}, [](const Sidecar& sidecar) { return sidecar.clip.path; });
@@ -168,15 +167,17 @@ SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const P
 void check_can_prune(const fs::path& in, const Present& present) {
     const auto unread = std::ranges::find(present.scan.problems, true, &ScanProblem::unread);
     if (unread != present.scan.problems.end()) {
-        throw Error(ErrorCode::io, fmt::format("'{}' can't be read: {}; so nothing is pruned, as nobody knows what is "
-                                               "left",
-                                               (in / unread->path).string(), unread->reason));
+        throw Error(
+            ErrorCode::io,
+            fmt::format("cannot prune: cannot read '{}': {}; fix that first, because clips there may still exist",
+                        (in / unread->path).string(), unread->reason));
     }
     if (present.scan.clips.empty()) {
-        throw Error(ErrorCode::archive_empty,
-                    fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
-                                "and they are gone for good, remove the pictures yourself",
-                                in.string()));
+        throw Error(
+            ErrorCode::archive_empty,
+            fmt::format(
+                "cannot prune: '{}' has no clips; check that its disk is mounted, or remove the pictures yourself",
+                in.string()));
     }
 }
 

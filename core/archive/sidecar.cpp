@@ -14,7 +14,7 @@
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/image/atomic_file.h"
 
@@ -29,7 +29,7 @@ constexpr std::size_t before_path = 3;
 events::EventKind kind_of(const std::string& name) {
     const auto row = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
     if (row == events::event_kinds.end())
-        throw Error(ErrorCode::file_invalid, fmt::format("'{}' is no kind of event", name));
+        throw Error(ErrorCode::file_invalid, fmt::format("the kind of event '{}' is unknown", name));
     return row->kind;
 }
 
@@ -120,7 +120,7 @@ std::string file_name(const std::string& clip) {
 /// A sidecar has an impossible number.
 class InvalidSidecar : public std::exception {
   public:
-    const char* what() const noexcept override { return "a number in it cannot be"; }
+    const char* what() const noexcept override { return "a number is out of range"; }
 };
 
 std::int64_t whole_number(const Json& json, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
@@ -193,7 +193,7 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
         if (found == files.end()) continue;
         const std::string name = path_of_text(found->get<std::string>());
         // A file of another name is foreign, and is left alone.
-        if (is_plain_name(name) && name == file_name(clip) + std::string(row.ending)) kinds.push_back(row.kind);
+        if (is_plain_name(name) && name == file_name(clip) + std::string(row.extension)) kinds.push_back(row.kind);
     }
     return kinds;
 }
@@ -305,7 +305,8 @@ std::string format_sidecar(const Sidecar& sidecar) {
     json["files"] = Json::object();
     for (const OutputKind kind : sidecar.files) {
         const auto row = std::ranges::find(output_rows, kind, &OutputRow::kind);
-        json["files"][std::string(row->name)] = text_of_path(file_name(sidecar.clip.path)) + std::string(row->ending);
+        json["files"][std::string(row->name)] =
+            text_of_path(file_name(sidecar.clip.path)) + std::string(row->extension);
     }
     return text_of(json);
 }
@@ -358,8 +359,9 @@ std::string problems_of(const Json& problems) {
 
 void apply_report(Sidecar& sidecar, const fs::path& report) {
     const auto refuse = [&](const std::string& why) {
-        throw Error(ErrorCode::worker_result_invalid,
-                    fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(), why));
+        throw Error(
+            ErrorCode::worker_result_invalid,
+            fmt::format("cannot read the report '{}' of a worker: {}; draw the clip again", report.string(), why));
     };
     try {
         const OwnText own = read_own(report, "{", largest_report);
@@ -386,7 +388,7 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
     }
     if (sidecar.seconds >= 0 && sidecar.seconds <= longest_recording) return;
     sidecar.reason =
-        fmt::format("its times say that it lasts {:.3g} s, which cannot be; no length is kept", sidecar.seconds);
+        fmt::format("its times give an impossible length of {:.3g} s; the length is left out", sidecar.seconds);
     sidecar.seconds = 0;
 }
 

@@ -11,19 +11,19 @@
 
 namespace vvr {
 
-/// What went wrong, in the terms of the caller; the command line maps each kind to one exit status.
+/// The kind of an error. The command line maps each kind to one exit status.
 enum class ErrorKind {
-    usage,      ///< a setting has a value that can't be
+    usage,      ///< a setting has an invalid value
     io,         ///< a file can't be read or written
     not_video,  ///< the input is not usable video
-    backend,    ///< no OpenGL backend, or an OpenGL call failed; or no sandbox where one is required
+    backend,    ///< OpenGL is missing or failed, or a required sandbox is missing
     limit,      ///< out of memory, or over a stated limit
     partial,    ///< some of several inputs failed
     differs,    ///< a picture differs from its reference
-    bug,        ///< an error that should have been foreseen
+    bug,        ///< an error that vvr does not expect
 };
 
-/// What went wrong, for programs: a caller may act on it, and texts may change. Each has a row of error_rows().
+/// The stable code of an error, for programs that act on it; texts may change. Each code has a row of error_rows().
 enum class ErrorCode {
     usage,
     command_unknown,
@@ -85,7 +85,7 @@ enum class ErrorCode {
     bug,
 };
 
-/// What there is to know of a code. docs/reliability.md has the table for people.
+/// The properties of a code. docs/reliability.md has the same table for users.
 struct ErrorRow {
     ErrorCode code;
     const char* name;  ///< stable, for logs, sidecars and other programs: "file-not-found"
@@ -98,16 +98,16 @@ std::span<const ErrorRow> error_rows();
 
 const ErrorRow& row_of(ErrorCode code);
 
-/// The code of that name; nothing where there is none.
+/// Finds a code by its name.
 std::optional<ErrorCode> find_error_code(std::string_view name);
 
-/// What a kind has for all that has no code of its own.
+/// The code for the errors of a kind that have no code of their own.
 ErrorCode general_code(ErrorKind kind);
 
-/// What an error of the system is, as in errno.
+/// The code for a system error, a value of errno.
 ErrorCode code_of_system_error(int error);
 
-/// The names of the settings (core/base/setting.h) that a text is about.
+/// The names of the settings (core/base/setting.h) that an error is about.
 class RelatedSettings {
   public:
     RelatedSettings() = default;
@@ -119,12 +119,12 @@ class RelatedSettings {
     }
 
   private:
-    std::shared_ptr<const std::vector<std::string>> names_;  ///< shared, so that a copy throws nothing
+    std::shared_ptr<const std::vector<std::string>> names_;  ///< shared, so that copying does not throw
 };
 
 /// The one exception of vvr. The text names the file, call or setting, what was asked, what was found, and the next
-/// step. It names settings as a person would, "threshold" or "smaller fields"; `about` is for who knows how they are
-/// given.
+/// step. The text names quantities, such as "threshold". `about` lists their settings, so that the command line can
+/// name the options.
 class Error : public std::runtime_error {
   public:
     Error(ErrorCode code, const std::string& text, RelatedSettings about = {})

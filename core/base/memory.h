@@ -22,9 +22,9 @@ void trim_heap();
 /// that.
 bool is_out_of_memory(const std::exception& error);
 
-/// Calls a function that loads a library, as dlopen does, and as a driver's own functions may. What the library throws
-/// as it is loaded, where memory is short, leaves the loader locked, and the next thread that loads one would wait for
-/// ever: so it ends the program instead (std::terminate).
+/// Calls a function that may load a library: dlopen or a driver's. If a library throws while it is loaded, for example
+/// for lack of memory, the loader stays locked, and the next thread that loads a library waits forever. Therefore an
+/// exception ends the program (std::terminate).
 template <class Work>
 auto while_loading(const Work& work) noexcept {
     return work();

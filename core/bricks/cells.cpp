@@ -68,7 +68,7 @@ class Strip {
     }
 
     /// Computes the minimum and maximum of these rows over the filled layers.
-    void join(Reach rows) {
+    void merge_layers(Reach rows) {
         rows_ = intersection(rows, box_rows_);
         whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;
         if (rows_.first > rows_.last) return;
@@ -131,7 +131,7 @@ class Strip {
 };
 
 /// The interval that texels of `reach` influence by interpolation, where `count` texels span 0..1, widened by `more`.
-std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
+std::array<double, 2> influenced_interval(Reach reach, std::int64_t count, double more) {
     const auto n = static_cast<double>(count);
     return {(static_cast<double>(reach.first) - 0.5) / n - more, (static_cast<double>(reach.last) + 1.5) / n + more};
 }
@@ -167,15 +167,15 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::La
     for (int t = 0; t < nt; ++t) {
         strip.fill_texels(layers_reach(t, nt, layers, more_layers));
         for (int j = 0; j < ny; ++j) {
-            strip.join(reach(j, ny, size.height, around.y * size.height));
+            strip.merge_layers(reach(j, ny, size.height, around.y * size.height));
             const auto row = static_cast<std::size_t>(j);
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 cells.ranges.push_back(strip.range(columns[i]));
                 CellBox& box = cells.boxes.emplace_back();
                 if (cells.ranges.back().high == 0) continue;
                 const auto [lit_columns, lit_rows] = strip.occupied(columns[i]);
-                const auto [x_low, x_high] = felt(lit_columns, size.width, bend + around.x);
-                const auto [y_low, y_high] = felt(lit_rows, size.height, around.y);
+                const auto [x_low, x_high] = influenced_interval(lit_columns, size.width, bend + around.x);
+                const auto [y_low, y_high] = influenced_interval(lit_rows, size.height, around.y);
                 box = {std::max(x_low, cells.x[i]), std::min(x_high, cells.x[i + 1]), std::max(y_low, cells.y[row]),
                        std::min(y_high, cells.y[row + 1])};
             }

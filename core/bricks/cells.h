@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bricks/brick_layers.h"
+#include "core/bricks/brick.h"
 #include "core/space/layout.h"
 
 namespace vvr::bricks {

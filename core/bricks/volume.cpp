@@ -86,7 +86,7 @@ Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
         throw Error(ErrorCode::option_value_out_of_range,
-                    fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
+                    fmt::format("a volume needs at least 2 layers and 1 frame per layer, not {} and {}",
                                 options.capacity, options.step));
     }
 }
@@ -103,14 +103,14 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
                  bool moves) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorCode::not_video,
-                    fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
-                                field.scalar.width(), field.scalar.height(), size_.width, size_.height));
+                    fmt::format("the field of frame {} has {}x{} pixels, not {}x{} as the frames before it",
+                                field.index, field.scalar.width(), field.scalar.height(), size_.width, size_.height));
     }
     if (frames_ == 0) coloured_ = !colour.empty();
     if (colour.size() != (coloured_ ? size_ : Size{})) {
         throw Error(
             ErrorCode::not_video,
-            fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
+            fmt::format("the picture of frame {} has {}x{} pixels, not {}x{} as the frames before it", field.index,
                         colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }
     SparsePlane scalar(field.scalar);
@@ -121,7 +121,7 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
         layers() == options_.capacity)
         merge_pairs();
     if (!options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step) {
-        join(layers_.back(), layer, options_.values);
+        merge(layers_.back(), layer, options_.values);
     } else {
         add_layer(std::move(layer));
     }
@@ -289,14 +289,14 @@ void Volume::drop_front(std::int64_t layers) {
 }
 
 void Volume::merge_pairs() {
-    std::vector<Layer> joined;
-    joined.reserve(layers_.size());
+    std::vector<Layer> merged;
+    merged.reserve(layers_.size());
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
-        if (i + 1 < layers_.size()) join(layer, layers_[i + 1], options_.values);
-        joined.push_back(std::move(layer));
+        if (i + 1 < layers_.size()) merge(layer, layers_[i + 1], options_.values);
+        merged.push_back(std::move(layer));
     }
-    layers_ = std::move(joined);
+    layers_ = std::move(merged);
     options_.step *= 2;
     thin_seeds();
 }
@@ -336,42 +336,6 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
         i = end;
     }
     return stretches;
-}
-
-namespace {
-
-/// Cuts a volume between layers with different values of `turn`.
-template <class Turn>
-std::vector<Brick> cut_by_turns(const Volume& volume, const Turn& turn) {
-    std::vector<Brick> bricks;
-    for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        if (bricks.empty() || turn(volume.layer(i)) != turn(volume.layer(i - 1))) bricks.push_back({i, 0});
-        ++bricks.back().count;
-    }
-    return bricks;
-}
-
-}  // namespace
-
-std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock) {
-    return cut_by_turns(volume, [&](const Layer& layer) { return std::floor((layer.pts + clock) / length); });
-}
-
-std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length) {
-    const std::int64_t first = volume.layers() > 0 ? volume.layer(0).first_frame : 0;
-    return cut_by_turns(volume, [&](const Layer& layer) { return (layer.first_frame - first) / length; });
-}
-
-std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
-                                  const std::optional<fields::SeedFlags>& flags) {
-    std::vector<FrameSeed> used;
-    for (const FrameSeed& at : volume.seeds()) {
-        const std::int64_t layer = at.frame / volume.step();
-        const auto after = std::ranges::upper_bound(bricks, layer, {}, &Brick::first);
-        const std::int64_t brick = first + std::max<std::int64_t>(0, after - bricks.begin() - 1);
-        if (flags.value_or(at.seed.flags).in(brick)) used.push_back(at);
-    }
-    return used;
 }
 
 }  // namespace vvr::bricks

@@ -10,9 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "core/base/plane.h"
-#include "core/bricks/brick.h"
 #include "core/bricks/layer.h"
-#include "core/bricks/owners.h"
 #include "core/fields/field.h"
 
 namespace vvr::bricks {
@@ -187,19 +185,5 @@ struct CompressedIdle {
 
 /// The stretches that are compressed to less than half of the mean scale of time, in order.
 std::vector<CompressedIdle> compressed_stretches(const Volume& volume);
-
-/// Cuts a volume at multiples of `length` seconds of a clock, for example at full hours.
-/// \param clock the clock's time at second 0 of the clip, seconds
-std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock);
-
-/// Cuts a volume at multiples of `length` frames.
-std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length);
-
-/// The brick-based seed filter of §6: the seeds of a volume that their bricks turn into geometry.
-/// \param bricks bricks of the volume, in order of time
-/// \param first number of the first brick, counted from the clip's first
-/// \param flags replaces the seeds' own flags
-std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
-                                  const std::optional<fields::SeedFlags>& flags);
 
 }  // namespace vvr::bricks

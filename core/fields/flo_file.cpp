@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 namespace vvr::fields {
 namespace {

@@ -11,8 +11,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/choice.h"
 #include "core/base/cv_view.h"
+#include "core/base/setting.h"
 #include "core/fields/options.h"
 
 namespace vvr::fields {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/video/frame_span.h"
 
 namespace vvr::fields {

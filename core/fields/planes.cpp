@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
-#include "core/base/choice.h"
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/kernels/byte_blur.h"
+#include "core/base/setting.h"
+#include "core/kernels/smoothing.h"
 
 namespace vvr::fields {
 namespace {

@@ -13,10 +13,10 @@
 #include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/choice.h"
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 #include "core/fields/filter.h"
 #include "core/fields/noise.h"
 #include "core/fields/stabilizer.h"

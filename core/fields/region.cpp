@@ -15,8 +15,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/fields/settings.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/fields/settings.h"
 
 namespace vvr::fields {

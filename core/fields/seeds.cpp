@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::fields {
 namespace {

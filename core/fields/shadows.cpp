@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/fields/options.h"
 
 namespace vvr::fields {

@@ -20,7 +20,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 namespace vvr::image {
 
@@ -42,7 +42,7 @@ std::string hidden_prefix(const std::string& name) {
     return fmt::format(".vvr-{:016x}-", fnv1a(name));
 }
 
-constexpr std::string_view hidden_ending = ".part";
+constexpr std::string_view hidden_extension = ".part";
 
 /// Whether the file system is local, so that a lock excludes all other writers.
 bool is_on_this_machine(int file) {
@@ -80,7 +80,7 @@ class TemporaryFile {
     explicit TemporaryFile(const fs::path& target) {
         const std::string prefix = hidden_prefix(target.filename().string());
         const auto numbered = [&](int i) {
-            return folder_of(target) / fmt::format("{}{}{}", prefix, i, hidden_ending);
+            return folder_of(target) / fmt::format("{}{}{}", prefix, i, hidden_extension);
         };
         int number = 0;
         while (file_ < 0) {
@@ -126,7 +126,7 @@ class TemporaryFile {
     bool create() {
         const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file < 0 && errno == EEXIST) return false;
-        if (file < 0) throw_error("make a file in", std::exchange(path_, {}).parent_path(), errno);
+        if (file < 0) throw_error("create a file in", std::exchange(path_, {}).parent_path(), errno);
         // Another run may have removed it as abandoned before it was locked. Without locks, its age protects it.
         lock_file(file, true);
         if (is_same_file(file, path_)) {
@@ -156,9 +156,9 @@ fs::path target_of(const fs::path& path) {
     if (error) {
         throw Error(
             code_of_system_error(error.value()),
-            fmt::format("cannot write '{}': it is a link that can't be followed: {}; remove it, or choose another "
-                        "name",
-                        path.string(), error.message()));
+            fmt::format(
+                "cannot write '{}': its symbolic link cannot be followed: {}; remove the link or choose another name",
+                path.string(), error.message()));
     }
     return target;
 }
@@ -172,27 +172,30 @@ void check_file_path(const fs::path& path) {
     const fs::file_status place = fs::status(folder, error);
     if (place.type() == fs::file_type::not_found) {
         throw Error(ErrorCode::file_not_found,
-                    fmt::format("cannot write '{}': there is no folder '{}'; make it with: mkdir -p '{}'",
+                    fmt::format("cannot write '{}': the folder '{}' does not exist; create it with: mkdir -p '{}'",
                                 path.string(), folder.string(), folder.string()));
     }
     if (error) {
         throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot write '{}': folder '{}': {}", path.string(), folder.string(), error.message()));
+                    fmt::format("cannot write '{}': cannot use the folder '{}': {}; choose another one", path.string(),
+                                folder.string(), error.message()));
     }
     if (place.type() != fs::file_type::directory) {
-        throw Error(ErrorCode::not_a_folder, fmt::format("cannot write '{}': '{}' is not a folder; choose another one",
-                                                         path.string(), folder.string()));
+        throw Error(ErrorCode::not_a_folder,
+                    fmt::format("cannot write '{}': '{}' is not a folder; choose another folder", path.string(),
+                                folder.string()));
     }
     const fs::file_status there = fs::status(target, error);
     if (fs::exists(there) && !fs::is_regular_file(there)) {
         throw Error(ErrorCode::not_a_file,
-                    fmt::format("cannot write '{}': it is {}; give the name of a file", path.string(),
+                    fmt::format("cannot write '{}': it is {}; give another file name", path.string(),
                                 fs::is_directory(there) ? "a folder" : "not a regular file"));
     }
     if (fs::exists(there) && ::access(target.c_str(), W_OK) != 0) {
         const int why = errno;
-        throw Error(code_of_system_error(why), fmt::format("cannot write '{}': {}; remove it, or choose another name",
-                                                           path.string(), reason(why)));
+        throw Error(code_of_system_error(why),
+                    fmt::format("cannot write '{}': {}; fix its permissions or choose another name", path.string(),
+                                reason(why)));
     }
     // Permissions are not enough: a server or a full disk may still refuse, so create a file.
     const TemporaryFile probe(target);
@@ -226,7 +229,7 @@ void remove_leftovers(const fs::path& folder, std::span<const std::string> names
          entry.increment(none)) {
         const std::string name = entry->path().filename().string();
         const bool ours =
-            name.ends_with(hidden_ending) &&
+            name.ends_with(hidden_extension) &&
             std::ranges::any_of(prefixes, [&](const std::string& prefix) { return name.starts_with(prefix); });
         if (ours) left.push_back(entry->path());
     }

@@ -30,11 +30,11 @@ std::optional<Comparison> refusal(const Samples& a, const Samples& b) {
         return comparison;
     };
     if (a.size != b.size) {
-        return refuse(Verdict::size, fmt::format("sizes {} and {}", size_text(a.size), size_text(b.size)));
+        return refuse(Verdict::size, fmt::format("the sizes differ, {} and {}", size_text(a.size), size_text(b.size)));
     }
     if (a.channels != b.channels) {
-        return refuse(Verdict::channels,
-                      fmt::format("channels {} and {}", fmt::join(a.channels, ","), fmt::join(b.channels, ",")));
+        return refuse(Verdict::channels, fmt::format("the channels differ, {} and {}", fmt::join(a.channels, ","),
+                                                     fmt::join(b.channels, ",")));
     }
     const char* which = "first";
     for (const Samples* samples : {&a, &b}) {
@@ -44,8 +44,8 @@ std::optional<Comparison> refusal(const Samples& a, const Samples& b) {
             const auto pixel = (at - samples->values.begin()) / std::ssize(samples->channels);
             return refuse(
                 Verdict::not_finite,
-                fmt::format("{} of the {} picture's values {} no number or infinite, first at {},{}", bad, which,
-                            bad == 1 ? "is" : "are", pixel % samples->size.width, pixel / samples->size.width));
+                fmt::format("{} {} of the {} picture {} not finite, first at {},{}", bad, bad == 1 ? "value" : "values",
+                            which, bad == 1 ? "is" : "are", pixel % samples->size.width, pixel / samples->size.width));
         }
         which = "second";
     }
@@ -99,11 +99,11 @@ std::vector<PixelPair> worst_of(const Samples& a, const Samples& b, const Plane<
 void judge(Comparison& comparison, const Tolerance& tolerance) {
     std::vector<std::string> reasons;
     if (comparison.percent > tolerance.percent) {
-        reasons.push_back(fmt::format("{:.3g} % of the pixels differ by more than {:.3g}, {:.3g} % may",
+        reasons.push_back(fmt::format("{:.3g} % of the pixels differ by more than {:.3g}, the limit is {:.3g} %",
                                       comparison.percent, tolerance.level, tolerance.percent));
     }
     if (comparison.patch > tolerance.patch) {
-        reasons.push_back(fmt::format("a patch of {0}x{0} pixels differs by {1:.3g} in the mean, {2:.3g} is allowed",
+        reasons.push_back(fmt::format("a patch of {0}x{0} pixels differs by {1:.3g} on average, the limit is {2:.3g}",
                                       patch_size, comparison.patch, tolerance.patch));
     }
     if (!reasons.empty()) comparison.verdict = Verdict::values;

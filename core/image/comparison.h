@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image/codec.h"
 #include "core/image/picture.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::image {
 

@@ -7,8 +7,8 @@
 #include <climits>
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::image {
 
@@ -28,7 +28,7 @@ const std::regex& field() {
 int digits_of(const std::string& text, const std::string& given) {
     if (text.size() == 1 && text[0] >= '1' && text[0] <= '9') return text[0] - '0';
     throw Error(ErrorCode::name_pattern_invalid,
-                fmt::format("'{}': a field has 1 to 9 digits, as {{frame:4}} has", given));
+                fmt::format("the field '{}' is invalid; give 1 to 9 digits, as in {{frame:4}}", given));
 }
 
 }  // namespace
@@ -37,9 +37,8 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     const std::string name = path.filename().string();
     // std::regex recurses for each character.
     if (name.size() > NAME_MAX) {
-        throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("'{}...': a name has {} bytes at most, and this has {}", name.substr(0, 40), NAME_MAX,
-                                name.size()));
+        throw Error(ErrorCode::name_pattern_invalid, fmt::format("the file name '{}...' has {} bytes; use at most {}",
+                                                                 name.substr(0, 40), name.size(), NAME_MAX));
     }
     std::smatch match;
     if (!std::regex_search(name, match, field())) return;
@@ -48,7 +47,7 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     after_ = match.suffix();
     if (std::regex_search(after_, field())) {
         throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
+                    fmt::format("the file name '{}' has more than one number field; use one", path.string()));
     }
     const std::string given = match[0];
     if (given.front() == '#') {
@@ -59,8 +58,7 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
         counts_ = match[1];
         if (std::ranges::count(counted_things(), counts_) == 0) {
             throw Error(ErrorCode::name_pattern_invalid,
-                        fmt::format("'{}' in '{}' is not a field; there are {{frame:4}}, {{brick:4}}, "
-                                    "#### and %04d{}",
+                        fmt::format("the field '{}' in '{}' is unknown{}; use {{frame:4}}, {{brick:4}}, #### or %04d",
                                     given, path.string(), did_you_mean(counts_, counted_things())));
         }
         digits_ = match[2].matched ? digits_of(match[2], given) : 1;

@@ -1,4 +1,4 @@
-// All uses of OpenImageIO. This file is a library of its own, which core/image/codec.cpp loads.
+// All uses of OpenImageIO. This file is a library of its own, which core/image/picture_file.cpp loads.
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/image/codec.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::image {
 namespace {
@@ -54,17 +54,18 @@ std::vector<std::byte> encode(const PictureFile& file) {
         if (why.empty()) {
             throw Error(
                 ErrorCode::out_of_memory,
-                fmt::format("cannot encode '{}': memory or threads are short; try a smaller picture", file.name),
+                fmt::format("cannot encode '{}': out of memory or threads; choose a smaller picture", file.name),
                 {"size"});
         }
-        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", file.name, why));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}; choose another format", file.name, why));
     }
     const auto whole = std::as_bytes(std::span(encoded.buffer()));
     return {whole.begin(), whole.end()};
 }
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& name, const std::string& why) {
-    throw Error(ErrorCode::file_invalid, fmt::format("cannot read picture '{}': {}", name.string(), why));
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("cannot read picture '{}': {}; check that the file is complete", name.string(), why));
 }
 
 // Limit for the values of a picture over all channels: 2 GB. A small file may claim more.
@@ -84,8 +85,8 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::s
     if (!flat || static_cast<std::uint64_t>(spec.nchannels) > most_values / spec.image_pixels()) {
         throw Error(
             ErrorCode::picture_too_large,
-            fmt::format("'{}' says that it has {}x{} pixels of {} channel(s), more than can be read: at most {} "
-                        "million values",
+            fmt::format("cannot read picture '{}': {}x{} pixels with {} channel(s) exceed the limit of {} million "
+                        "values; choose a smaller picture",
                         path.string(), spec.width, spec.height, spec.nchannels, most_values / 1'000'000));
     }
     return input;
@@ -112,15 +113,16 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
     const auto fail = [&path](const std::string& what, ErrorCode code = ErrorCode::file_invalid) {
         throw Error(code, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
     };
-    if (!std::filesystem::exists(path)) fail("there is no such file", ErrorCode::file_not_found);
+    if (!std::filesystem::exists(path)) fail("the file does not exist", ErrorCode::file_not_found);
     const auto input = OIIO::ImageInput::create("png");
     if (!input) fail(OIIO::geterror());
     OIIO::ImageSpec spec;
     if (!input->open(path.string(), spec)) fail(input->geterror());
     if (Size{spec.width, spec.height} != size || spec.nchannels != channels ||
         spec.format != OIIO::TypeDesc(OIIO::TypeDesc::UINT8)) {
-        fail(fmt::format("{}x{} with {} channel(s) of {} where 8-bit {}x{} with {} is due", spec.width, spec.height,
-                         spec.nchannels, spec.format.c_str(), size.width, size.height, channels));
+        fail(fmt::format("it has {}x{} pixels with {} channel(s) of {}, not {}x{} pixels with {} channel(s) of uint8",
+                         spec.width, spec.height, spec.nchannels, spec.format.c_str(), size.width, size.height,
+                         channels));
     }
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, values)) fail(input->geterror());
 }

@@ -2,22 +2,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <latch>
 #include <span>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include <dlfcn.h>
+
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
+#include "core/base/memory.h"
+#include "core/base/setting.h"
 #include "core/base/version.h"
 #include "core/image/atomic_file.h"
-#include "core/image/codec.h"
 #include "core/image/picture.h"
 
 extern "C" {
@@ -26,6 +34,123 @@ extern "C" {
 }
 
 namespace vvr::image {
+
+namespace {
+
+/// A picture format that can be read.
+struct ReadFormat {
+    std::string_view name;         ///< OpenImageIO's name
+    std::string_view first_bytes;  ///< signature of its files
+};
+
+using namespace std::string_view_literals;
+constexpr std::array read_formats{ReadFormat{"png", "\x89PNG\r\n\x1a\n"sv}, ReadFormat{"jpeg", "\xff\xd8\xff"sv},
+                                  ReadFormat{"tiff", "II*\0"sv}, ReadFormat{"tiff", "MM\0*"sv},
+                                  ReadFormat{"openexr", "\x76\x2f\x31\x01"sv}};
+
+constexpr std::size_t longest_begin = 8;
+
+/// \param begin first bytes of the file
+std::string_view format_of(const std::filesystem::path& name, std::string_view begin) {
+    const auto format =
+        std::ranges::find_if(read_formats, [&](const ReadFormat& row) { return begin.starts_with(row.first_bytes); });
+    if (format != read_formats.end()) return format->name;
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("cannot read picture '{}': {}", name.string(),
+                            begin.empty() ? "the file is empty; give another file"
+                                          : "the content is not PNG, JPEG, TIFF or OpenEXR; convert the file"));
+}
+
+}  // namespace
+
+Samples read_samples(const std::filesystem::path& path) {
+    check_is_file(path.string(), most_bytes::data);
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, longest_begin> begin{};
+    file.read(begin.data(), begin.size());
+    if (!file.is_open() || file.bad()) {
+        throw Error(code_of_system_error(errno),
+                    fmt::format("cannot read picture '{}': {}; check its name and permissions", path.string(),
+                                std::strerror(errno)));
+    }
+    const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+    return picture_codec().read(path, format_of(path, bytes), std::nullopt);
+}
+
+Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes) {
+    const std::string_view begin(reinterpret_cast<const char*>(bytes.data()), std::min(longest_begin, bytes.size()));
+    return picture_codec().read(name, format_of(name, begin), bytes);
+}
+
+Samples without_pixel_data(Samples samples) {
+    const auto is_pixel_data = [](const std::string& channel) {
+        return std::ranges::find(pixel_data_channels, channel, &PixelDataChannel::name) != pixel_data_channels.end();
+    };
+    if (std::ranges::none_of(samples.channels, is_pixel_data)) return samples;
+    std::vector<float> kept;
+    for (std::size_t i = 0; i < samples.values.size(); ++i) {
+        if (!is_pixel_data(samples.channels[i % samples.channels.size()])) kept.push_back(samples.values[i]);
+    }
+    samples.values = std::move(kept);
+    std::erase_if(samples.channels, is_pixel_data);
+    return samples;
+}
+
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr int search = 0;  // AddressSanitizer doesn't support RTLD_DEEPBIND
+#else
+// Its 250 libraries then resolve symbols among themselves first, not in the program's 150 libraries: half the time.
+constexpr int search = RTLD_DEEPBIND;
+#endif
+
+/// Checks that threads can be started. One of the dependencies, log4cplus, starts a thread per core when loaded, and
+/// at least four. If that fails, it aborts or hangs.
+/// \throws std::system_error if the threads can't be started
+void check_threads() {
+    const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
+    std::latch all_there(1);
+    std::vector<std::jthread> threads;
+    threads.reserve(wanted);
+    try {
+        for (unsigned i = 0; i < wanted; ++i) threads.emplace_back([&] { all_there.wait(); });
+    } catch (...) {
+        all_there.count_down();
+        throw;
+    }
+    all_there.count_down();
+}
+
+const PictureCodec& load() {
+    check_threads();
+    // Never closed, because some of the dependencies crash when unloaded.
+    constexpr int how = RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE | search;
+    void* const library = while_loading([] { return dlopen(VVR_PICTURE_CODEC, how); });
+    void* const codec = library ? dlsym(library, picture_codec_symbol) : nullptr;
+    if (codec) return *reinterpret_cast<const PictureCodec* (*)()>(codec)();
+    const char* const why = dlerror();
+    const std::string text = why == nullptr ? "" : why;
+    // Includes the 250 dependencies.
+    constexpr std::int64_t bytes_of_all = 200'000'000;
+    const bool short_of_memory =
+        std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
+                            [&](const char* words) { return text.find(words) != std::string::npos; });
+    if (short_of_memory || !is_memory_available(bytes_of_all)) {
+        throw Error(
+            ErrorCode::out_of_memory,
+            fmt::format("out of memory while loading the library for picture files: {}; give vvr more memory", text));
+    }
+    throw Error(ErrorCode::io, fmt::format("cannot load the library for picture files: {}; reinstall vvr", text));
+}
+
+}  // namespace
+
+const PictureCodec& picture_codec() {
+    static const PictureCodec& codec = load();
+    return codec;
+}
 
 namespace {
 
@@ -88,7 +213,7 @@ constexpr std::size_t longest_description = 60'000;
 
 /// A picture file format.
 struct Format {
-    std::string_view ending;
+    std::string_view extension;
     Stored stored;
     bool alpha;       ///< supports transparency
     bool settings;    ///< supports any attribute; else the settings become lines of the description
@@ -110,14 +235,15 @@ constexpr std::array formats{
 };
 
 const Format& format_of(const std::filesystem::path& path) {
-    const std::string ending = extension_of(path);
-    const auto format = std::ranges::find(formats, ending, &Format::ending);
+    const std::string extension = extension_of(path);
+    const auto format = std::ranges::find(formats, extension, &Format::extension);
     if (format != formats.end()) return *format;
     const std::vector<std::string> known = picture_file_extensions();
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
-                            ending.empty() ? "a name without an ending" : "'" + ending + "'",
-                            did_you_mean(ending, known), fmt::join(known, " ")));
+                fmt::format("cannot write '{}': {}{}; use one of: {}", path.string(),
+                            extension.empty() ? "it has no file extension"
+                                              : fmt::format("the file extension '{}' is unknown", extension),
+                            did_you_mean(extension, known), fmt::join(known, " ")));
 }
 
 std::uint8_t byte_of(float value) {
@@ -175,11 +301,11 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
                      const Metadata& metadata, int jpeg_quality) {
     if (std::max(size.width, size.height) > format.most_side) {
         throw Error(ErrorCode::io,
-                    fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} per side; "
+                    fmt::format("cannot encode '{}' of {}x{} pixels: a {} file has at most {} pixels per side; "
                                 "choose a smaller size or another format",
-                                path.string(), size.width, size.height, format.ending, format.most_side));
+                                path.string(), size.width, size.height, format.extension, format.most_side));
     }
-    return {.format = std::string(format.ending.substr(1)),
+    return {.format = std::string(format.extension.substr(1)),
             .name = path.string(),
             .size = size,
             .colours = channels,
@@ -192,10 +318,10 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
 }  // namespace
 
 std::vector<std::string> picture_file_extensions() {
-    std::vector<std::string> endings;
-    endings.reserve(formats.size());
-    for (const Format& format : formats) endings.emplace_back(format.ending);
-    return endings;
+    std::vector<std::string> extensions;
+    extensions.reserve(formats.size());
+    for (const Format& format : formats) extensions.emplace_back(format.extension);
+    return extensions;
 }
 
 bool holds_pixel_data(const std::filesystem::path& path) {

@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
 #include "core/image/picture.h"
@@ -182,10 +182,9 @@ void check_font(const std::filesystem::path& file) {
                     {"font"});
     }
     if (!Font(file.string()).measure("0", 12)) {
-        throw Error(
-            ErrorCode::file_invalid,
-            fmt::format("font: '{}' is no font that FreeType can read; give a .ttf or .otf file", file.string()),
-            {"font"});
+        throw Error(ErrorCode::file_invalid,
+                    fmt::format("font: FreeType cannot read '{}' as a font; give a .ttf or .otf file", file.string()),
+                    {"font"});
     }
 }
 

@@ -1,15 +1,204 @@
 #include "core/page/moments.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/base/error.h"
 #include "core/base/plane.h"
+#include "core/glance/objects.h"
 #include "core/image/picture.h"
 
 namespace vvr::page {
+
+void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
+    if (kept_.empty() || in_last_ == stretch_) {
+        if (kept_.size() == most_) merge_neighbours();
+        kept_.push_back({{frame, seconds, image::resized(picture, size_)}, activity});
+        in_last_ = 1;
+        return;
+    }
+    ++in_last_;
+    Kept& last = kept_.back();
+    if (activity > last.activity) last = {{frame, seconds, image::resized(picture, size_)}, activity};
+}
+
+std::vector<Still> Stills::take() {
+    std::vector<Still> stills;
+    stills.reserve(kept_.size());
+    for (Kept& kept : kept_) stills.push_back(std::move(kept.still));
+    kept_.clear();
+    return stills;
+}
+
+void Stills::merge_neighbours() {
+    for (std::size_t k = 0; k < most_ / 2; ++k) {
+        Kept& a = kept_[2 * k];
+        Kept& b = kept_[2 * k + 1];
+        Kept better = std::move(b.activity > a.activity ? b : a);
+        kept_[k] = std::move(better);
+    }
+    kept_.resize(most_ / 2);
+    stretch_ *= 2;
+}
+
+namespace {
+
+constexpr Bgr mark{{15, 72, 217}};
+constexpr int line = 2;  // pixels
+
+/// A key to rank events; more informative events are greater.
+auto worth(const events::Event& event) {
+    return std::tuple(-row_of(event.kind).rank, events::stationary_seconds(event),
+                      event.last.seconds - event.first.seconds);
+}
+
+const Still& nearest_to(std::span<const Still> stills, std::int64_t frame) {
+    return *std::ranges::min_element(stills, {}, [frame](const Still& still) { return std::abs(still.frame - frame); });
+}
+
+void outline(Plane<Bgr>& picture, const PixelBox& box) {
+    const auto inside = [&](int x, int y) {
+        return x >= box.left + line && x < box.right - line && y >= box.top + line && y < box.bottom - line;
+    };
+    for (int y = std::max(0, box.top); y < std::min(box.bottom, picture.size().height); ++y) {
+        for (int x = std::max(0, box.left); x < std::min(box.right, picture.size().width); ++x) {
+            if (!inside(x, y)) picture.at(x, y) = mark;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field) {
+    if (stills.empty()) return std::nullopt;
+    const auto event = std::ranges::max_element(events, {}, worth);
+    if (event == events.end() || event->path.empty()) return stills[stills.size() / 2];
+    Still still =
+        nearest_to(stills, event->portrait ? event->portrait->at.frame : (event->first.frame + event->last.frame) / 2);
+    if (still.frame < event->first.frame || still.frame > event->last.frame) return still;
+    const double scale = static_cast<double>(still.picture.size().width) / field.width;
+    const PixelBox& seen = event->portrait ? event->portrait->box : event->box;
+    const glm::dvec2 place = glance::position_at(*event, still.seconds) * scale;
+    const double half = std::max(8.0, 0.6 * scale * std::max(seen.width(), seen.height()));
+    const auto at = [](double value) { return static_cast<int>(std::lround(value)); };
+    outline(still.picture, {at(place.x - half), at(place.y - half), at(place.x + half), at(place.y + half)});
+    return still;
+}
+
+namespace {
+
+constexpr int ticks = 1000;  // per second, as in WebM
+
+/// A container and its encoder. The options disable B-frames, so that every player shows the frames in order.
+struct Kind {
+    const char* type;
+    const char* muxer;
+    const char* encoder;
+    const char* options;
+    std::array<int, 2> crf;  ///< constant rate factor per Use; lower is better
+};
+
+/// The first with an installed encoder is used.
+constexpr std::array kinds{
+    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0", {29, 32}},
+    Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
+    Kind{"video/webm", "webm", "libvpx", "cpu-used=8,deadline=realtime", {22, 28}},
+};
+
+std::int64_t step_for(const ExpectedLength& expected) {
+    return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
+}
+
+constexpr std::array long_sides{384, 256};  // pixels, per Use
+constexpr int key_seconds = 5;              // key frame interval: a seek decodes up to this much
+
+std::size_t place_of(Preview::Use use) {
+    return static_cast<std::size_t>(use);
+}
+
+}  // namespace
+
+Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
+    : use_(use), size_(fit_into(clip, long_sides[place_of(use)])), expected_(expected) {
+    video_.step = step_for(expected);
+    const double kept = static_cast<double>(expected.frames) / static_cast<double>(video_.step);
+    given_up_ = video_.step > 1 && kept < least_rate * expected.seconds;
+}
+
+void Preview::begin() {
+    const auto kind = std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
+    if (kind == kinds.end()) {
+        given_up_ = true;
+        return;
+    }
+    // The bit rate uses most of the size limit; `add` checks whether the encoder exceeds the limit.
+    constexpr double highest = 1'500'000;
+    const double seconds = std::max(1.0, expected_.seconds);
+    const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
+    const double rate = static_cast<double>(expected_.frames) / static_cast<double>(video_.step) / seconds;
+    const int pictures = static_cast<int>(std::clamp(std::round(rate), 1.0, 60.0));
+    const bool constrained_by_rate = std::string_view(kind->muxer) == "webm";
+    const std::string limit =
+        constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
+    video_.type = kind->type;
+    encoder_ = std::make_unique<image::VideoEncoder>(
+        image::VideoFormat{kind->muxer, kind->encoder,
+                           fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
+        "preview", size_, ticks, pictures, key_seconds * pictures);
+}
+
+void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
+    if (given_up_) return;
+    try {
+        encode(frame, seconds, picture);
+    } catch (const Error& error) {
+        give_up(error.what());
+    }
+}
+
+void Preview::give_up(const std::string& problem) {
+    given_up_ = true;
+    problem_ = problem;
+    encoder_.reset();
+}
+
+void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
+    if (taken_ == 0) {
+        begin();
+        if (given_up_) return;
+        first_frame_ = frame;
+        video_.begin = seconds;
+    }
+    if ((frame - first_frame_) % video_.step != 0) return;
+    std::int64_t tick = std::llround((seconds - video_.begin) * ticks);
+    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // timestamps must increase
+    last_tick_ = tick;
+    encoder_->add(image::resized(picture, size_), tick);
+    ++taken_;
+    if (encoder_->bytes() <= most_bytes && taken_ <= 2 * most_frames) return;
+    given_up_ = true;
+    encoder_.reset();
+}
+
+std::optional<EncodedVideo> Preview::finish() {
+    if (given_up_ || taken_ == 0) return std::nullopt;
+    try {
+        video_.bytes = encoder_->finish();
+    } catch (const Error& error) {
+        give_up(error.what());
+        return std::nullopt;
+    }
+    if (video_.bytes.size() > most_bytes) return std::nullopt;
+    return std::move(video_);
+}
 
 void Timeline::add(std::int64_t frame, double seconds) {
     ++frames_;

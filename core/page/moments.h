@@ -1,20 +1,127 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <future>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/base/wall_clock.h"
+#include "core/events/event.h"
 #include "core/fields/field_source.h"
-#include "core/page/preview.h"
-#include "core/page/stills.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr::page {
+
+/// A small picture of one frame.
+struct Still {
+    std::int64_t frame = 0;  ///< index in the clip
+    double seconds = 0;
+    Plane<Bgr> picture;
+};
+
+/// Keeps stills spread evenly over a stream of unknown length. It divides the stream into stretches of equal length and
+/// keeps the most active frame of each. When there are too many stretches, it merges neighbours in pairs.
+class Stills {
+  public:
+    /// Maximum number of stills. For at least as many frames, more than half of it are kept.
+    static constexpr std::size_t most = 160;
+
+    /// \param size size of the stills
+    /// \param most_kept maximum number of stills, even
+    explicit Stills(Size size, std::size_t most_kept = most) : size_(size), most_(most_kept) {}
+
+    /// \param activity any measure, such as the number of moving pixels
+    void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity);
+
+    /// The stills in order of time. Call it once.
+    std::vector<Still> take();
+
+  private:
+    struct Kept {
+        Still still;
+        std::int64_t activity = 0;
+    };
+
+    void merge_neighbours();
+
+    Size size_;
+    std::size_t most_;
+    std::int64_t stretch_ = 1;  ///< frames
+    std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
+    std::vector<Kept> kept_;
+};
+
+/// The most informative still of a clip, with a border around the event that it shows. Events are ranked by kind, then
+/// by how long the object stood, then by duration. Without events, it is the middle still.
+/// \param field field size; events are in field pixels
+/// \returns empty if there are no stills
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
+
+/// A small video in a format that browsers play.
+struct EncodedVideo {
+    std::string type;  ///< MIME type, such as "video/mp4"
+    std::vector<std::byte> bytes;
+    double begin = 0;       ///< start in the clip, seconds
+    std::int64_t step = 1;  ///< has every `step`-th frame of the clip
+};
+
+/// The length of a clip according to its header; 0 = unknown.
+struct ExpectedLength {
+    std::int64_t frames = 0;
+    double seconds = 0;
+};
+
+/// Encodes the preview of a clip frame by frame. Gives up if the preview would be too large or too coarse, or if libav
+/// fails, because a page also works without it.
+class Preview {
+  public:
+    static constexpr std::size_t most_bytes = 8'000'000;
+    static constexpr std::int64_t most_frames = 6000;  ///< longer clips use every n-th frame
+    static constexpr double least_rate = 2;            ///< pictures per second; for fewer, stills are enough
+
+    /// The purpose of a preview.
+    enum class Use {
+        instead,   ///< the browser can't play the clip itself
+        fallback,  ///< the browser can play the clip, but the clip may be missing: a small preview
+    };
+
+    /// \param clip size of the clip's pictures
+    Preview(Size clip, const ExpectedLength& expected, Use use = Use::instead);
+
+    /// False once the preview has been given up.
+    bool is_possible() const { return !given_up_; }
+
+    void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
+
+    /// The preview. Empty if it was given up, or if libav has no encoder for a format that browsers play. Call it once.
+    std::optional<EncodedVideo> finish();
+
+    /// libav's error message if encoding failed, else empty.
+    const std::string& problem() const { return problem_; }
+
+  private:
+    void begin();
+    void encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
+    void give_up(const std::string& problem);
+
+    Use use_;
+    Size size_;
+    ExpectedLength expected_;
+    std::unique_ptr<image::VideoEncoder> encoder_;
+    EncodedVideo video_;
+    std::int64_t taken_ = 0;
+    std::int64_t first_frame_ = 0;
+    std::int64_t last_tick_ = 0;
+    bool given_up_ = false;
+    std::string problem_;
+};
 
 /// Consecutive frames at a constant rate.
 struct ConstantRateFrames {

@@ -17,8 +17,7 @@
 #include "core/events/path.h"
 #include "core/image/picture_file.h"
 #include "core/labels/time_ticks.h"
-#include "core/page/event_kinds.h"
-#include "core/page/text.h"
+#include "core/page/html.h"
 #include "core/space/layout.h"
 #include "page_files.h"
 #include "page_script.h"
@@ -311,7 +310,7 @@ std::int64_t frames_in(const std::vector<ConstantRateFrames>& times) {
 }
 
 /// The source of the time of day.
-std::string told_by(const PageContent& content) {
+std::string time_source_text(const PageContent& content) {
     const std::string_view words = row_of(source_of(content)).words;
     return content.clock ? fmt::format("times of day {}", words) : std::string(words);
 }
@@ -339,26 +338,51 @@ std::string make_page(const PageContent& content) {
     };
     const double begin = content.moments.times.front().begin;
     const double end = end_of(content.moments.times);
-    return fill(page_files::page_html,
+    return fill(
+        page_files::page_html,
+        {
+            {"script policy", policy_hash(script)},
+            {"style policy", policy_hash(style)},
+            {"connect", content.live ? "; connect-src 'self'" : ""},
+            {"name", shown(content.name)},
+            {"heading",
+             shown(heading_of(content.camera.empty() ? content.name : content.camera, content.clock, begin, end))},
+            {"file", shown(content.file)},
+            {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
+                                    labels::format_moment(std::floor(end + 1e-4), content.clock),
+                                    counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
+            {"way", time_direction(content.settings)},
+            {"list", list_of(content)},
+            {"first kind", std::string(events::ranked_kinds().front().words)},
+            {"style", style},
+            {"script", script},
+            {"picture", url_of_picture(content)},
+            {"width", fmt::to_string(size.width)},
+            {"height", fmt::to_string(size.height)},
+            {"data", script_json(json_text(data, -1, true))},
+        });
+}
+
+std::string make_region_editor(const RegionEditorContent& content) {
+    constexpr int quality = 88;
+    const bool masks = content.roi.empty() && !content.mask.empty();
+    const nlohmann::ordered_json data{{"option", masks ? "mask" : "roi"},
+                                      {"regions", masks ? content.mask : content.roi}};
+    // Replaces bytes that are not UTF-8 by U+FFFD.
+    const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
+    const std::string style = std::string(shared_files::theme_css) + std::string(page_files::region_editor_css);
+    const std::string script = std::string(shared_files::common_js) + std::string(page_files::region_editor_js);
+    return fill(page_files::region_editor_html,
                 {
                     {"script policy", policy_hash(script)},
                     {"style policy", policy_hash(style)},
-                    {"connect", content.live ? "; connect-src 'self'" : ""},
-                    {"name", shown(content.name)},
-                    {"heading", shown(heading_of(content.camera.empty() ? content.name : content.camera, content.clock,
-                                                 begin, end))},
-                    {"file", shown(content.file)},
-                    {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
-                                            labels::format_moment(std::floor(end + 1e-4), content.clock),
-                                            counted(frames_in(content.moments.times), "frame"), told_by(content))},
-                    {"way", time_direction(content.settings)},
-                    {"list", list_of(content)},
-                    {"first kind", std::string(events::ranked_kinds().front().words)},
+                    {"name", html_text(name)},
+                    {"moment", html_text(content.moment)},
                     {"style", style},
                     {"script", script},
-                    {"picture", url_of_picture(content)},
-                    {"width", fmt::to_string(size.width)},
-                    {"height", fmt::to_string(size.height)},
+                    {"frame", data_url("image/jpeg", image::encode_picture("frame.jpg", content.frame, quality))},
+                    {"width", fmt::to_string(content.frame.width())},
+                    {"height", fmt::to_string(content.frame.height())},
                     {"data", script_json(json_text(data, -1, true))},
                 });
 }

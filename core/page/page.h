@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/base/wall_clock.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
@@ -65,5 +66,18 @@ struct PageContent {
 /// Makes a self-contained HTML page: the picture, the time and event of each pixel, stills and a preview. It refers
 /// only to the clip's file. The page of a stream requests updates from its server. The output is deterministic.
 std::string make_page(const PageContent& content);
+
+/// The content of a page for drawing regions.
+struct RegionEditorContent {
+    std::string name;    ///< display name of the clip
+    std::string moment;  ///< time of the frame, as text
+    Plane<Bgr> frame;    ///< at the clip's display size; regions are in its pixels
+    std::string roi;     ///< initial polygons, as in FieldOptions; empty = none
+    std::string mask;    ///< initial polygons to exclude; edited only if `roi` is empty
+};
+
+/// Makes a self-contained HTML page where the user draws regions on the frame and copies the option for them. The
+/// output is deterministic.
+std::string make_region_editor(const RegionEditorContent& content);
 
 }  // namespace vvr::page

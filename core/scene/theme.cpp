@@ -122,7 +122,7 @@ constexpr std::array states{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, O
 
 // Leaves, rain and changes of light belong to no object. They are visible where there is nothing else, but fainter than
 // objects. At a sixth, a whole frame of brighter light stays transparent.
-constexpr float nobodys_extinction = 1.0F / 6;
+constexpr float unowned_extinction = 1.0F / 6;
 
 }  // namespace
 
@@ -131,7 +131,7 @@ std::uint8_t palette_index(int colour, ObjectState state) {
 }
 
 std::vector<glm::vec4> object_palette(const Theme& theme) {
-    std::vector<glm::vec4> palette{{theme.unowned, nobodys_extinction}};
+    std::vector<glm::vec4> palette{{theme.unowned, unowned_extinction}};
     for (const glm::vec3& colour : theme.objects) {
         for (const ObjectStateStyle& state : states) {
             palette.emplace_back(glm::mix(colour, glm::vec3(0), state.toward_ink), state.extinction);

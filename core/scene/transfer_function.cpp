@@ -10,25 +10,26 @@
 
 #include <fmt/format.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 
 namespace vvr::scene {
 
 TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(std::move(points)) {
-    if (points_.empty()) throw Error(ErrorCode::option_value, "a transfer function needs at least one point");
+    if (points_.empty()) throw Error(ErrorCode::option_value, "a transfer function has no points; give at least one");
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const TransferPoint& point = points_[i];
         if (!(point.extinction >= 0) || !std::isfinite(point.extinction) || !std::isfinite(point.value)) {
-            throw Error(ErrorCode::option_value_out_of_range,
-                        fmt::format("point {} of the transfer function has value {} and extinction "
-                                    "{}; extinction is 0 or more, both are finite",
-                                    i + 1, point.value, point.extinction));
+            throw Error(
+                ErrorCode::option_value_out_of_range,
+                fmt::format("point {} of the transfer function has the value {} and the extinction {}; give finite "
+                            "numbers, and an extinction of at least 0",
+                            i + 1, point.value, point.extinction));
         }
         if (i > 0 && point.value < points_[i - 1].value) {
             throw Error(ErrorCode::option_value,
-                        fmt::format("the values of a transfer function ascend, but {} follows {}", point.value,
+                        fmt::format("the values of a transfer function must increase, but {} follows {}", point.value,
                                     points_[i - 1].value));
         }
     }
@@ -95,15 +96,15 @@ double number_in(std::string_view word, const Column& column, const std::string&
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc() && end == word.data() + word.size() && value >= 0 && value <= column.high) return value;
-    throw Error(ErrorCode::option_value, fmt::format("{}: {} is '{}'; it has to be a number from 0 to {}", where,
-                                                     column.name, word, column.high));
+    throw Error(ErrorCode::option_value,
+                fmt::format("{}: {} is '{}'; give a number from 0 to {}", where, column.name, word, column.high));
 }
 
 std::string read_text(const std::filesystem::path& path) {
     try {
         return read_file(path.string(), most_bytes::text);
     } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("cannot read transfer function '{}': {}", path.string(), error.what()));
+        throw Error(error.code(), fmt::format("transfer: {}", error.what()), {"transfer"});
     }
 }
 
@@ -111,7 +112,7 @@ std::string read_text(const std::filesystem::path& path) {
 
 const std::vector<TransferRow>& transfer_functions() {
     static const std::vector<TransferRow> table = {
-        {"blue", "what moved, faint to strong in blue", default_transfer_function().points()},
+        {"blue", "motion in blue, from faint to strong", default_transfer_function().points()},
         {"grey",
          "the same in grey, for print",
          {{12, {0.62, 0.62, 0.62}, 0},
@@ -119,41 +120,41 @@ const std::vector<TransferRow>& transfer_functions() {
           {128, {0.33, 0.33, 0.33}, 32},
           {255, {0.08, 0.08, 0.08}, 70}}},
         {"heat",
-         "from yellow over red to black: differences stand out by size",
+         "from yellow through red to black: the colour shows the size of a difference",
          {{12, {1.00, 0.86, 0.45}, 0},
           {40, {0.98, 0.72, 0.25}, 7},
           {90, {0.92, 0.35, 0.14}, 24},
           {160, {0.66, 0.08, 0.16}, 44},
           {255, {0.22, 0.02, 0.12}, 70}}},
         {"viridis",
-         "from violet over green to yellow: told apart by all eyes, and in grey",
+         "from violet through green to yellow: readable with colour blindness, and in grey",
          {{12, {0.27, 0.00, 0.33}, 0},
           {48, {0.23, 0.32, 0.55}, 9},
           {110, {0.13, 0.57, 0.55}, 28},
           {180, {0.37, 0.79, 0.38}, 48},
           {255, {0.99, 0.91, 0.14}, 70}}},
         {"magma",
-         "from black over purple to pale yellow, likewise",
+         "from black through purple to pale yellow, likewise",
          {{12, {0.05, 0.03, 0.12}, 0},
           {48, {0.32, 0.07, 0.49}, 9},
           {110, {0.72, 0.21, 0.48}, 28},
           {180, {0.99, 0.54, 0.38}, 48},
           {255, {0.99, 0.99, 0.75}, 70}}},
         {"coolwarm",
-         "from blue over grey to red: weak and strong apart",
+         "from blue through grey to red: separates weak from strong differences",
          {{12, {0.23, 0.30, 0.75}, 0},
           {48, {0.38, 0.50, 0.90}, 9},
           {128, {0.86, 0.86, 0.86}, 30},
           {190, {0.88, 0.45, 0.36}, 50},
           {255, {0.71, 0.02, 0.15}, 70}}},
         {"mist",
-         "thin everywhere, so that what lies behind shows: for crowds",
+         "thin everywhere, for crowds: objects behind others stay visible",
          {{12, {0.30, 0.45, 0.60}, 0}, {64, {0.24, 0.40, 0.58}, 2}, {255, {0.10, 0.20, 0.42}, 9}}},
         {"solid",
-         "opaque from a low value on: shapes, not strengths",
+         "opaque from a low value on: shows shapes, not strengths",
          {{20, {0.34, 0.52, 0.70}, 0}, {28, {0.30, 0.48, 0.68}, 160}, {255, {0.12, 0.22, 0.45}, 220}}},
         {"bands",
-         "the four bands of the filter bands: background clear, uncovered blue, still covered grey, newly covered red",
+         "for the filter bands: background clear, uncovered blue, still covered grey, newly covered red",
          {{84, {0.10, 0.45, 0.85}, 0},
           {85, {0.10, 0.45, 0.85}, 70},
           {86, {0.10, 0.45, 0.85}, 0},
@@ -163,7 +164,7 @@ const std::vector<TransferRow>& transfer_functions() {
           {254, {0.86, 0.20, 0.12}, 0},
           {255, {0.86, 0.20, 0.12}, 120}}},
         {"signed",
-         "of the filter signed: darker than the empty scene blue, brighter red",
+         "for the filter signed: darker than the empty scene in blue, brighter in red",
          {{0, {0.04, 0.12, 0.52}, 0},
           {1, {0.04, 0.12, 0.52}, 70},
           {80, {0.16, 0.40, 0.80}, 32},
@@ -190,22 +191,21 @@ TransferFunction parse_transfer(const std::string& text, const std::string& name
         if (words.empty()) continue;
         if (words.size() != columns.size()) {
             throw Error(ErrorCode::option_value,
-                        fmt::format("{}: {} numbers; a point has {}: value red green blue opacity", where, words.size(),
+                        fmt::format("{}: found {} numbers; give {}: value red green blue opacity", where, words.size(),
                                     columns.size()));
         }
         std::array<double, columns.size()> values{};
         for (std::size_t i = 0; i < columns.size(); ++i) values[i] = number_in(words[i], columns[i], where);
         if (!points.empty() && values[0] <= points.back().value) {
-            throw Error(ErrorCode::option_value, fmt::format("{}: value {} follows {}; values have to ascend", where,
+            throw Error(ErrorCode::option_value, fmt::format("{}: value {} follows {}; values must increase", where,
                                                              values[0], points.back().value));
         }
         points.push_back({values[0], {values[1], values[2], values[3]}, extinction_of(values[4])});
     }
     if (points.empty()) {
-        throw Error(ErrorCode::option_value,
-                    fmt::format("{}: no point; a transfer function needs a line with value red green "
-                                "blue opacity",
-                                name));
+        throw Error(
+            ErrorCode::option_value,
+            fmt::format("{}: found no points; give at least one line with: value red green blue opacity", name));
     }
     return TransferFunction(std::move(points));
 }

@@ -9,8 +9,8 @@
 
 #include <glm/glm.hpp>
 
-#include "core/base/choice.h"
 #include "core/base/plane.h"
+#include "core/base/setting.h"
 
 namespace vvr::space {
 

@@ -17,14 +17,14 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/planes.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
-#include "core/image/codec.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::store {
 
@@ -83,8 +83,7 @@ struct CloseFile {
 
 [[noreturn]] void fail(const fs::path& path, int error) {
     throw Error(code_of_system_error(error),
-                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
-                            "another folder",
+                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose another folder",
                             path.string(), std::generic_category().message(error)));
 }
 
@@ -104,13 +103,13 @@ void check_data_folder(const fs::path& folder) {
     }
     if (!fs::is_directory(folder)) {
         throw Error(ErrorCode::not_a_folder,
-                    fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
+                    fmt::format("cannot write to '{}': it is not a folder; choose another name", folder.string()));
     }
     if (!fs::is_empty(folder) && !is_replaceable(folder)) {
-        throw Error(ErrorCode::folder_not_empty,
-                    fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
-                                "a new or an empty folder",
-                                folder.string()));
+        throw Error(
+            ErrorCode::folder_not_empty,
+            fmt::format("cannot write to '{}': the folder has files of other programs; choose a new or empty folder",
+                        folder.string()));
     }
     image::check_file_path(folder / stored::manifest);
 }
@@ -210,10 +209,10 @@ bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
 /// Why two folders are not consecutive parts of one clip; empty if they are.
 std::string difference(const Manifest& a, const Manifest& b) {
     if (a.field_size != b.field_size) {
-        return fmt::format("fields of {}x{} and of {}x{}", a.field_size.width, a.field_size.height, b.field_size.width,
-                           b.field_size.height);
+        return fmt::format("their fields have {}x{} and {}x{} pixels", a.field_size.width, a.field_size.height,
+                           b.field_size.width, b.field_size.height);
     }
-    if (a.colour != b.colour) return "one holds the frames' pictures, the other doesn't";
+    if (a.colour != b.colour) return "only one has the frames' pictures";
     if (!same_clip(a.clip, b.clip)) return "they are of different clips";
     if (a.flow_every != b.flow_every)
         return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
@@ -251,7 +250,8 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
             const std::string what = difference(parts_.back().manifest, part.manifest);
             if (!what.empty()) {
                 throw Error(ErrorCode::extraction_unsuitable,
-                            fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
+                            fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}; give the parts "
+                                        "of one clip in order",
                                         parts_.back().folder.string(), folder, what));
             }
         }
@@ -299,13 +299,13 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
         const fs::path file = part.folder / stored::seed_file(frame.index);
         fields::SeedList list = fields::read_seeds(file.string());
         if (list.frame != frame.index)
-            fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
+            fail(file, fmt::format("it has the seeds of frame {}, not of frame {}", list.frame, frame.index));
         if (list.size != field_size()) {
-            fail(file, fmt::format("seeds of a field of {}x{} where {}x{} is due", list.size.width, list.size.height,
+            fail(file, fmt::format("its field has {}x{} pixels, not {}x{}", list.size.width, list.size.height,
                                    field_size().width, field_size().height));
         }
         if (std::ssize(list.seeds) != *frame.seeds) {
-            fail(file, fmt::format("{} seeds where the manifest says {}", list.seeds.size(), *frame.seeds));
+            fail(file, fmt::format("it has {} seeds, but the manifest says {}", list.seeds.size(), *frame.seeds));
         }
         field.seeds = std::move(list.seeds);
     }
@@ -313,7 +313,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
         const fs::path file = part.folder / stored::flow_file(frame.index);
         field.flow = fields::read_flo(file.string());
         if (field.flow.u.size() != field_size()) {
-            fail(file, fmt::format("a flow of {}x{} where {}x{} is due", field.flow.u.width(), field.flow.u.height(),
+            fail(file, fmt::format("it has {}x{} pixels, not {}x{}", field.flow.u.width(), field.flow.u.height(),
                                    field_size().width, field_size().height));
         }
     }
@@ -323,22 +323,22 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
 fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     if (needs.flow_of_every_frame && parts_.front().manifest.flow_every != 1) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
-                                "it again, or render the clip itself",
+                    fmt::format("'{}' does not have the flow of each frame, which these colours need; extract it again "
+                                "with the flow of each frame, or render the clip itself",
                                 info_.name),
                     {setting::flow_every.name});
     }
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
-                                "again, or don't show them",
+                    fmt::format("'{}' has no flow, which arrows and tracelines need; extract it again with flow, or do "
+                                "not show them",
                                 info_.name),
                     {"show"});
     }
     if (needs.colour && !parts_.front().manifest.colour) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
-                                "render the clip itself",
+                    fmt::format("'{}' does not have the frames' colours; extract it again with colours, or render the "
+                                "clip itself",
                                 info_.name),
                     {"with-color"});
     }

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/fields/filter.h"
@@ -31,7 +31,8 @@ class Reader {
   public:
     Reader(const Json& json, std::string name, std::string where = "")
         : json_(json), name_(std::move(name)), where_(std::move(where)) {
-        if (!json.is_object()) fail(fmt::format("{} is not an object", where_.empty() ? "the whole" : where_));
+        if (!json.is_object())
+            fail(fmt::format("'{}' is not an object", where_.empty() ? name_ : where_.substr(0, where_.size() - 1)));
     }
 
     [[noreturn]] void fail(const std::string& what) const {
@@ -40,7 +41,7 @@ class Reader {
 
     const Json& at(const char* key) const {
         const auto found = json_.find(key);
-        if (found == json_.end()) fail(fmt::format("there is no '{}{}'", where_, key));
+        if (found == json_.end()) fail(fmt::format("'{}{}' is missing", where_, key));
         return *found;
     }
 
@@ -49,7 +50,7 @@ class Reader {
     std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) const {
         const Json& value = at(key);
         if (!value.is_number_integer() || value < low || value > high) {
-            fail(fmt::format("'{}{}' is {}, not a whole number from {} to {}", where_, key, value.dump(), low, high));
+            fail(fmt::format("'{}{}' is {}, not an integer from {} to {}", where_, key, value.dump(), low, high));
         }
         return value.get<std::int64_t>();
     }
@@ -64,7 +65,7 @@ class Reader {
 
     std::string text(const char* key) const {
         const Json& value = at(key);
-        if (!value.is_string()) fail(fmt::format("'{}{}' is {}, not a text", where_, key, value.dump()));
+        if (!value.is_string()) fail(fmt::format("'{}{}' is {}, not a string", where_, key, value.dump()));
         return value.get<std::string>();
     }
 
@@ -127,7 +128,8 @@ StoredFrame read_frame(const Json& json, std::size_t number, const std::string& 
 std::vector<StoredFrame> read_frames(const Reader& reader, const std::string& name) {
     const Json& list = reader.at("frames");
     if (!list.is_array()) reader.fail("'frames' is not a list");
-    if (list.empty()) throw Error(ErrorCode::no_frame, fmt::format("'{}': it lists no frames", name));
+    if (list.empty())
+        throw Error(ErrorCode::no_frame, fmt::format("'{}' lists no frames; run `vvr extract` again", name));
     std::vector<StoredFrame> frames;
     frames.reserve(list.size());
     for (const Json& entry : list) {
@@ -207,13 +209,13 @@ std::string unfinished_manifest() {
 Manifest parse_manifest(std::string_view text, const std::string& name) {
     const Json json = parse_json(text);
     if (json.is_discarded()) {
-        throw Error(ErrorCode::file_invalid, fmt::format("'{}': not JSON; run `vvr extract` again", name));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}' is not JSON; run `vvr extract` again", name));
     }
     const Reader reader(json, name);
     if (reader.text("format") != format_name) reader.fail(fmt::format("'format' is not '{}'", format_name));
     const std::int64_t found = reader.integer("format_version", 1, max_count);
     if (found != format_version) {
-        reader.fail(fmt::format("its format_version is {}, this vvr reads {}", found, format_version));
+        reader.fail(fmt::format("'format_version' is {}, but this vvr reads {}", found, format_version));
     }
     if (!reader.flag("complete")) reader.fail("the extraction was not finished");
 
@@ -231,7 +233,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
         const std::string& given = manifest.settings.back().second;
         if (option == setting::filter.name &&
             std::ranges::count(fields::filters(), given, &fields::FilterRow::name) == 0) {
-            reader.fail(fmt::format("'settings.{}' is '{}', which this vvr does not have", option, given));
+            reader.fail(fmt::format("'settings.{}' is '{}', which this vvr does not know", option, given));
         }
     }
     manifest.frames = read_frames(reader, name);

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
+#include "core/base/setting.h"
 #include "core/video/demuxer.h"
 
 namespace vvr::video {

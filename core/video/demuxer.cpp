@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 
 extern "C" {
 #include <libavutil/opt.h>

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/video/input.h"
 #include "core/video/recording.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
 #include "core/video/av.h"

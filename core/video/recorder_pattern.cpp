@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace vvr::video {
 

@@ -6,7 +6,7 @@ import plots
 from measure import in_turn, median, output_of, spread, table
 from setting import figure, section
 
-# Of a point in a step, core/kernels/linear_rows.cpp: multiplications and additions, bytes of its nine planes.
+# Of a point in a step, core/kernels/flow_rows.cpp: multiplications and additions, bytes of its nine planes.
 STEP_FLOPS, STEP_BYTES = 24, 36
 POINTS = 384 * 288 * 60 / 1e3  # pixels times steps, per millisecond: thousands a second
 

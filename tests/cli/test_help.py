@@ -94,7 +94,7 @@ def test_watch_help_has_no_options_that_need_an_end(t):
     for arguments, text in [
         (["--start", "3s"], "--start: a stream begins now"), (["--end=3s"], "--end: --duration ends a stream"),
         (["--time", "busy"], "--time: the pictures of a stream share one scale of time"),
-        (["--preset", "day"], "--preset: there is no 'day'"),
+        (["--preset", "day"], "--preset: 'day' is unknown"),
     ]:
         t.vvr("watch", "clip.avi", "-o", "out.png", *arguments).expect(1, text)
 

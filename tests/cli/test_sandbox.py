@@ -115,7 +115,7 @@ def test_no_worker_ends_the_run(t, mode):
             "exit-4": (4, "backend", "no OpenGL"), "exit-5": (5, "limit", "out of memory"), "liar": (2, "disk-full", "No space left"),
             "vague": (3, "not-video", "said nothing"), "deep": (3, "not-video", "said nothing"),
             "done": (2, "worker-result-invalid", "cannot read the report"), "broken": (2, "worker-result-invalid", "cannot read the report"),
-            "sparse": (2, "worker-result-invalid", "at most 100000000 are possible"), "closed": (3, "not-video", "said nothing"),
+            "sparse": (2, "worker-result-invalid", "100000000"), "closed": (3, "not-video", "said nothing"),
             "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the 4000 MB that a worker may write")}
     clips(t, "good.avi", *[f"{deed}.avi" for deed in said])
     os.utime(t.path("in/good.avi"), (1, 1))  # so that it comes last

@@ -223,7 +223,7 @@ def test_archive_keeps_to_its_folder(t):
         os.symlink(to, t.path("in") / name)
     run = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--dry-run", timeout=20)
     for name in ("root", "above"):
-        check(f"'in/{name}': it is a link to a folder that holds all clips; remove it" in run.err, run.err)
+        check(f"'in/{name}': it is a symbolic link" in run.err, run.err)
     check(run.err.count("vvr: ") == 2, run.err)
     check(run.out.count("\n") == 1 and "clip.avi" in run.out, run.out)
 
@@ -247,7 +247,7 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
     t.ffmpeg("-i", "b.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,15),N*100,1000000000000000000+N*100)'", "in/jump.mkv")
     os.utime(t.path("in/jump.mkv"), (time.time() - 86400, time.time() - 86400))
     archive = ("archive", "in", "-o", "out", *QUICK)
-    t.vvr(*archive, timeout=60, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0, "2 clips drawn", "jump.mkv: its times say that it lasts 1e+15 s, which cannot be")
+    t.vvr(*archive, timeout=60, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0, "2 clips drawn", "jump.mkv: its times give an impossible length of 1e+15 s")
     known = json.loads(t.path("out/jump.mkv.json").read_text())
     check(known["seconds"] == 0 and known["state"] == "done", f"{known}")
     text = t.path("out/a.avi.json").read_text()

@@ -34,7 +34,7 @@ TEST(Context, UnknownBackendIsAUsageError) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "backend: there is no 'vulkan'; it is one of: auto, egl, software, osmesa");
+        EXPECT_STREQ(error.what(), "backend: 'vulkan' is unknown; choose one of: auto, egl, software, osmesa");
     }
 }
 

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/fields/filter.h"
 
 namespace vvr::fields {

@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/kernels/byte_blur.h"
-#include "core/kernels/weighted_sum.h"
+#include "core/kernels/smoothing.h"
 
 namespace vvr::fields {
 namespace {

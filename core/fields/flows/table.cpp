@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 #include "core/fields/flow.h"
 
 namespace vvr::fields {

@@ -1,11 +1,10 @@
 // Claims that somebody else left in a folder of pictures: whatever they hold, nothing outside is touched.
-#include "core/archive/claim.h"
-
 #include <fmt/format.h>
 
+#include "core/archive/lock_file.h"
 #include "core/archive/prune.h"
 #include "core/base/digest.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "tests/fuzz/folder.h"
 #include "tests/fuzz/input.h"
 

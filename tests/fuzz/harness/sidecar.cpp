@@ -1,7 +1,7 @@
 // Sidecars of an archive, and the names in them.
 #include "core/archive/sidecar.h"
 
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

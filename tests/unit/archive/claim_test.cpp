@@ -1,5 +1,3 @@
-#include "core/archive/claim.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,11 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/archive/lock_file.h"
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/image/atomic_file.h"
 #include "tests/unit/archive/archive.h"
 

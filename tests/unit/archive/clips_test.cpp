@@ -76,9 +76,9 @@ TEST_F(Archive, RefusesNamesThatAreTooLong) {
     EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
     ASSERT_EQ(scan.problems.size(), 2);
     EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
-    EXPECT_EQ(scan.problems[1].reason, "its '" + long_one +
-                                           ".report.json' would be too long a name (256 bytes, 255 are "
-                                           "possible); rename the clip");
+    EXPECT_EQ(scan.problems[1].reason, "the name of its file '" + long_one +
+                                           ".report.json' would have 256 bytes, more than 255; shorten the "
+                                           "name of the clip");
 }
 
 TEST(CameraDays, AreOfTheDayOnTheLocalWall) {

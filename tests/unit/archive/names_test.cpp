@@ -10,7 +10,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/video/recorder_names.h"
 #include "core/video/video_files.h"
 

@@ -93,12 +93,12 @@ TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
     EXPECT_EQ(problem, "") << "nothing is there";
     fs::create_symlink(in() / "elsewhere.json", file);
     EXPECT_FALSE(read());
-    EXPECT_EQ(problem, "it is a link, and no file");
+    EXPECT_EQ(problem, "it is a link, not a file");
     EXPECT_THROW(archive::check_own_place(file), Error);
     fs::remove(file);
     ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
     EXPECT_FALSE(read());
-    EXPECT_EQ(problem, "it is a pipe, and no file");
+    EXPECT_EQ(problem, "it is a pipe, not a file");
     fs::remove(file);
     write(file, "{\n  \"vvr-archive\": 1,");
     fs::resize_file(file, std::uintmax_t{1} << 36);

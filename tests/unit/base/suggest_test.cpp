@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 namespace vvr {
 namespace {

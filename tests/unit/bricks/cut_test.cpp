@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bricks/brick.h"
 #include "core/bricks/volume.h"
 
 namespace vvr {

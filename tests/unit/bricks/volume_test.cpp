@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/bricks/brick.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/options/command_line.h"
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 namespace vvr {
 namespace {

@@ -77,9 +77,10 @@ TEST(SeedFile, SaysWhatIsWrongAndWhere) {
 
 TEST(SeedFile, AFileThatIsNotThere) {
     EXPECT_EQ(error_of([] { fields::read_seeds("/nowhere/s.txt"); }),
-              "/nowhere/s.txt: can't be opened: No such file or directory");
+              "cannot open '/nowhere/s.txt': No such file or directory; check its name and permissions");
     const std::string folder = std::filesystem::temp_directory_path().string();
-    EXPECT_EQ(error_of([&] { fields::read_seeds(folder); }), folder + ": can't be opened: Is a directory");
+    EXPECT_EQ(error_of([&] { fields::read_seeds(folder); }),
+              "cannot open '" + folder + "': Is a directory; check its name and permissions");
 }
 
 fields::Flow small_flow() {
@@ -123,7 +124,7 @@ TEST(FloFile, SaysWhatIsWrong) {
     bad.v.at(1, 0) = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(flo_error(fields::encode_flo(bad)), "f.flo: not a flow file: vector 1 is not a number");
     EXPECT_EQ(error_of([] { fields::read_flo("/nowhere/f.flo"); }),
-              "/nowhere/f.flo: can't be opened: No such file or directory");
+              "cannot open '/nowhere/f.flo': No such file or directory; check its name and permissions");
 }
 
 }  // namespace

@@ -236,11 +236,11 @@ TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     fields::FlowOptions options;
     const auto text_of = [](const auto& change) { return test::error_text(ErrorKind::usage, change); };
     EXPECT_EQ(text_of([&] { options.method = "horn-schunk"; }),
-              "flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
+              "flow: 'horn-schunk' is unknown (did you mean 'horn-schunck'?); choose one of: horn-schunck, dis, "
               "farneback, none");
-    EXPECT_EQ(text_of([&] { options.solver = "sor"; }), "solver: there is no 'sor'; it is one of: pyramid, jacobi");
+    EXPECT_EQ(text_of([&] { options.solver = "sor"; }), "solver: 'sor' is unknown; choose one of: pyramid, jacobi");
     EXPECT_EQ(text_of([&] { options.derivatives = "cubes"; }),
-              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+              "derivatives: 'cubes' is unknown (did you mean 'cube'?); choose one of: barron, cube");
     options.method = "none";
     EXPECT_EQ(fields::make_flow(options), nullptr);
 }

@@ -46,17 +46,17 @@ TEST(FieldOptions, NumbersOutOfRange) {
 TEST(FieldOptions, UnknownNames) {
     EXPECT_TRUE(
         error_of([](auto& o) { o.filter = "diference"; })
-            .starts_with("filter: there is no 'diference' (did you mean 'difference'?); it is one of: difference, "
+            .starts_with("filter: 'diference' is unknown (did you mean 'difference'?); choose one of: difference, "
                          "temporal, hull, "));
     EXPECT_EQ(error_of([](auto& o) { o.reference = "medain"; }),
-              "reference: there is no 'medain' (did you mean 'median'?); it is one of: median, first, running, or the "
+              "reference: 'medain' is unknown (did you mean 'median'?); choose one of: median, first, running, or the "
               "name of a picture");
     EXPECT_EQ(error_of([](auto& o) { o.illumination = "globl"; }),
-              "illumination: there is no 'globl' (did you mean 'global'?); it is one of: global, local, none");
+              "illumination: 'globl' is unknown (did you mean 'global'?); choose one of: global, local, none");
     EXPECT_EQ(error_of([](auto& o) { o.seeds.order = "size"; }),
-              "seed-order: there is no 'size'; it is one of: magnitude, difference, age");
+              "seed-order: 'size' is unknown; choose one of: magnitude, difference, age");
     EXPECT_EQ(error_of([](auto& o) { o.flow.solver = "pyramids"; }),
-              "solver: there is no 'pyramids' (did you mean 'pyramid'?); it is one of: pyramid, jacobi");
+              "solver: 'pyramids' is unknown (did you mean 'pyramid'?); choose one of: pyramid, jacobi");
 }
 
 TEST(FieldOptions, SeedSelections) {

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/image/film.h"
-#include "core/image/palette.h"
+#include "core/image/picture.h"
+#include "core/image/video_encoder.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 

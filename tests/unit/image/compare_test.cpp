@@ -57,16 +57,16 @@ TEST(Compare, SizeChannelsAndNumbersComeFirstInThatOrder) {
     value_at(b, 1, 2, 0) = std::numeric_limits<float>::quiet_NaN();
     image::Comparison comparison = image::compare(a, b);
     EXPECT_EQ(comparison.verdict, image::Verdict::size);
-    EXPECT_EQ(comparison.reason, "sizes 4x4 and 4x5");
+    EXPECT_EQ(comparison.reason, "the sizes differ, 4x4 and 4x5");
     EXPECT_FALSE(comparison.has_numbers());
     b.size = {4, 4};
     b.values.resize(64);
     comparison = image::compare(a, b);
     EXPECT_EQ(comparison.verdict, image::Verdict::channels);
-    EXPECT_EQ(comparison.reason, "channels R,G,B and R,G,B,A");
+    EXPECT_EQ(comparison.reason, "the channels differ, R,G,B and R,G,B,A");
     comparison = image::compare(even({4, 4}, 0.5F, {"R", "G", "B", "A"}), b);
     EXPECT_EQ(comparison.verdict, image::Verdict::not_finite);
-    EXPECT_EQ(comparison.reason, "1 of the second picture's values is no number or infinite, first at 1,2");
+    EXPECT_EQ(comparison.reason, "1 value of the second picture is not finite, first at 1,2");
     EXPECT_EQ(image::compare(b, b).verdict, image::Verdict::not_finite) << "in both alike is no better";
 }
 

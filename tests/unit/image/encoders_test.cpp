@@ -14,9 +14,10 @@ std::string error_of(const std::string& name, Size size) {
 }
 
 TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
-    EXPECT_EQ(error_of("a.jpg", {70000, 1}),
-              "cannot encode 'a.jpg' of 70000x1 pixels: a .jpg file has at most 65500 per side; choose a smaller size "
-              "or another format");
+    EXPECT_EQ(
+        error_of("a.jpg", {70000, 1}),
+        "cannot encode 'a.jpg' of 70000x1 pixels: a .jpg file has at most 65500 pixels per side; choose a smaller size "
+        "or another format");
     EXPECT_NE(error_of("a.png", {0, 5}).find("cannot encode 'a.png': "), std::string::npos);
 }
 

@@ -21,9 +21,9 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film.h"
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr {
 namespace {
@@ -225,9 +225,9 @@ TEST_F(ImageTest, EndingsInCapitalsCount) {
 TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
     const Error error = error_of([&] { image::check_picture_path(file("a.pgn")); });
     EXPECT_EQ(error.kind(), ErrorKind::usage);
-    expect_text(error, "'.pgn' is not an output format (did you mean '.png'?); there are .png ");
+    expect_text(error, "the file extension '.pgn' is unknown (did you mean '.png'?); use one of: .png ");
     for (const std::string& ending : image::picture_file_extensions()) expect_text(error, " " + ending);
-    expect_text(error_of([&] { image::check_picture_path(file("a")); }), "a name without an ending");
+    expect_text(error_of([&] { image::check_picture_path(file("a")); }), "it has no file extension");
 }
 
 TEST_F(ImageTest, MissingFolderSaysHowToMakeIt) {
@@ -289,7 +289,7 @@ TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
     const std::string text = "text";
     const Error error = error_of([&] { image::replace_file(file("round"), std::as_bytes(std::span(text))); });
     EXPECT_EQ(error.kind(), ErrorKind::io);
-    EXPECT_NE(std::string(error.what()).find("it is a link that can't be followed"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("its symbolic link cannot be followed"), std::string::npos);
     EXPECT_EQ(files(), 1);
 }
 

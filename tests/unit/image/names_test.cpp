@@ -38,11 +38,13 @@ std::string error_of(const char* pattern) {
 
 TEST(NamePattern, RefusesWhatIsNoField) {
     EXPECT_EQ(error_of("a.{farme:4}.png"),
-              "'{farme:4}' in 'a.{farme:4}.png' is not a field; there are {frame:4}, "
-              "{brick:4}, #### and %04d (did you mean 'frame'?)");
-    EXPECT_EQ(error_of("a.{frame:four}.png"), "'{frame:four}': a field has 1 to 9 digits, as {frame:4} has");
-    EXPECT_EQ(error_of("a.{frame:0}.png"), "'{frame:0}': a field has 1 to 9 digits, as {frame:4} has");
-    EXPECT_EQ(error_of("####.%04d.png"), "'####.%04d.png' has two fields for numbers; a name takes one");
+              "the field '{farme:4}' in 'a.{farme:4}.png' is unknown (did you mean 'frame'?); use {frame:4}, "
+              "{brick:4}, #### or "
+              "%04d");
+    EXPECT_EQ(error_of("a.{frame:four}.png"),
+              "the field '{frame:four}' is invalid; give 1 to 9 digits, as in {frame:4}");
+    EXPECT_EQ(error_of("a.{frame:0}.png"), "the field '{frame:0}' is invalid; give 1 to 9 digits, as in {frame:4}");
+    EXPECT_EQ(error_of("####.%04d.png"), "the file name '####.%04d.png' has more than one number field; use one");
     EXPECT_NE(error_of("{}.png"), "no error");
 }
 

@@ -1,11 +1,11 @@
-#include "core/kernels/byte_blur.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/kernels/smoothing.h"
 
 namespace vvr {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/kernels/weighted_sum.h"
-
 #include <array>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/kernels/smoothing.h"
 
 namespace vvr {
 namespace {

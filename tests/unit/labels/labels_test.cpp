@@ -9,6 +9,7 @@
 #include "cli/app/compose.h"
 #include "cli/app/input.h"
 #include "core/base/error.h"
+#include "core/bricks/brick.h"
 #include "core/labels/lettering.h"
 #include "core/labels/ruler.h"
 #include "core/labels/sheet.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/page/stills.h"
-
 namespace vvr {
 namespace {
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/page/text.h"
+#include "core/page/html.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {

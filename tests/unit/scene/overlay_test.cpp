@@ -1,11 +1,10 @@
-#include "core/scene/overlay.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "core/scene/scene.h"
 #include "core/scene/slices.h"
 
 namespace vvr {

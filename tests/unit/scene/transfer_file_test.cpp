@@ -35,14 +35,14 @@ TEST(TransferFile, HoldsPoints) {
 }
 
 TEST(TransferFile, SaysWhichLineIsWrong) {
-    EXPECT_EQ(error_of("0 0 0 0 0\n1 2 3\n"), "my.tf:2: 3 numbers; a point has 5: value red green blue opacity");
-    EXPECT_EQ(error_of("# a\n0 0 x 0 0\n"), "my.tf:2: green is 'x'; it has to be a number from 0 to 1");
-    EXPECT_EQ(error_of("0 0 0 0 1.5"), "my.tf:1: opacity is '1.5'; it has to be a number from 0 to 1");
-    EXPECT_EQ(error_of("256 0 0 0 1"), "my.tf:1: value is '256'; it has to be a number from 0 to 255");
-    EXPECT_EQ(error_of("0 nan 0 0 1"), "my.tf:1: red is 'nan'; it has to be a number from 0 to 1");
-    EXPECT_EQ(error_of("9 0 0 0 0\n9 0 0 0 1\n"), "my.tf:2: value 9 follows 9; values have to ascend");
+    EXPECT_EQ(error_of("0 0 0 0 0\n1 2 3\n"), "my.tf:2: found 3 numbers; give 5: value red green blue opacity");
+    EXPECT_EQ(error_of("# a\n0 0 x 0 0\n"), "my.tf:2: green is 'x'; give a number from 0 to 1");
+    EXPECT_EQ(error_of("0 0 0 0 1.5"), "my.tf:1: opacity is '1.5'; give a number from 0 to 1");
+    EXPECT_EQ(error_of("256 0 0 0 1"), "my.tf:1: value is '256'; give a number from 0 to 255");
+    EXPECT_EQ(error_of("0 nan 0 0 1"), "my.tf:1: red is 'nan'; give a number from 0 to 1");
+    EXPECT_EQ(error_of("9 0 0 0 0\n9 0 0 0 1\n"), "my.tf:2: value 9 follows 9; values must increase");
     EXPECT_EQ(error_of("# nothing\n"),
-              "my.tf: no point; a transfer function needs a line with value red green blue opacity");
+              "my.tf: found no points; give at least one line with: value red green blue opacity");
 }
 
 TEST(TransferFile, IsFoundByNameOrPath) {
@@ -60,7 +60,7 @@ TEST(TransferFile, IsFoundByNameOrPath) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "transfer: there is no 'heet' (did you mean 'heat'?); it is one of: blue, grey, heat, "
+                     "transfer: 'heet' is unknown (did you mean 'heat'?); choose one of: blue, grey, heat, "
                      "viridis, magma, coolwarm, mist, solid, bands, signed, or the name of a file");
     }
     EXPECT_THROW(scene::find_transfer("/"), Error) << "a folder";

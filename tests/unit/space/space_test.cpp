@@ -103,7 +103,7 @@ TEST(LayoutTable, NamesWhatThereIs) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "layout: there is no 'spiral'; it is one of: horseshoe, box");
+        EXPECT_STREQ(error.what(), "layout: 'spiral' is unknown; choose one of: horseshoe, box");
     }
 }
 

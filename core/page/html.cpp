@@ -1,16 +1,19 @@
-#include "core/page/text.h"
+#include "core/page/html.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/digest.h"
+#include "core/events/event_kind.h"
 
 extern "C" {
 #include <libavutil/base64.h>
 }
-
-#include <fmt/format.h>
-
-#include "core/base/digest.h"
 
 namespace vvr::page {
 
@@ -123,10 +126,11 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
         filled += text.substr(0, open);
         if (open == std::string_view::npos) return filled;
         const std::size_t close = text.find("}}", open);
-        if (close == std::string_view::npos) throw std::out_of_range("a place in a page that has no end");
+        if (close == std::string_view::npos) throw std::out_of_range("a placeholder in a page has no end");
         const std::string_view name = text.substr(open + 2, close - open - 2);
         const auto value = std::ranges::find(values, name, &std::pair<std::string_view, std::string>::first);
-        if (value == values.end()) throw std::out_of_range(fmt::format("a page has no value for '{}'", name));
+        if (value == values.end())
+            throw std::out_of_range(fmt::format("the placeholder '{}' in a page has no value", name));
         filled += value->second;
         text.remove_prefix(close + 2);
     }
@@ -136,6 +140,53 @@ std::string joined(std::string_view before, std::span<const std::pair<std::strin
     std::string text(before);
     for (const auto& [name, part] : files) text += part;
     return text;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The name of an emphasis, which is also a CSS class.
+std::string_view name_of(events::Emphasis emphasis) {
+    switch (emphasis) {
+        case events::Emphasis::none:
+            return "none";
+        case events::Emphasis::standing:
+            return "standing";
+        case events::Emphasis::strong:
+            return "strong";
+    }
+    return {};
+}
+
+std::string_view name_of(events::Tally tally) {
+    switch (tally) {
+        case events::Tally::none:
+            return "none";
+        case events::Tally::lasts:
+            return "lasts";
+        case events::Tally::still:
+            return "still";
+        case events::Tally::count:
+            return "count";
+    }
+    return {};
+}
+
+}  // namespace
+
+Json json_of_kinds() {
+    Json kinds = Json::array();
+    for (const events::EventKindRow& row : events::ranked_kinds()) {
+        kinds.push_back({{"name", row.name},
+                         {"words", row.words},
+                         {"by", row.by},
+                         {"isThing", row.is_thing},
+                         {"emphasis", name_of(row.emphasis)},
+                         {"tally", name_of(row.tally)},
+                         {"choice", row.choice != nullptr ? Json(row.choice->name) : Json()}});
+    }
+    return kinds;
 }
 
 }  // namespace vvr::page

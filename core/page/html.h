@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-// Encodes text and bytes for a page. Names are untrusted, so all text is escaped.
+#include <nlohmann/json_fwd.hpp>
+
+// What all pages share: escaping, URLs, templates and the table of events. Names are untrusted, so all text is escaped.
 namespace vvr::page {
 
 /// Escapes text for HTML content or a quoted attribute.
@@ -39,5 +41,8 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
 /// Concatenates texts, beginning with `before`.
 /// \param files name and text of each embedded file
 std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files);
+
+/// The kinds of events for the page's scripts, most informative first.
+nlohmann::ordered_json json_of_kinds();
 
 }  // namespace vvr::page

@@ -1,4 +1,4 @@
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -66,18 +66,21 @@ bool is_descriptor_path(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const std::string& path, const char* what, int error) {
-    throw Error(code_of_system_error(error), fmt::format("{}: can't be {}: {}", path, what, std::strerror(error)));
+    throw Error(code_of_system_error(error),
+                fmt::format("cannot {} '{}': {}; check its name and permissions", what, path, std::strerror(error)));
 }
 
 [[noreturn]] void refuse_strange(const std::string& path) {
-    throw Error(ErrorCode::not_a_file, fmt::format("'{}' is no file but a device or a pipe; give a file", path));
+    throw Error(ErrorCode::not_a_file,
+                fmt::format("cannot read '{}': it is a device or a pipe; give a regular file", path));
 }
 
 [[noreturn]] void refuse_length(const std::string& path, std::uintmax_t most) {
-    throw Error(ErrorCode::file_too_large,
-                fmt::format("'{}' is longer than such a file can be: at most {} MB are read; check "
-                            "what it is",
-                            path, most >> 20U));
+    throw Error(
+        ErrorCode::file_too_large,
+        fmt::format(
+            "cannot read '{}': it is larger than {} MB, the limit for such files; check that it is the right file",
+            path, most >> 20U));
 }
 
 }  // namespace
@@ -97,8 +100,8 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
     check_is_file(path);
     const Opened file(path);
     struct stat status {};
-    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, "opened", errno);
-    if (S_ISDIR(status.st_mode)) refuse(path, "opened", EISDIR);
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, "open", errno);
+    if (S_ISDIR(status.st_mode)) refuse(path, "open", EISDIR);
     const bool piped = S_ISFIFO(status.st_mode) && is_descriptor_path(path);
     if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
     if (piped) ::fcntl(file.get(), F_SETFL, 0);  // wait for the writer
@@ -132,7 +135,8 @@ void write_standard_output(std::span<const std::byte> bytes) {
         } else if (errno != EINTR) {
             const int error = errno;
             throw Error(code_of_system_error(error),
-                        "cannot write to stdout: " + std::generic_category().message(error));
+                        fmt::format("cannot write to stdout: {}; check where the output goes",
+                                    std::generic_category().message(error)));
         }
     }
 }

@@ -1,4 +1,4 @@
-#include "core/image/film.h"
+#include "core/image/video_encoder.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 #include "core/image/atomic_file.h"
-#include "core/image/palette.h"
+#include "core/image/picture.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -260,7 +260,7 @@ namespace {
 
 /// An animation format. The first encoder that libav has is used.
 struct Format {
-    std::string_view ending;
+    std::string_view extension;
     const char* muxer;
     std::array<const char*, 2> encoders;
     bool palette;
@@ -275,32 +275,32 @@ constexpr std::array formats{
 
 /// \throws Error io if libav has none of the encoders
 VideoFormat film_format(const std::filesystem::path& path) {
-    const Format& format = *std::ranges::find(formats, extension_of(path), &Format::ending);
+    const Format& format = *std::ranges::find(formats, extension_of(path), &Format::extension);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
     throw Error(ErrorCode::io,
-                fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose another ending, or "
-                            "single pictures with a field: out.{{frame:4}}.png",
+                fmt::format("cannot write '{}': libavcodec was built without the encoder {}; choose another file "
+                            "extension, or write single pictures: out.{{frame:4}}.png",
                             path.string(), fmt::join(format.encoders, " or ")));
 }
 
 }  // namespace
 
 std::vector<std::string> animation_extensions() {
-    std::vector<std::string> endings;
-    for (const Format& format : formats) endings.emplace_back(format.ending);
-    return endings;
+    std::vector<std::string> extensions;
+    for (const Format& format : formats) extensions.emplace_back(format.extension);
+    return extensions;
 }
 
 bool is_animation(const std::filesystem::path& path) {
-    return std::ranges::find(formats, extension_of(path), &Format::ending) != formats.end();
+    return std::ranges::find(formats, extension_of(path), &Format::extension) != formats.end();
 }
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
     if (!is_animation(path_)) {
         throw Error(ErrorCode::output_format_unknown,
-                    fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
-                                fmt::join(animation_extensions(), " ")));
+                    fmt::format("cannot write '{}': its file extension is not that of an animation; use one of: {}",
+                                path_.string(), fmt::join(animation_extensions(), " ")));
     }
 }
 
@@ -315,7 +315,10 @@ void AnimationFile::add(const Picture& picture) {
 }
 
 void AnimationFile::close() {
-    if (!encoder_) throw Error(ErrorCode::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
+    if (!encoder_)
+        throw Error(ErrorCode::io,
+                    fmt::format("cannot write '{}': the animation has no pictures; choose a longer part of the clip",
+                                path_.string()));
     replace_file(path_, encoder_->finish());
     encoder_.reset();
 }

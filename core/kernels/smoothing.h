@@ -30,4 +30,10 @@ inline std::vector<double> gaussian_weights(double sigma, int radius) {
 /// \param from, to size.width * size.height * channels values, row by row
 void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to);
 
+/// out[i] = Σ weights[k] · inputs[k][i] for i < count: a convolution along the row if the inputs are shifted pointers
+/// into one row, along columns if they point to rows, along time if they point to frames.
+///
+/// Reads and writes nothing beyond `count`; `out` must not be one of the inputs.
+void weighted_sum(std::span<const float* const> inputs, std::span<const float> weights, float* out, int count);
+
 }  // namespace vvr::kernels

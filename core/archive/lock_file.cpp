@@ -1,4 +1,4 @@
-#include "core/archive/claim.h"
+#include "core/archive/lock_file.h"
 
 #include <array>
 #include <cerrno>
@@ -13,8 +13,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
-#include "core/base/file_name.h"
+#include "core/base/file.h"
 
 namespace vvr::archive {
 
@@ -23,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = ".vvr-";
-constexpr std::string_view ending = ".lock";
+constexpr std::string_view extension = ".lock";
 
 /// The name has a hash, because `name` itself may already have the greatest length that a file system allows.
 fs::path file_for(const fs::path& folder, const std::string& name) {
-    return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), ending);
+    return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), extension);
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) {
@@ -38,9 +37,8 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                                                        fs::is_symlink(there) ? "a link" : "not a regular file"));
     }
     const ErrorCode code = code_of_system_error(error);
-    const char* next = code == ErrorCode::disk_full
-                           ? "free some space or choose another folder"
-                           : "choose a folder that can be written to, on a file system with locks";
+    const char* next = code == ErrorCode::disk_full ? "free some space or choose another folder"
+                                                    : "choose a writable folder on a file system with locks";
     throw Error(code,
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
@@ -107,10 +105,11 @@ LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std
     for (;;) {
         if (auto claim = take(path, name)) return std::move(*claim);
         if (std::chrono::steady_clock::now() >= end) {
-            throw Error(ErrorCode::file_locked,
-                        fmt::format("cannot lock '{}' for '{}': another program has had it for {} s; "
-                                    "look what holds it with: fuser '{}'",
-                                    path.string(), name, patience.count() / 1000, path.string()));
+            throw Error(
+                ErrorCode::file_locked,
+                fmt::format(
+                    "cannot lock '{}' for '{}': another program has held the lock for {} s; find it with: fuser '{}'",
+                    path.string(), name, patience.count() / 1000, path.string()));
         }
         std::this_thread::sleep_for(pause);
     }
@@ -118,7 +117,8 @@ LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std
 
 bool LockFile::is_lock_file(const fs::path& file) {
     const std::string name = file.filename().string();
-    return name.size() == prefix.size() + 16 + ending.size() && name.starts_with(prefix) && name.ends_with(ending);
+    return name.size() == prefix.size() + 16 + extension.size() && name.starts_with(prefix) &&
+           name.ends_with(extension);
 }
 
 std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::path& file) {

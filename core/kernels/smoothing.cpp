@@ -1,4 +1,4 @@
-#include "core/kernels/byte_blur.h"
+#include "core/kernels/smoothing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/kernels/byte_blur.cpp"
+#define HWY_TARGET_INCLUDE "core/kernels/smoothing.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -62,6 +62,29 @@ void along(const std::uint16_t* in, std::size_t step, const std::uint16_t* taps,
     }
 }
 
+void sum(const float* const* inputs, const float* weights, std::size_t terms, float* HWY_RESTRICT out, int count) {
+    const hn::CappedTag<float, 16> d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    int i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        auto total = hn::Mul(hn::Set(d, weights[0]), hn::LoadU(d, inputs[0] + i));
+        for (std::size_t k = 1; k < terms; ++k) {
+            total = hn::MulAdd(hn::Set(d, weights[k]), hn::LoadU(d, inputs[k] + i), total);
+        }
+        hn::StoreU(total, d, out + i);
+    }
+    // The rest, one by one with the same operations in the same order: a value must not depend on its position in the
+    // vector.
+    const hn::CappedTag<float, 1> one;
+    for (; i < count; ++i) {
+        auto total = hn::Mul(hn::Set(one, weights[0]), hn::LoadU(one, inputs[0] + i));
+        for (std::size_t k = 1; k < terms; ++k) {
+            total = hn::MulAdd(hn::Set(one, weights[k]), hn::LoadU(one, inputs[k] + i), total);
+        }
+        hn::StoreU(total, one, out + i);
+    }
+}
+
 }  // namespace
 }  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -71,6 +94,7 @@ namespace vvr::kernels {
 
 HWY_EXPORT(down);
 HWY_EXPORT(along);
+HWY_EXPORT(sum);
 
 namespace {
 
@@ -109,6 +133,10 @@ void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint
         std::uint8_t* const out = to.data() + static_cast<std::size_t>(j) * stride;
         HWY_DYNAMIC_DISPATCH(along)(sums.data(), step, taps.data(), taps.size(), out, stride);
     }
+}
+
+void weighted_sum(std::span<const float* const> inputs, std::span<const float> weights, float* out, int count) {
+    HWY_DYNAMIC_DISPATCH(sum)(inputs.data(), weights.data(), weights.size(), out, count);
 }
 
 }  // namespace vvr::kernels

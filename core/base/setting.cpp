@@ -1,4 +1,4 @@
-#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 #include <algorithm>
 #include <numeric>
@@ -55,7 +55,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> nam
 void refuse_choice(std::string_view setting, std::string_view found, std::span<const std::string> names,
                    std::string_view or_else) {
     throw Error(ErrorCode::choice_unknown,
-                fmt::format("{}: there is no '{}'{}; it is one of: {}{}", setting, found, did_you_mean(found, names),
+                fmt::format("{}: '{}' is unknown{}; choose one of: {}{}", setting, found, did_you_mean(found, names),
                             fmt::join(names, ", "), or_else),
                 {setting});
 }
