@@ -31,6 +31,7 @@
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 #include "core/video/frame_source.h"
+#include "core/video/input_files.h"
 
 namespace vvr::options {
 

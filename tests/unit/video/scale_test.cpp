@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/cv_view.h"
-#include "core/video/area_scaler.h"
+#include "core/video/scaler.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
