@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -27,9 +29,27 @@ extern "C" {
 
 namespace vvr::video {
 
-void SwsFree::operator()(SwsContext* context) const {
-    sws_freeContext(context);
-}
+namespace {
+
+struct SwsFree {
+    void operator()(SwsContext* context) const { sws_freeContext(context); }
+};
+
+/// Scales 8-bit planes. Each axis is scaled separately: by area averaging to shrink, by linear interpolation to grow.
+/// The result is valid until the next call.
+class AreaScaler {
+  public:
+    /// \param from one or two channels; rows need libav's padding
+    cv::Mat operator()(const cv::Mat& from, cv::Size to);
+
+  private:
+    cv::Mat shrink(const cv::Mat& from, cv::Size to);
+    void prepare(cv::Size from, cv::Size to);
+
+    std::optional<std::pair<cv::Size, cv::Size>> sizes_;
+    std::unique_ptr<SwsContext, SwsFree> context_;
+    AvFrame scaled_;
+};
 
 cv::Mat AreaScaler::operator()(const cv::Mat& from, cv::Size to) {
     const cv::Size shrunk(std::min(from.cols, to.width), std::min(from.rows, to.height));
@@ -73,8 +93,6 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     }
     sizes_ = std::pair(from, to);
 }
-
-namespace {
 
 // ---- Pixel formats, and conversion of those without an 8-bit luma plane
 
