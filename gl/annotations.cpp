@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "gl/check.h"
+#include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 

@@ -9,7 +9,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "core/base/error.h"
-#include "gl/check.h"
+#include "gl/context.h"
 
 namespace vvr::gl {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -23,26 +24,35 @@ namespace vvr::gl {
 
 namespace {
 
-struct MessageKind {
-    GLenum type;
+struct NamedValue {
+    GLenum value;
     std::string_view name;
 };
 
 constexpr std::array message_kinds = {
-    MessageKind{GL_DEBUG_TYPE_ERROR, "error"},
-    MessageKind{GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR, "deprecated"},
-    MessageKind{GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, "undefined behaviour"},
-    MessageKind{GL_DEBUG_TYPE_PORTABILITY, "portability"},
-    MessageKind{GL_DEBUG_TYPE_PERFORMANCE, "performance"},
+    NamedValue{GL_DEBUG_TYPE_ERROR, "error"},
+    NamedValue{GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR, "deprecated"},
+    NamedValue{GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, "undefined behaviour"},
+    NamedValue{GL_DEBUG_TYPE_PORTABILITY, "portability"},
+    NamedValue{GL_DEBUG_TYPE_PERFORMANCE, "performance"},
 };
 
 void GLAD_API_PTR forward_message(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei length,
                                   const GLchar* text, const void* messages) {
-    const auto* kind = std::ranges::find(message_kinds, type, &MessageKind::type);
+    const auto* kind = std::ranges::find(message_kinds, type, &NamedValue::value);
     (*static_cast<const DriverMessages*>(messages))(
         fmt::format("OpenGL, {}: {}", kind != message_kinds.end() ? kind->name : "note",
                     std::string_view(text, static_cast<std::size_t>(length))));
 }
+
+constexpr GLenum context_lost = 0x0507;  // GL_CONTEXT_LOST, introduced after OpenGL 3.3
+
+constexpr std::array errors = {
+    NamedValue{GL_INVALID_ENUM, "GL_INVALID_ENUM"},
+    NamedValue{GL_INVALID_VALUE, "GL_INVALID_VALUE"},
+    NamedValue{GL_INVALID_OPERATION, "GL_INVALID_OPERATION"},
+    NamedValue{GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"},
+};
 
 }  // namespace
 
@@ -111,6 +121,44 @@ std::vector<BackendReport> probe_backends() {
         reports.push_back(std::move(report));
     }
     return reports;
+}
+
+void check_gl(const GladGLContext& gl, std::string_view doing) {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) return;
+    // A lost context reports errors forever, so drain the queue with a bound.
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+    }
+    if (error == GL_OUT_OF_MEMORY) {
+        throw Error(ErrorCode::out_of_memory,
+                    fmt::format("OpenGL ran out of memory while {}; try a smaller picture, smaller fields, or more "
+                                "frames per layer",
+                                doing),
+                    {"size", "field-size", "step"});
+    }
+    if (error == context_lost) {
+        throw Error(
+            ErrorCode::opengl_lost,
+            fmt::format("OpenGL lost its context (GL_CONTEXT_LOST) while {}: the GPU or its driver was reset; try "
+                        "again, or draw with the backend software",
+                        doing),
+            {"backend"});
+    }
+    const auto* const known = std::ranges::find(errors, error, &NamedValue::value);
+    const std::string failure = fmt::format("OpenGL failed with {} ({:#x}) while {}",
+                                            known != errors.end() ? known->name : "an unknown error", error, doing);
+    throw_if_out_of_memory(failure);
+    throw Error(ErrorCode::backend, failure);
+}
+
+void throw_if_out_of_memory(std::string_view failure) {
+    constexpr std::int64_t taken = 256'000'000;  // bytes: a driver, its compiler and a small picture
+    if (is_memory_available(taken)) return;
+    throw Error(ErrorCode::out_of_memory,
+                fmt::format("out of memory for OpenGL: {}; allow the program more, or try a smaller picture or smaller "
+                            "fields",
+                            failure),
+                {"size", "field-size"});
 }
 
 Library::Library(const std::vector<std::string>& names) {

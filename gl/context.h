@@ -9,9 +9,30 @@
 
 #include <glad/gl.h>
 
-#include "gl/backend.h"
+#include "core/base/setting.h"
 
 namespace vvr::gl {
+
+class Context;
+
+/// One way to get an OpenGL context.
+struct Backend {
+    std::string name;
+    std::string help;
+    std::unique_ptr<Context> (*open)(int device, bool debug) = nullptr;  ///< null = the first other one that works
+    std::vector<std::string> (*devices)() = nullptr;  ///< in the order of `device`; empty for a backend without devices
+    std::string advice{};                             ///< the command that makes it work on Debian
+    bool gpu = false;                                 ///< opens the devices of a graphics card
+};
+
+/// All backends; the first is "auto", which tries the others in order.
+const std::vector<Backend>& backends();
+
+Backend egl_hardware_backend();
+Backend egl_software_backend();
+Backend osmesa_backend();
+
+const Backend& row_of(Name<Backend> name);
 
 /// Receives one debug message of an OpenGL driver.
 using DriverMessages = std::function<void(const std::string&)>;
@@ -50,6 +71,17 @@ class Context {
     std::string version_;
     DriverMessages messages_;
 };
+
+/// Throws if OpenGL has recorded an error since the last check.
+/// \param doing the operation, for the message
+/// \throws Error limit if OpenGL ran out of memory, backend for any other error
+void check_gl(const GladGLContext& gl, std::string_view doing);
+
+/// Drivers report arbitrary errors when memory is short. Throws if the process can't allocate what OpenGL needs at
+/// startup, otherwise does nothing.
+/// \param failure the driver's message
+/// \throws Error limit
+void throw_if_out_of_memory(std::string_view failure);
 
 /// What `vvr doctor` prints about a backend.
 struct BackendReport {

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/scene/flow_geometry.h"
-#include "gl/check.h"
+#include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 

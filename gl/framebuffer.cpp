@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "gl/check.h"
+#include "gl/context.h"
 #include "gl/program.h"
 
 namespace vvr::gl {

@@ -1,7 +1,7 @@
 #include "gl/objects.h"
 
 #include "core/image/picture.h"
-#include "gl/check.h"
+#include "gl/context.h"
 
 namespace vvr::gl {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "gl/check.h"
+#include "gl/context.h"
 #include "shaders.h"
 
 namespace vvr::gl {

@@ -16,8 +16,8 @@ namespace vvr::gl {
 enum class VolumeColour {
     transfer,  ///< transfer function of the scalar
     own,       ///< each voxel has its own
-    object,    ///< each voxel has an identity, which has a place in the palette
-    time,      ///< a palette in the order of time
+    object,    ///< each voxel has an identity, an index into the palette
+    time,      ///< each voxel has the palette's colour for its time
 };
 
 struct VolumeColourRow {

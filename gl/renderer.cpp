@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/scene/slices.h"
-#include "gl/check.h"
+#include "gl/context.h"
 
 namespace vvr::gl {
 

@@ -13,7 +13,7 @@
 
 #include <glad/gl.h>
 
-#include "gl/check.h"
+#include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 

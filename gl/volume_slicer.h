@@ -48,8 +48,8 @@ class VolumeSlicer {
 
     void set_transfer(const scene::TransferFunction& transfer);
 
-    /// What the identities look like: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
-    /// sources of colour that use a palette.
+    /// Sets the palette. For VolumeColour::object it has the colour of each identity and, as alpha, a factor on its
+    /// extinction. For VolumeColour::time it has 256 colours, from the first frame to the last.
     void set_palette(std::span<const glm::vec4> palette);
 
     void draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,

@@ -17,8 +17,7 @@
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
 #include "core/video/container.h"
-#include "core/video/piece.h"
-#include "core/video/stream_info.h"
+#include "core/video/packet_range.h"
 
 namespace vvr::app {
 

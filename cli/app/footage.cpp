@@ -17,9 +17,8 @@
 #include "core/base/json_text.h"
 #include "core/store/manifest.h"
 #include "core/video/input.h"
-#include "core/video/picture_source.h"
-#include "core/video/piece.h"
-#include "core/video/video_files.h"
+#include "core/video/input_files.h"
+#include "core/video/packet_range.h"
 
 namespace vvr::app {
 

@@ -21,7 +21,7 @@
 #include "core/scene/transfer_function.h"
 #include "core/space/layout.h"
 #include "core/video/frame_source.h"
-#include "gl/backend.h"
+#include "gl/context.h"
 #include "gl/render_options.h"
 
 namespace vvr::app {

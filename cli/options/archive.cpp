@@ -6,7 +6,7 @@
 #include "cli/options/parse_value.h"
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
-#include "core/video/video_files.h"
+#include "core/video/input_files.h"
 
 namespace vvr::options {
 

@@ -30,6 +30,7 @@
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
 #include "core/video/frame_source.h"
+#include "core/video/input_files.h"
 
 namespace vvr::options {
 

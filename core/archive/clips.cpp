@@ -26,7 +26,7 @@
 #include "core/base/file.h"
 #include "core/base/wall_clock.h"
 #include "core/video/demuxer.h"
-#include "core/video/video_files.h"
+#include "core/video/input_files.h"
 
 namespace vvr::archive {
 

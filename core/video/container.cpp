@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +14,84 @@
 #include "core/base/setting.h"
 #include "core/video/demuxer.h"
 
+extern "C" {
+#include <libavutil/display.h>
+#include <libavutil/parseutils.h>
+}
+
 namespace vvr::video {
+namespace {
+
+/// The size after rotation and with square pixels. The shorter side of a pixel is stretched, so no detail is lost.
+Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation) {
+    double width = frame.width;
+    double height = frame.height;
+    const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 1;
+    constexpr double plausible = 8;
+    if (ratio > 1 && ratio < plausible) width *= ratio;
+    if (ratio < 1 && ratio > 1 / plausible) height /= ratio;
+    const Size size{static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
+    return orientation.transpose ? Size{size.height, size.width} : size;
+}
+
+/// The duration in the container, seconds; 0 = unknown.
+double stated_duration(const AVFormatContext& format, const AVStream& stream) {
+    const double stated = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    constexpr double longest = 9.2e12;  // seconds; libav's maximum in microseconds
+    if (stated > 0 && stated < longest) return stated;
+    return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
+}
+
+std::optional<std::int64_t> creation_time(const AVFormatContext& format) {
+    const AVDictionaryEntry* const tag = av_dict_get(format.metadata, "creation_time", nullptr, 0);
+    std::int64_t microseconds = 0;
+    if (tag == nullptr || av_parse_time(&microseconds, tag->value, 0) < 0) return std::nullopt;
+    return microseconds / 1'000'000;
+}
+
+}  // namespace
+
+Orientation orientation_of(const AVStream& stream) {
+    std::size_t bytes = 0;
+    const auto* data = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+    if (!data || bytes < 9 * sizeof(std::int32_t)) return {};
+    const auto* matrix = reinterpret_cast<const std::int32_t*>(data);
+    // A pixel (x, y) is shown at (a·x + c·y, b·x + d·y).
+    const std::int64_t a = matrix[0], b = matrix[1], c = matrix[3], d = matrix[4];
+    if (std::abs(c) > std::abs(a)) return {true, c < 0, b < 0};
+    return {false, a < 0, d < 0};
+}
+
+VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first) {
+    AVFormatContext& format = demuxer.format();
+    AVStream& stream = demuxer.stream();
+    const std::string formats = format.iformat->name;
+    VideoInfo info;
+    info.name = name;
+    info.container = formats.substr(0, formats.find(','));
+    info.codec = avcodec_get_name(stream.codecpar->codec_id);
+    info.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_of(stream));
+    const ClipHeader header = header_of(demuxer);
+    info.rate = header.rate;
+    info.duration = header.length;
+    info.frames = header.frames;
+    info.created = header.created;
+    return info;
+}
+
+ClipHeader header_of(const Demuxer& demuxer) {
+    const AVStream& stream = demuxer.stream();
+    ClipHeader header;
+    header.picture = {stream.codecpar->width, stream.codecpar->height};
+    header.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
+    header.length = stated_duration(demuxer.format(), stream);
+    if (header.length > longest_clip) header.implausible_length = std::exchange(header.length, 0);
+    header.frames = stream.nb_frames;
+    header.created = creation_time(demuxer.format());
+    if (header.frames <= 0) header.frames = std::llround(header.length * header.rate);
+    return header;
+}
+
 namespace {
 
 constexpr std::array table{

@@ -14,6 +14,8 @@
 namespace vvr::video {
 namespace {
 
+constexpr double clock_was_set = 1;  // seconds
+
 // Consecutive failures after which reading ends: about a quarter of an hour of frames.
 constexpr int max_failures = 20'000;
 
@@ -41,6 +43,12 @@ bool stops_cleanly(AVCodecID codec) {
 bool leans_on_others(const Demuxer& demuxer) {
     const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
+}
+
+/// \throws Error out_of_memory if `code` of libavcodec says so
+void require_memory(int code) {
+    if (code != AVERROR(ENOMEM)) return;
+    throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video: try fewer threads", {"threads"});
 }
 
 bool is_damaged(const AVFrame& frame) {
@@ -90,10 +98,7 @@ AvFrame Decoder::next() {
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
-        if (code == AVERROR(ENOMEM)) {
-            throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video: try fewer threads",
-                        {"threads"});
-        }
+        require_memory(code);
 
         // Some decoders report damage only in the log. Threads may log early; stopping too early is harmless.
         bad_packet = bad_packet || code < 0 || demuxer_->log().errors() > (threaded_ ? errors_at_start_ : errors);
@@ -116,10 +121,28 @@ std::int64_t Decoder::damaged() const {
 AvFrame Decoder::decode_alone(const AVPacket& packet) {
     auto frame = av::make_frame();
     avcodec_flush_buffers(codec_.get());
-    bool decoded = avcodec_send_packet(codec_.get(), &packet) >= 0;
-    avcodec_send_packet(codec_.get(), nullptr);
-    decoded = decoded && avcodec_receive_frame(codec_.get(), frame.get()) >= 0 && !is_damaged(*frame);
-    return decoded ? std::move(frame) : nullptr;
+    const int sent = avcodec_send_packet(codec_.get(), &packet);
+    require_memory(sent);
+    require_memory(avcodec_send_packet(codec_.get(), nullptr));
+    const int received = avcodec_receive_frame(codec_.get(), frame.get());
+    require_memory(received);
+    return sent >= 0 && received >= 0 && !is_damaged(*frame) ? std::move(frame) : nullptr;
+}
+
+double StampClock::operator()(std::optional<double> stamp) {
+    if (!origin_ && stamp) origin_ = *stamp - next();
+    double time = stamp ? *stamp - *origin_ : next();
+    if (last_ && time < *last_ - clock_was_set) {
+        time = next();
+        origin_ = *stamp - time;
+    }
+    if (last_ && time < *last_) time = *last_;
+    last_ = time;
+    return time;
+}
+
+double StampClock::next() const {
+    return last_ ? *last_ + duration_ : 0;
 }
 
 VideoReader::VideoReader(Input input, double rate, int threads)

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/video/demuxer.h"
-#include "core/video/frame_times.h"
 #include "core/video/input.h"
 
 namespace vvr::video {
@@ -26,7 +25,8 @@ class Decoder {
     /// Whether a decoder with several threads has stopped at damage.
     bool stopped() const { return stopped_; }
 
-    /// Decodes one key packet on its own. Null if it needs other packets. Don't mix with calls of `next`.
+    /// Decodes one key packet on its own. Null if it is damaged or needs other packets. Don't mix with calls of `next`.
+    /// \throws Error out_of_memory
     AvFrame decode_alone(const AVPacket& packet);
 
     /// Packets that could not be read or decoded, or that gave a damaged frame.
@@ -41,6 +41,31 @@ class Decoder {
     std::int64_t errors_at_start_ = 0;  ///< errors in the log when the decoder was opened
     bool threaded_ = false;
     bool stopped_ = false;
+};
+
+/// Converts a container's presentation timestamps to times that start at 0 and never decrease.
+class StampClock {
+  public:
+    /// \param duration seconds per frame, used if a timestamp is missing
+    explicit StampClock(double duration) : duration_(duration) {}
+
+    /// \param origin timestamp of the clip's first frame, seconds
+    StampClock(double duration, double origin) : duration_(duration), origin_(origin) {}
+
+    /// The time of the next frame, in seconds. A small step back repeats the last time. A large one means that the
+    /// camera set its clock, and time continues from the last frame.
+    /// \param stamp seconds on the container's clock
+    double operator()(std::optional<double> stamp);
+
+    /// The first timestamp, seconds. Empty until a frame has one.
+    std::optional<double> origin() const { return origin_; }
+
+  private:
+    double next() const;
+
+    double duration_;
+    std::optional<double> origin_;
+    std::optional<double> last_;
 };
 
 /// Where decoding must begin so that the first frame at or after a time is intact.

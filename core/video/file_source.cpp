@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/video/key_frames.h"
-#include "core/video/stream_info.h"
-#include "core/video/video_files.h"
+#include "core/video/container.h"
+#include "core/video/frame_sampler.h"
+#include "core/video/input_files.h"
 
 namespace vvr::video {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +31,7 @@ struct OmittedFrames {
     std::vector<std::string> first{};  ///< the first of the files
 };
 
-/// A sentence for the user that names the first files: "2 files are left out whole, ...".
+/// A warning that names the first files: "2 files were omitted, ...".
 /// \pre left_out.files > 0
 std::string text_of(const OmittedFrames& left_out);
 
@@ -121,11 +120,6 @@ std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOp
 /// \throws Error as `open_source` and `find_recording`
 std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings);
-
-/// The local files that may be read for the input `name`: a file, the files of a folder, glob or list, the file behind
-/// stdin (`-`), or the file with an address (`@FILE`). Includes clips, pictures and parts of extractions. Omits what
-/// can't be accessed; opening the input reports that.
-std::vector<std::filesystem::path> files_of_input(const std::string& name);
 
 /// The field size for pictures of display size `shown`.
 /// \param asked as SourceOptions::field_size

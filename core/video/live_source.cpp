@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/container.h"
 #include "core/video/demuxer.h"
 #include "core/video/input.h"
-#include "core/video/stream_info.h"
 
 namespace vvr::video {
 namespace {
@@ -20,6 +20,10 @@ constexpr double longest_pause = 30;         // seconds before later attempts, a
 constexpr std::size_t frames_of_a_pipe = 8;  // decoded ahead
 constexpr std::size_t arrivals_kept = 512;
 constexpr std::int64_t pixels_waiting = 500'000'000;  // limit for all waiting frames together
+
+// Seconds. If a timestamp advances this much more than the reader's clock, the camera has set its clock. Even a stream
+// that arrives faster than real time doesn't advance as much between two frames.
+constexpr double leap = 10;
 
 double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -43,6 +47,20 @@ bool is_finished(const Demuxer& demuxer) {
 }
 
 }  // namespace
+
+double LiveClock::operator()(std::optional<double> stamp, double arrival) {
+    time_ = time_ ? *time_ + step(stamp, arrival) : 0;
+    stamp_ = stamp;
+    arrival_ = arrival;
+    return *time_;
+}
+
+double LiveClock::step(const std::optional<double>& stamp, double arrival) const {
+    const double passed = std::max(duration_, arrival - arrival_);
+    if (!stamp) return duration_;
+    if (!stamp_ || *stamp < *stamp_ || *stamp > *stamp_ + passed + leap) return passed;
+    return *stamp - *stamp_;
+}
 
 LiveSource::LiveSource(const std::string& name, LiveOptions options)
     : options_(std::move(options)),

@@ -18,9 +18,32 @@
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
 #include "core/video/frame_source.h"
-#include "core/video/frame_times.h"
 
 namespace vvr::video {
+
+/// Converts a live stream's presentation timestamps to times that start at 0 and never decrease. Within a connection,
+/// time follows the timestamps. Across a reconnection, it follows the reader's clock.
+class LiveClock {
+  public:
+    /// \param duration seconds per frame
+    explicit LiveClock(double duration) : duration_(duration) {}
+
+    /// Call it after a reconnection: later timestamps are unrelated to earlier ones.
+    void restart() { stamp_.reset(); }
+
+    /// The time of the next frame, in seconds.
+    /// \param stamp seconds on the container's clock
+    /// \param arrival when the frame arrived, seconds on a monotonic clock
+    double operator()(std::optional<double> stamp, double arrival);
+
+  private:
+    double step(const std::optional<double>& stamp, double arrival) const;
+
+    double duration_;
+    std::optional<double> time_;
+    std::optional<double> stamp_;
+    double arrival_ = 0;
+};
 
 struct LiveOptions {
     SourceOptions source;

@@ -9,7 +9,7 @@
 
 #include "core/base/av_writer.h"
 #include "core/video/input.h"
-#include "core/video/piece.h"
+#include "core/video/packet_range.h"
 
 namespace vvr::video {
 

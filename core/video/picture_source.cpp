@@ -1,11 +1,7 @@
 #include "core/video/picture_source.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -20,151 +16,8 @@ extern "C" {
 #include "core/video/demuxer.h"
 #include "core/video/input.h"
 #include "core/video/scaler.h"
-#include "core/video/video_files.h"
 
 namespace vvr::video {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The names of the regular files in a folder, without hidden files.
-std::vector<std::string> files_in(const fs::path& folder, const std::string& asked) {
-    std::vector<std::string> names;
-    std::error_code why;
-    for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, why);
-         !why && entry != fs::directory_iterator(); entry.increment(why)) {
-        std::error_code ignored;
-        std::string file = entry->path().filename().string();
-        if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
-    }
-    if (why) {
-        throw Error(
-            code_of_system_error(why.value()),
-            fmt::format("cannot read the folder of '{}': {}; check its name and permissions", asked, why.message()));
-    }
-    return names;
-}
-
-std::vector<std::string> pictures_in(const std::string& folder) {
-    const auto names = files_in(folder, folder);
-    std::vector<std::string> pictures;
-    for (const auto& name : names) {
-        if (is_picture_name(name)) pictures.push_back((fs::path(folder) / name).string());
-    }
-    if (pictures.empty()) {
-        throw Error(
-            ErrorCode::not_video,
-            fmt::format(
-                "'{}' is a folder without frames: {}; give a video file, or a folder of pictures (png, jpg, tif, ...)",
-                folder,
-                names.empty() ? std::string("it holds no file")
-                              : fmt::format("none of its {} file(s) is a picture", names.size())));
-    }
-    return pictures;
-}
-
-std::vector<std::string> expand_glob_pattern(const std::string& pattern) {
-    std::vector<std::string> files;
-    for (std::string& match : expand_glob(pattern)) {
-        std::error_code ignored;
-        if (fs::is_regular_file(match, ignored)) files.push_back(std::move(match));
-    }
-    return files;
-}
-
-/// The parts of "frame%05d.png": the text before and after the number, and its minimum width.
-struct NumberPattern {
-    std::string before;
-    std::string after;
-    std::size_t width = 0;
-    bool zeros = false;
-};
-
-[[noreturn]] void throw_bad_pattern(const std::string& name) {
-    throw Error(ErrorCode::name_pattern_invalid,
-                fmt::format("'{}': a pattern of pictures has one number in its file name, written %d or "
-                            "%05d, and %% for a percent sign",
-                            name));
-}
-
-NumberPattern parse_pattern(std::string_view file, const std::string& name) {
-    NumberPattern pattern;
-    bool has_number = false;
-    while (!file.empty()) {
-        std::string& literal = has_number ? pattern.after : pattern.before;
-        const char c = file.front();
-        file.remove_prefix(1);
-        if (c != '%') {
-            literal += c;
-            continue;
-        }
-        if (file.starts_with('%')) {
-            literal += '%';
-            file.remove_prefix(1);
-            continue;
-        }
-        pattern.zeros = file.starts_with('0');
-        const auto end = file.find_first_not_of("0123456789");
-        if (has_number || end == std::string_view::npos || end > 3 ||
-            (file[end] != 'd' && file[end] != 'i' && file[end] != 'u')) {
-            throw_bad_pattern(name);
-        }
-        std::from_chars(file.data(), file.data() + end, pattern.width);
-        file.remove_prefix(end + 1);
-        has_number = true;
-    }
-    if (!has_number) throw_bad_pattern(name);
-    return pattern;
-}
-
-bool matches(const NumberPattern& pattern, std::string_view file) {
-    if (file.size() <= pattern.before.size() + pattern.after.size()) return false;
-    if (!file.starts_with(pattern.before) || !file.ends_with(pattern.after)) return false;
-    const auto number = file.substr(pattern.before.size(), file.size() - pattern.before.size() - pattern.after.size());
-    if (number.find_first_not_of("0123456789") != std::string_view::npos) return false;
-    if (number.size() < (pattern.zeros ? pattern.width : 1)) return false;
-    // printf pads only up to the width.
-    return number.size() == 1 || number.front() != '0' || (pattern.zeros && number.size() == pattern.width);
-}
-
-std::vector<std::string> matches_of_pattern(const std::string& name) {
-    const fs::path path(name);
-    if (path.parent_path().string().find('%') != std::string::npos && !fs::exists(path.parent_path())) {
-        throw_bad_pattern(name);
-    }
-    const auto pattern = parse_pattern(path.filename().string(), name);
-    std::vector<std::string> files;
-    for (const auto& file : files_in(path.parent_path(), name)) {
-        if (matches(pattern, file)) files.push_back((path.parent_path() / file).string());
-    }
-    return files;
-}
-
-}  // namespace
-
-std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
-    std::error_code ignored;
-    const auto status = fs::status(name, ignored);
-    const bool is_folder = fs::is_directory(status);
-    const bool has_wildcard = name.find_first_of("%*?[") != std::string::npos;
-    if (!is_folder && (name == "-" || fs::exists(status) || is_url(name) || !has_wildcard)) return std::nullopt;
-
-    std::vector<std::string> files;
-    if (is_folder) {
-        files = pictures_in(name);
-    } else if (name.find('%') != std::string::npos) {
-        files = matches_of_pattern(name);
-    } else {
-        files = expand_glob_pattern(name);
-    }
-    if (files.empty()) {
-        throw Error(ErrorCode::file_not_found,
-                    fmt::format("cannot read '{}': no file matches this pattern; check it and the folder", name));
-    }
-    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return natural_less(a, b); });
-    return files;
-}
-
 namespace {
 
 struct Picture {
@@ -182,10 +35,12 @@ Picture decode_picture(const std::string& path) {
 }
 
 /// Null for a picture that can't be read or decoded, which then counts as a damaged frame.
+/// \throws Error out_of_memory
 AvFrame try_decode_picture(const std::string& path) {
     try {
         return decode_picture(path).image;
-    } catch (const Error&) {
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::out_of_memory) throw;
         return nullptr;
     }
 }
@@ -213,6 +68,7 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
                      static_cast<std::int64_t>(files_.size())};
             break;
         } catch (const Error& error) {
+            if (error.code() == ErrorCode::out_of_memory) throw;
             if (why.empty()) why = fmt::format("{}: {}", file, error.what());
         }
     }

@@ -4,20 +4,12 @@
 #include <deque>
 #include <future>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/video/frame_source.h"
 
 namespace vvr::video {
-
-/// The files of a picture sequence, in natural order. `name` is a folder, a glob (`dir/*.png`) or a printf pattern
-/// (`dir/%05d.png`). Empty if it is none of these, or if a file has that name.
-///
-/// \throws Error io if the folder can't be read or no file matches, not_video for a folder without pictures, usage for
-///         a pattern with several numbers or other conversions
-std::optional<std::vector<std::string>> list_pictures(const std::string& name);
 
 /// Reads a sequence of picture files, one frame per file. Decodes ahead, one picture per thread.
 class PictureSource final : public FrameSource {

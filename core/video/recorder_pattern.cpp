@@ -1,5 +1,3 @@
-#include "core/video/recorder_pattern.h"
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -11,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr::video {
 

@@ -8,7 +8,6 @@
 
 #include "core/base/wall_clock.h"
 #include "core/video/recorder_names.h"
-#include "core/video/stream_info.h"
 
 // Recorders write files of seconds to an hour, called segments. A camera's segments, in order, are one recording.
 namespace vvr::video {
@@ -58,32 +57,5 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
 
 /// The segment of a single file, by its name.
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
-
-}  // namespace vvr::video
-
-// All files of a recording must be of one camera.
-namespace vvr::video {
-
-/// A file's absolute path, so that results don't depend on the working folder. Streams keep their names.
-std::string whole_path(const std::string& name);
-
-/// Sets the camera of each segment by file name and by folders that differ. Returns the common camera, or an empty
-/// string if unknown.
-/// \param name name of the recording, for the message
-/// \param join whether to accept files of several cameras
-/// \throws Error usage if they are of several cameras; the message says how to choose one
-std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
-                        bool join);
-
-/// The header of a segment's file.
-struct SegmentHeader {
-    Segment* segment = nullptr;
-    ClipHeader header;
-};
-
-/// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must agree.
-/// \param headers of these files, preceded by that of one file whose name has a time, if there is one
-/// \throws Error usage if they differ
-void require_related(const Recording& recording, std::span<const SegmentHeader> headers);
 
 }  // namespace vvr::video

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/key_frames.h"
-#include "core/video/stream_info.h"
+#include "core/video/container.h"
+#include "core/video/frame_sampler.h"
 
 namespace vvr::video {
 
@@ -76,8 +76,9 @@ void RecordingSource::estimate_length() {
             const double gap = end ? std::max(0.0, begin.time - *end) : 0;
             frames += header.frames + std::llround(gap * rate);
             end = begin.time + header.length;
-        } catch (const Error&) {
-            continue;  // it is named when it is read
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::limit) throw;
+            continue;  // reported when it is read
         }
     }
     info_.duration = end.value_or(0);
@@ -240,8 +241,9 @@ std::vector<Frame> RecordingSource::sample_segments(int count) const {
         try {
             FileSource source(open_input(recording_.segments[place].path), options);
             frames.push_back(scale(*source.next()));
-        } catch (const Error&) {
-            continue;  // it is named when it is read
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::limit) throw;
+            continue;  // reported when it is read
         }
     }
     return frames;

@@ -21,7 +21,6 @@
 
 #include "core/scene/slices.h"
 #include "gl/brick_window.h"
-#include "gl/check.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
 #include "gl/objects.h"

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gl/brick_window.h"
-#include "gl/check.h"
 #include "gl/context.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/lit_volume.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "gl/check.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 

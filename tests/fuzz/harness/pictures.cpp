@@ -1,5 +1,5 @@
 // Names that mean many pictures: frame%04d.png, *.png.
-#include "core/video/picture_source.h"
+#include "core/video/input_files.h"
 #include "tests/fuzz/folder.h"
 #include "tests/fuzz/input.h"
 

@@ -11,8 +11,8 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
-#include "core/video/video_files.h"
 
 namespace vvr {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/video/piece.h"
-#include "core/video/video_files.h"
+#include "core/video/input_files.h"
+#include "core/video/packet_range.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

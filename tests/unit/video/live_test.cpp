@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/video/frame_times.h"
+#include "core/video/live_source.h"
 
 namespace vvr {
 namespace {

@@ -6,9 +6,10 @@
 
 #include "core/base/error.h"
 #include "core/kernels/colour_rows.h"
+#include "core/video/decoder.h"
+#include "core/video/frame_sampler.h"
 #include "core/video/frame_source.h"
-#include "core/video/frame_times.h"
-#include "core/video/video_files.h"
+#include "core/video/input_files.h"
 
 namespace vvr {
 namespace {

@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
-#include <opencv2/core.hpp>
 
-#include "core/base/cv_view.h"
-#include "core/video/area_scaler.h"
+extern "C" {
+#include <libavutil/frame.h>
+}
+
+#include "core/video/scaler.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -133,17 +137,25 @@ double linear_at(const Plane<std::uint8_t>& plane, double x, double y) {
     return std::lerp(std::lerp(at(i, j), at(i + 1, j), x - i), std::lerp(at(i, j + 1), at(i + 1, j + 1), x - i), y - j);
 }
 
-// Chroma of 4:2:0 at luma's size.
-TEST(AreaScaler, DoublesLinearly) {
+// As chroma of 4:2:0 is enlarged to the size of luma.
+TEST(Scaler, DoublesLinearly) {
     for (const Size size : {Size{1, 1}, Size{3, 2}, Size{33, 5}, Size{64, 4}, Size{71, 3}}) {
         Plane<std::uint8_t> plane(size);
         std::mt19937 random(5);
         for (std::uint8_t& value : plane.pixels()) value = static_cast<std::uint8_t>(random());
-        video::AreaScaler scale;
-        const cv::Mat twice = scale(cv_view(plane), {2 * size.width, 2 * size.height});
-        for (int j = 0; j < twice.rows; ++j) {
-            for (int i = 0; i < twice.cols; ++i) {
-                ASSERT_NEAR(twice.at<std::uint8_t>(j, i), linear_at(plane, i / 2.0 - 0.25, j / 2.0 - 0.25), 0.501)
+        video::AvFrame image(av_frame_alloc());
+        image->width = size.width;
+        image->height = size.height;
+        image->format = AV_PIX_FMT_GRAY8;
+        ASSERT_EQ(av_frame_get_buffer(image.get(), 0), 0);
+        for (int j = 0; j < size.height; ++j) {
+            std::ranges::copy(plane.row(j), image->data[0] + std::ptrdiff_t{j} * image->linesize[0]);
+        }
+        const Size doubled{2 * size.width, 2 * size.height};
+        const video::Frame twice = video::Scaler(doubled, false)({0, 0, {}, std::move(image)});
+        for (int j = 0; j < doubled.height; ++j) {
+            for (int i = 0; i < doubled.width; ++i) {
+                ASSERT_NEAR(twice.grey.at(i, j), linear_at(plane, i / 2.0 - 0.25, j / 2.0 - 0.25), 0.501)
                     << size.width << "x" << size.height << " at " << i << ", " << j;
             }
         }

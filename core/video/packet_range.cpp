@@ -1,4 +1,4 @@
-#include "core/video/piece.h"
+#include "core/video/packet_range.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +12,6 @@
 #include "core/base/error.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
-#include "core/video/frame_times.h"
 
 namespace vvr::video {
 namespace {

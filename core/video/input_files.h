@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+// Which files an input names: by their extensions, in folders, by globs and in lists.
 namespace vvr::video {
 
 /// The extensions of video files, with their dots, in lower case, sorted.
@@ -17,9 +17,6 @@ bool is_video_name(const std::string& name);
 
 /// Whether a file name has a picture extension.
 bool is_picture_name(const std::string& name);
-
-/// Size limit of a list of files, bytes.
-inline constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
 
 /// The video files in a folder and its subfolders, in any order. Skips hidden files and folders, and does not follow
 /// symbolic links to folders.
@@ -36,5 +33,24 @@ bool natural_less(std::string_view a, std::string_view b);
 /// The paths that match a glob (`day/*.mp4`), sorted.
 /// \throws Error usage for a pattern longer than PATH_MAX
 std::vector<std::string> expand_glob(const std::string& pattern);
+
+/// Whether a file is a list of files. Its content decides too, because a video may have any name.
+bool is_list(const std::string& name);
+
+/// The files in a list. Lists are untrusted, so paths outside the list's folder are rejected.
+/// \throws Error io if it can't be read, limit if it is too large, usage for a wrong path
+std::vector<std::string> files_of_list(const std::string& list);
+
+/// The files of a picture sequence, in natural order. `name` is a folder, a glob (`dir/*.png`) or a printf pattern
+/// (`dir/%05d.png`). Empty if it is none of these, or if a file has that name.
+///
+/// \throws Error io if the folder can't be read or no file matches, not_video for a folder without pictures, usage for
+///         a pattern with several numbers or other conversions
+std::optional<std::vector<std::string>> list_pictures(const std::string& name);
+
+/// The local files that may be read for the input `name`: a file, the files of a folder, glob or list, the file behind
+/// stdin (`-`), or the file with an address (`@FILE`). Includes clips, pictures and parts of extractions. Omits what
+/// can't be accessed; opening the input reports that.
+std::vector<std::filesystem::path> files_of_input(const std::string& name);
 
 }  // namespace vvr::video

@@ -1,13 +1,13 @@
-#include "core/video/key_frames.h"
+#include "core/video/frame_sampler.h"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/video/container.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
-#include "core/video/stream_info.h"
 
 namespace vvr::video {
 

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/video/input.h"
+#include "core/video/scaler.h"
+
+// Samples of a video's frames, spread in time.
+namespace vvr::video {
+
+/// Keeps at most `capacity` items, spread evenly in time over a stream of unknown length. When it is full, it widens
+/// the gap between items and drops the items that are too close.
+template <class Item>
+class TimeSampler {
+  public:
+    explicit TimeSampler(int capacity) : capacity_(static_cast<std::size_t>(std::max(1, capacity))) {}
+
+    /// Whether an item at `time` is to be kept. Makes room for it. Times must not decrease.
+    bool wants(double time) {
+        if (kept_.size() == capacity_ && is_due(time)) thin(time);
+        return is_due(time);
+    }
+
+    /// \pre wants(time)
+    void keep(double time, Item item) { kept_.emplace_back(time, std::move(item)); }
+
+    std::vector<Item> take() {
+        std::vector<Item> items;
+        for (auto& [time, item] : kept_) items.push_back(std::move(item));
+        kept_.clear();
+        return items;
+    }
+
+  private:
+    bool is_due(double time) const { return kept_.empty() || time >= kept_.back().first + gap_; }
+
+    void thin(double now) {
+        const double average = (now - kept_.front().first) / static_cast<double>(capacity_);
+        // Slightly less than twice the average, so that rounding drops no frames of a constant rate.
+        gap_ = std::max(2 * gap_, 1.999 * average);
+        std::size_t used = 1;
+        for (std::size_t i = 1; i < kept_.size(); ++i) {
+            if (kept_[i].first >= kept_[used - 1].first + gap_) {
+                if (i != used) kept_[used] = std::move(kept_[i]);
+                ++used;
+            }
+        }
+        used = std::max<std::size_t>(1, std::min(used, capacity_ - 1));
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(used), kept_.end());
+    }
+
+    std::size_t capacity_;
+    double gap_ = 0;
+    std::vector<std::pair<double, Item>> kept_;
+};
+
+/// Samples key frames, spread in time over one or more consecutive files. Each is decoded on its own. All packets are
+/// read, which is cheap compared with decoding and works without an index or accurate seeking.
+class KeyFrames {
+  public:
+    /// \param count maximum number of frames
+    explicit KeyFrames(int count) : count_(count), sampler_(count) {}
+
+    /// Reads the packets of a file.
+    /// \param begin time of its first frame, seconds; must not decrease from file to file
+    /// \returns the time of its end, seconds; `begin` if no packet has a timestamp
+    double scan(const Input& input, double rate, double begin);
+
+    /// Decodes the frames, in order. Empty if there are fewer key frames than requested, or if they don't decode on
+    /// their own. Call it only once.
+    std::vector<Frame> decode(double rate, Scaler& scale);
+
+  private:
+    struct KeyPacket {
+        std::size_t file = 0;
+        double time = 0;
+        av::Ptr<AVPacket> packet;
+    };
+
+    int count_;
+    TimeSampler<KeyPacket> sampler_;
+    std::vector<Input> files_;
+    std::int64_t seen_ = 0;
+};
+
+}  // namespace vvr::video
