@@ -18,7 +18,6 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/setting.h"
-#include "gl/check.h"
 
 namespace vvr::gl {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/app/letter.h"
-#include "core/glance/trails.h"
+#include "core/glance/objects.h"
 #include "core/labels/ruler.h"
 #include "core/scene/scene.h"
 #include "core/scene/theme.h"

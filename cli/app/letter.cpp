@@ -14,7 +14,6 @@
 #include "core/glance/portraits.h"
 #include "core/glance/scene_map.h"
 #include "core/glance/time_strip.h"
-#include "core/glance/trails.h"
 #include "core/labels/ruler.h"
 
 namespace vvr::app {

@@ -68,11 +68,23 @@ class SeedFlags {
     SeedFlags() = default;
 
     /// Parses digits such as `1` or `100`; nothing unless they are 1 to `most` digits 0 and 1.
-    static std::optional<SeedFlags> parse(std::string_view digits);
+    static std::optional<SeedFlags> parse(std::string_view digits) {
+        if (digits.empty() || digits.size() > most) return std::nullopt;
+        if (digits.find_first_not_of("01") != std::string_view::npos) return std::nullopt;
+        SeedFlags flags;
+        flags.digits_ = 0;
+        flags.count_ = static_cast<int>(digits.size());
+        for (std::size_t i = 0; i < digits.size(); ++i) flags.digits_ |= (digits[i] == '1' ? 1U : 0U) << i;
+        return flags;
+    }
 
     bool in(std::int64_t brick) const { return ((digits_ >> static_cast<unsigned>(brick % count_)) & 1U) != 0; }
 
-    std::string text() const;
+    std::string text() const {
+        std::string digits;
+        for (int i = 0; i < count_; ++i) digits += in(i) ? '1' : '0';
+        return digits;
+    }
 
     friend bool operator==(const SeedFlags&, const SeedFlags&) = default;
 

@@ -1,11 +1,312 @@
 #include "core/fields/field_source.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#include <opencv2/core/utility.hpp>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/fields/field_stages.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
+#include "core/fields/region.h"
+#include "core/fields/settings.h"
+#include "core/video/frame_span.h"
+#include "core/video/scaler.h"
 
 namespace vvr::fields {
+
+/// Reads the frames of a span, with `context` frames on each side. Must outlive the jobs that it returns.
+class ClipReader {
+  public:
+    /// \param source at its first frame
+    /// \param from_first whether all frames before the span are needed too
+    ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first);
+
+    /// The next frame's job; an empty function at the end.
+    FrameJob operator()();
+
+    /// The number of the last frame read; -1 = none so far.
+    std::int64_t last_index() const { return last_index_; }
+    double last_pts() const { return last_pts_; }
+
+  private:
+    std::shared_ptr<video::DecodedFrame> read();
+    void seek_to_span();
+    void collect_context();
+
+    video::FrameSource& source_;
+    video::FrameSpan span_;
+    std::size_t context_;
+    bool begun_ = false;
+    bool from_first_;
+    std::size_t past_end_ = 0;
+    std::int64_t last_index_ = -1;
+    double last_pts_ = 0;
+    std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
+    oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
+};
+
+ClipReader::ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first)
+    : source_(source),
+      span_(span),
+      context_(static_cast<std::size_t>(context)),
+      from_first_(from_first),
+      scalers_([&source] { return video::Scaler(source); }) {}
+
+std::shared_ptr<video::DecodedFrame> ClipReader::read() {
+    std::shared_ptr<video::DecodedFrame> frame = source_.next();
+    if (frame) {
+        last_index_ = frame->index;
+        last_pts_ = frame->pts;
+    }
+    return frame;
+}
+
+/// Reads up to the first frame of the span and keeps the last few before it, unscaled.
+void ClipReader::collect_context() {
+    waiting_.clear();
+    while (auto frame = read()) {
+        const bool counts = !video::is_before(span_, frame->index, frame->pts);
+        waiting_.push_back(std::move(frame));
+        if (counts) return;
+        if (waiting_.size() > context_) waiting_.pop_front();
+    }
+    waiting_.clear();
+}
+
+void ClipReader::seek_to_span() {
+    if (from_first_ || span_ == video::FrameSpan{}) return;
+    const double rate = source_.info().rate;
+    if (rate > 0) {
+        const double start = std::max(span_.start, static_cast<double>(span_.first) / rate);
+        source_.seek(start - (static_cast<double>(context_) + 2) / rate);
+    }
+    collect_context();
+    const bool whole = waiting_.size() > context_ || (!waiting_.empty() && waiting_.front()->index == 0);
+    if (rate <= 0 || whole) return;
+    // With a variable frame rate, the estimated position may be too late.
+    source_.rewind();
+    collect_context();
+}
+
+FrameJob ClipReader::operator()() {
+    if (!std::exchange(begun_, true)) seek_to_span();
+    std::shared_ptr<video::DecodedFrame> decoded;
+    if (waiting_.empty()) {
+        decoded = read();
+    } else {
+        decoded = std::move(waiting_.front());
+        waiting_.pop_front();
+    }
+    if (!decoded) return {};
+    if (video::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
+    return [this, decoded] { return scalers_.local()(*decoded); };
+}
+
+namespace {
+
+void validate(const video::FrameSpan& span) {
+    // In this form, the test refuses NaN.
+    if (!(span.start >= 0) || span.first < 0) {
+        throw Error(
+            ErrorCode::option_value_out_of_range,
+            fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
+            {setting::start.name});
+    }
+    if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
+        throw Error(ErrorCode::span_empty, "end has to come after the start", {setting::end.name});
+    }
+}
+
+}  // namespace
+
+void validate(const FieldOptions& options) {
+    each_field_setting(options,
+                       [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); });
+    check(setting::flow_every, options.flow.every);
+    check(setting::threads, options.threads);
+    validate(options.span);
+    validate_region(setting::roi.name, options.roi);
+    validate_region(setting::mask.name, options.mask);
+}
+
+namespace {
+
+using oneapi::tbb::filter_mode;
+using oneapi::tbb::make_filter;
+
+/// Keeps OpenCV from starting its own threads: frames already run in parallel, and its dense inverse search gives other
+/// results for another number of threads.
+class SingleThreadedOpenCv {
+  public:
+    SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+    ~SingleThreadedOpenCv() { cv::setNumThreads(before_); }
+    SingleThreadedOpenCv(const SingleThreadedOpenCv&) = delete;
+    SingleThreadedOpenCv& operator=(const SingleThreadedOpenCv&) = delete;
+
+  private:
+    int before_;
+};
+
+/// Keeps the first error of a pipeline. oneTBB leaks the item of a filter that throws; so filters report errors here,
+/// and the pipeline ends normally.
+class FirstError {
+  public:
+    /// The result of `work`; an empty one if it throws, or if something has failed before.
+    template <class Work>
+    auto guard(const Work& work) -> decltype(work()) {
+        using Made = decltype(work());
+        if (!context_.is_group_execution_cancelled()) {
+            try {
+                return work();
+            } catch (...) {
+                const std::scoped_lock lock(mutex_);
+                if (!error_) error_ = std::current_exception();
+                context_.cancel_group_execution();
+            }
+        }
+        return Made();
+    }
+
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+    oneapi::tbb::task_group_context& context() { return context_; }
+
+  private:
+    oneapi::tbb::task_group_context context_;
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
+struct Result {
+    video::SharedFrame frame;
+    Field field;
+};
+
+int threads_of(const FieldOptions& options) {
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return options.threads > 0 ? options.threads : cores;
+}
+
+/// Runs `work` on this many threads. Suppresses oneTBB's warning on stderr where these are more than the cores: the
+/// caller chose them.
+template <class Work>
+void on_threads(int threads, const Work& work) {
+    using oneapi::tbb::global_control;
+    const std::size_t allowed = global_control::active_value(global_control::max_allowed_parallelism);
+    const global_control control(global_control::max_allowed_parallelism,
+                                 std::max(static_cast<std::size_t>(threads), allowed));
+    oneapi::tbb::task_arena(threads).execute(work);
+}
+
+std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions& options, const FieldSink& sink) {
+    int turns_left = work.reach();  // empty turns after the last frame, which give the last frames their neighbours
+    bool ended = false;
+    std::int64_t frames = 0;
+    const auto is_wanted = [&](const video::Frame& frame) {
+        return !video::is_before(options.span, frame.index, frame.pts) &&
+               !video::is_past(options.span, frame.index, frame.pts) &&
+               !video::is_between_parts(options.span, frame.pts);
+    };
+
+    FirstError first;
+    const auto source =
+        make_filter<void, FrameJob>(filter_mode::serial_in_order, [&](oneapi::tbb::flow_control& control) -> FrameJob {
+            if (!ended) {
+                if (FrameJob job = first.guard(read)) return job;
+                ended = true;
+            }
+            if (turns_left-- == 0) control.stop();
+            return {};
+        });
+    const auto begin =
+        make_filter<FrameJob, std::shared_ptr<PipelineFrame>>(filter_mode::parallel, [&](const FrameJob& job) {
+            return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<PipelineFrame>{}; });
+        });
+    const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
+        filter_mode::serial_in_order,
+        [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
+    const auto result_of = [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
+        if (about.empty()) return nullptr;  // something has failed
+        const PipelineFrame* const here = about[static_cast<std::size_t>(work.reach())].get();
+        if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
+        return std::make_shared<Result>(Result{here->frame, work.finish(about)});
+    };
+    const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
+        filter_mode::parallel,
+        [&](const Neighbourhood& about) { return first.guard([&] { return result_of(about); }); });
+    const auto hand_over = [&](const std::shared_ptr<Result>& result) {
+        if (!result) return;
+        ++frames;
+        sink(result->frame, std::move(result->field));
+    };
+    const auto deliver = make_filter<std::shared_ptr<Result>, void>(
+        filter_mode::serial_in_order,
+        [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
+    const int threads = threads_of(options);
+    // Twice as many frames as threads: all threads stay busy while frames wait for a serial stage.
+    on_threads(threads, [&] {
+        oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
+                                       source & begin & gather & finish & deliver, first.context());
+    });
+    first.rethrow();
+    return frames;
+}
+
+}  // namespace
+
+std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
+                            const FieldSink& sink) {
+    validate(options);
+    const SingleThreadedOpenCv one_thread;
+    FieldStages work(scene, options);
+    return run(read, work, options, sink);
+}
+
+FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
+                            const SceneSink& scene_sink) {
+    validate(options);
+    EmptyScene scene{.reference = {},
+                     .region = make_region(options, source.field_size(), source.info().size),
+                     .frames = source.info().frames};
+    const SingleThreadedOpenCv one_thread;
+    if (needs_reference(options)) {
+        on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
+        if (scene_sink) scene_sink(scene.reference);
+    }
+    FieldStages work(scene, options);
+    ClipReader read(source, options.span, work.reach(), work.is_stateful());
+    FieldSummary summary;
+    summary.frames = run([&] { return read(); }, work, options, sink);
+    summary.damaged = source.damaged();
+    summary.problems = source.problems();
+    summary.reference = std::move(scene.reference);
+    // A stream may end with the frames from which the reference was learnt.
+    if (summary.frames == 0 && options.span != video::FrameSpan{}) {
+        throw Error(ErrorCode::span_empty,
+                    fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
+                                source.info().name, video::text_of(options.span),
+                                counted(read.last_index() + 1, "frame"), read.last_pts()),
+                    {setting::start.name, setting::end.name});
+    }
+    return summary;
+}
 
 ClipFields::ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options)
     : clip_(std::move(clip)), options_(std::move(options)) {}

@@ -36,16 +36,6 @@ struct FieldSummary {
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
                             const SceneSink& scene_sink = {});
 
-/// What is known of a scene before the first frame.
-struct EmptyScene {
-    Reference reference;         ///< may be empty unless `needs_reference`
-    Plane<std::uint8_t> region;  ///< 0 = ignored; empty = nothing is ignored
-    std::int64_t frames = 0;     ///< frames of the clip; 0 = unknown
-};
-
-/// Whether these options need the empty scene: for the filter, or for the seeds' area.
-bool needs_reference(const FieldOptions& options);
-
 /// Makes one frame. Called once, on any thread.
 using FrameJob = std::function<video::Frame()>;
 

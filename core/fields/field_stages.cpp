@@ -41,12 +41,6 @@ Neighbourhood continuous_part(Neighbourhood about, int reach) {
 
 }  // namespace
 
-bool needs_reference(const FieldOptions& options) {
-    const FilterTraits& traits = options.filter->traits;
-    const bool second = options.second != nullptr && options.second->traits.object;
-    return second || traits.object || (has_flow(options.flow) && !traits.shows_object);
-}
-
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     : options_(options),
       first_(running(*options.filter, options, options.threshold)),
@@ -134,13 +128,13 @@ FieldStages::ActiveFilter FieldStages::running(const FilterRow& row, const Field
 Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const PipelineFrame& shot,
                                           const PipelineFrame* before, const Flow& flow) const {
     const FilterTraits& traits = filter.row->traits;
-    Plane<std::uint8_t> scalar = (*filter.filter)({.frame = *shot.frame,
-                                                   .smooth = shot.smooth,
-                                                   .previous = before ? &before->smooth : nullptr,
-                                                   .object = shot.object,
-                                                   .previous_object = before ? &before->object : nullptr,
-                                                   .darker = shot.darker,
-                                                   .flow = flow});
+    Plane<std::uint8_t> scalar = filter.filter({.frame = *shot.frame,
+                                                .smooth = shot.smooth,
+                                                .previous = before ? &before->smooth : nullptr,
+                                                .object = shot.object,
+                                                .previous_object = before ? &before->object : nullptr,
+                                                .darker = shot.darker,
+                                                .flow = flow});
     // The difference object and all that is made of it are clean already.
     if (!traits.object) {
         clean(scalar,

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/fields/field.h"
-#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/object.h"
 #include "core/fields/options.h"
+#include "core/fields/reference.h"
 #include "core/fields/stabilizer.h"
 
 namespace vvr::fields {
@@ -66,7 +66,7 @@ class FieldStages {
     /// A filter and its parameters.
     struct ActiveFilter {
         const FilterRow* row;
-        std::unique_ptr<Filter> filter;
+        Filter filter;
         int threshold;
     };
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <optional>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -25,15 +24,9 @@ struct FilterInput {
     const Flow& flow;                            ///< empty if none was computed
 };
 
-/// Computes a scalar field: one 8-bit value per pixel, 0 = background.
-class Filter {
-  public:
-    virtual ~Filter() = default;
-
-    /// The field of `input.frame`, in its size. Called from several threads at once and in any order, unless the
-    /// filter's row says `in_order`.
-    virtual Plane<std::uint8_t> operator()(const FilterInput& input) = 0;
-};
+/// Computes the scalar field of `input.frame`, in its size: one 8-bit value per pixel, 0 = background. Called from
+/// several threads at once and in any order, unless the filter's row says `in_order`.
+using Filter = std::function<Plane<std::uint8_t>(const FilterInput& input)>;
 
 /// What a filter needs and how its output is treated.
 struct FilterTraits {
@@ -57,22 +50,11 @@ struct FilterRow {
     std::string_view name;
     std::string_view help;
     FilterTraits traits;
-    std::unique_ptr<Filter> (*make)(const FieldOptions& options);
+    Filter (*make)(const FieldOptions& options);
     std::string_view transfer{};  ///< default transfer function; empty = that of the picture's theme
 };
 
 /// Every filter.
 std::span<const FilterRow> filters();
-
-std::unique_ptr<Filter> make_difference(const FieldOptions& options);
-std::unique_ptr<Filter> make_temporal(const FieldOptions& options);
-std::unique_ptr<Filter> make_hull(const FieldOptions& options);
-std::unique_ptr<Filter> make_bands(const FieldOptions& options);
-std::unique_ptr<Filter> make_signed(const FieldOptions& options);
-std::unique_ptr<Filter> make_edges(const FieldOptions& options);
-std::unique_ptr<Filter> make_flow_magnitude(const FieldOptions& options);
-std::unique_ptr<Filter> make_luminance(const FieldOptions& options);
-std::unique_ptr<Filter> make_mog2(const FieldOptions& options);
-std::unique_ptr<Filter> make_knn(const FieldOptions& options);
 
 }  // namespace vvr::fields

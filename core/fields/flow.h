@@ -114,9 +114,6 @@ struct SolverRow {
 
 std::span<const SolverRow> flow_solvers();
 
-/// The paper's solver: Jacobi iterations from zero.
-std::unique_ptr<FlowMethod> make_jacobi(const SolverSettings& settings);
-
 /// Coarse-to-fine solver on an image pyramid, for motion of many pixels per frame: at each level, warps the second
 /// frame by the current flow and solves the equations again, `iterations` times (Meinhardt-Llopis, Sánchez and
 /// Kondermann, Image Processing On Line, 2013).

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
@@ -18,12 +18,30 @@
 #include "core/base/file.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
-#include "core/fields/noise.h"
+#include "core/fields/flow.h"
+#include "core/fields/illumination.h"
 #include "core/fields/stabilizer.h"
 #include "core/video/scaler.h"
 
 namespace vvr::fields {
 namespace {
+
+/// For each column, the largest value that at least `needed` of the rows reach: of n rows, (n + 1) / 2 gives the
+/// median. It is found bit by bit, from the highest. Every loop runs along the row, so the compiler vectorizes it;
+/// sorting each pixel's values takes 40 times as long.
+void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t needed, std::span<std::uint8_t> result) {
+    std::vector<std::uint16_t> reached(result.size());
+    std::ranges::fill(result, std::uint8_t{0});
+    for (int bit = 128; bit != 0; bit /= 2) {
+        std::ranges::fill(reached, std::uint16_t{0});
+        for (const std::uint8_t* row : rows) {
+            for (std::size_t i = 0; i < result.size(); ++i) reached[i] += row[i] >= (result[i] | bit);
+        }
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (reached[i] >= needed) result[i] = static_cast<std::uint8_t>(result[i] | bit);
+        }
+    }
+}
 
 std::span<std::uint8_t> bytes(std::span<std::uint8_t> row) {
     return row;
@@ -49,6 +67,158 @@ Plane<Pixel> median(std::span<const video::Frame> frames, Plane<Pixel> video::Fr
     });
     return result;
 }
+
+}  // namespace
+
+Planes median_reference(std::span<const video::Frame> frames) {
+    if (frames.empty()) return {};
+    return {median(frames, &video::Frame::grey), median(frames, &video::Frame::colour)};
+}
+
+namespace {
+
+// Grey levels by which an unchanged pixel may vary over a clip, per channel.
+constexpr int tolerance = 18;
+
+bool alike(std::uint8_t a, std::uint8_t b) {
+    return std::abs(a - b) <= tolerance;
+}
+bool alike(const Bgr& a, const Bgr& b) {
+    return alike(a[0], b[0]) && alike(a[1], b[1]) && alike(a[2], b[2]);
+}
+
+/// One channel of a pixel in some frames.
+template <class Value>
+std::uint8_t middle(std::vector<std::uint8_t>& scratch, const std::vector<const video::Frame*>& frames, Value value) {
+    scratch.clear();
+    for (const video::Frame* frame : frames) scratch.push_back(value(*frame));
+    const auto half = scratch.begin() + std::ssize(scratch) / 2;
+    std::ranges::nth_element(scratch, half);
+    return *half;
+}
+
+template <class Pixel>
+class FirstLasting {
+  public:
+    FirstLasting(std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane)
+        : frames_(frames), plane_(plane) {}
+
+    /// Whether more than three quarters of the frames look like `pixel` there: then nothing else can last.
+    bool is_sure(std::size_t i, const Pixel& pixel) const { return 4 * like(i, pixel) > 3 * frames_.size(); }
+
+    /// The frames that show the first lasting level; none if there is no such level.
+    void find(std::size_t i, std::vector<const video::Frame*>& found) const {
+        found.clear();
+        for (const video::Frame& first : frames_) {
+            const Pixel& pixel = at(first, i);
+            if (4 * like(i, pixel) < frames_.size()) continue;
+            for (const video::Frame& frame : frames_) {
+                if (alike(at(frame, i), pixel)) found.push_back(&frame);
+            }
+            return;
+        }
+    }
+
+  private:
+    const Pixel& at(const video::Frame& frame, std::size_t i) const { return (frame.*plane_).pixels()[i]; }
+
+    std::size_t like(std::size_t i, const Pixel& pixel) const {
+        std::size_t count = 0;
+        for (const video::Frame& frame : frames_) count += alike(at(frame, i), pixel) ? 1U : 0U;
+        return count;
+    }
+
+    std::span<const video::Frame> frames_;
+    Plane<Pixel> video::Frame::*plane_;
+};
+
+template <class Pixel>
+void correct(Planes& reference, std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane,
+             const Plane<Pixel>& medians) {
+    const FirstLasting<Pixel> lasting(frames, plane);
+    using oneapi::tbb::blocked_range;
+    oneapi::tbb::parallel_for(blocked_range<std::size_t>(0, medians.pixels().size()), [&](const auto& range) {
+        std::vector<const video::Frame*> shown;
+        std::vector<std::uint8_t> scratch;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (lasting.is_sure(i, medians.pixels()[i])) continue;
+            lasting.find(i, shown);
+            if (shown.empty()) continue;
+            reference.grey.pixels()[i] =
+                middle(scratch, shown, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
+            if (reference.colour.empty()) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                reference.colour.pixels()[i][c] =
+                    middle(scratch, shown, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
+            }
+        }
+    });
+}
+
+}  // namespace
+
+Planes lasting_reference(std::span<const video::Frame> frames) {
+    Planes reference = median_reference(frames);
+    const Planes medians = reference;
+    if (medians.colour.empty()) {
+        correct(reference, frames, &video::Frame::grey, medians.grey);
+    } else {
+        correct(reference, frames, &video::Frame::colour, medians.colour);
+    }
+    return reference;
+}
+
+namespace {
+
+constexpr std::size_t fewest_frames = 8;
+
+// Every third frame is enough.
+constexpr std::size_t frame_step = 3;
+
+// The share of the frames that counts, and the factor that makes the largest of their differences a median: 0.67 σ /
+// 0.45 σ for Gaussian noise.
+constexpr double share = 0.35;
+constexpr double to_median = 1.5;
+
+// The share of the frames that surely show the scene even where an object lies for most of the clip. Noise is limited
+// to this multiple of theirs, plus some levels: anything above is the object.
+constexpr double sure_share = 0.15;
+constexpr int most_times = 4;
+constexpr int most_more = 2;
+
+}  // namespace
+
+Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth) {
+    std::vector<Plane<std::uint8_t>> differences((frames.size() + frame_step - 1) / frame_step);
+    if (differences.size() < fewest_frames) return {};
+    oneapi::tbb::parallel_for(std::size_t{0}, differences.size(), [&](std::size_t k) {
+        const video::Frame& frame = frames[k * frame_step];
+        differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
+    });
+    const auto place_of = [&](double part) {
+        return differences.size() - static_cast<std::size_t>(part * static_cast<double>(differences.size() - 1));
+    };
+    Plane<std::uint8_t> noise(scene.grey.size());
+    oneapi::tbb::parallel_for(0, noise.height(), [&](int j) {
+        std::vector<const std::uint8_t*> rows;
+        for (const Plane<std::uint8_t>& plane : differences) rows.push_back(plane.row(j).data());
+        const std::span<std::uint8_t> row = noise.row(j);
+        std::vector<std::uint8_t> sure(row.size());
+        rank_rows(rows, place_of(share), row);
+        rank_rows(rows, place_of(sure_share), sure);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = static_cast<std::uint8_t>(std::min<int>(row[i], most_times * sure[i] + most_more));
+        }
+    });
+    // What sways here also sways next to it.
+    cv::Mat out = cv_view(noise);
+    out.convertTo(out, CV_8U, to_median);
+    cv::blur(out, out, {3, 3});
+    cv::dilate(out, out, cv::Mat::ones(3, 3, CV_8U));
+    return noise;
+}
+
+namespace {
 
 // Odd, so that the median is the middle value.
 constexpr int frames_for_median = 31;
@@ -108,83 +278,6 @@ constexpr std::array rows{
                  true},
 };
 
-// Learning rate of the reference per frame: it adapts in about four seconds at 25 frames per second.
-constexpr float pace = 1.F / 32;
-
-// Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
-constexpr int edge = 3;
-
-template <class T>
-void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
-            std::size_t channels, const IlluminationChange& light, std::uint8_t* out) {
-    const auto gain = static_cast<float>(light.gain);
-    const auto offset = static_cast<float>(light.offset);
-    const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        exact[i] = std::clamp(gain * exact[i] + offset, 0.F, 255.F);
-        if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
-        out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
-    }
-}
-
-// Grey levels by which a stationary pixel may vary.
-constexpr int steady_tolerance = 12;
-
-constexpr int frames_between_looks = 25;
-
-// A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
-// levels.
-constexpr double clearer = 2;
-constexpr double least_step = 8;
-
-/// The largest gradient at and next to each pixel.
-cv::Mat steepness(const Plane<std::uint8_t>& grey) {
-    cv::Mat steep;
-    cv::morphologyEx(cv_view(grey), steep, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8U));
-    return steep;
-}
-
-/// 255 where a blob of `steady` is a ghost, and `edge` pixels around it; empty if there is none.
-Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
-                                 const Plane<std::uint8_t>& reference) {
-    cv::Mat labels, boxes, centres;
-    const int count = cv::connectedComponentsWithStats(cv_view(steady), labels, boxes, centres);
-    if (count <= 1) return {};
-    cv::Mat inner;
-    cv::erode(cv_view(steady), inner, cv::Mat::ones(3, 3, CV_8U));
-    const cv::Mat here = steepness(frame);
-    const cv::Mat there = steepness(reference);
-    struct Outline {
-        double here = 0, there = 0, pixels = 0;
-    };
-    std::vector<Outline> outlines(static_cast<std::size_t>(count));
-    for (int j = 0; j < labels.rows; ++j) {
-        for (int i = 0; i < labels.cols; ++i) {
-            const int label = labels.at<int>(j, i);
-            if (label == 0 || inner.at<std::uint8_t>(j, i) != 0) continue;
-            Outline& outline = outlines[static_cast<std::size_t>(label)];
-            outline.here += here.at<std::uint8_t>(j, i);
-            outline.there += there.at<std::uint8_t>(j, i);
-            outline.pixels += 1;
-        }
-    }
-    Plane<std::uint8_t> ghosts(steady.size());
-    bool any = false;
-    for (int j = 0; j < labels.rows; ++j) {
-        for (int i = 0; i < labels.cols; ++i) {
-            const Outline& outline = outlines[static_cast<std::size_t>(labels.at<int>(j, i))];
-            if (outline.there < least_step * outline.pixels || outline.there < clearer * outline.here) continue;
-            if (labels.at<int>(j, i) == 0) continue;
-            ghosts.at(i, j) = 255;
-            any = true;
-        }
-    }
-    if (!any) return {};
-    cv::Mat out = cv_view(ghosts);
-    cv::dilate(out, out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8U));
-    return ghosts;
-}
-
 Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
     std::vector<video::Frame> frames = in_one_light(row.look(clip), *options.illumination);
     Reference reference;
@@ -200,6 +293,12 @@ Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldO
 }
 
 }  // namespace
+
+bool needs_reference(const FieldOptions& options) {
+    const FilterTraits& traits = options.filter->traits;
+    const bool second = options.second != nullptr && options.second->traits.object;
+    return second || traits.object || (has_flow(options.flow) && !traits.shows_object);
+}
 
 std::span<const ReferenceRow> reference_kinds() {
     return rows;
@@ -225,56 +324,6 @@ Reference make_reference(video::FrameSource& clip, const FieldOptions& options) 
     const auto picture = video::open_source(picture_file, like_clip);
     video::Frame frame = video::Scaler(*picture)(*picture->next());
     return Planes{std::move(frame.grey), std::move(frame.colour)};
-}
-
-RunningReference::RunningReference(const Planes& start)
-    : now_(start),
-      last_level_(start.grey.size()),
-      steady_for_(start.grey.size()),
-      grey_(start.grey.pixels().begin(), start.grey.pixels().end()) {
-    for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
-}
-
-void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light) {
-    absorb_ghosts(frame, object);
-    Plane<std::uint8_t> near_object(object.size());
-    cv::Mat out = cv_view(near_object);
-    cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
-    follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, now_.grey.pixels().data());
-    if (colour_.empty() || frame.colour.empty()) return;
-    follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
-}
-
-void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object) {
-    for (std::size_t i = 0; i < object.pixels().size(); ++i) {
-        std::uint16_t& steady = steady_for_.pixels()[i];
-        std::uint8_t& last = last_level_.pixels()[i];
-        const std::uint8_t level = frame.grey.pixels()[i];
-        const bool is_same = steady > 0 && std::abs(level - last) <= steady_tolerance;
-        if (!is_same) last = level;
-        const int count = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + 1, 2 * ghost_frames) : 1;
-        steady = static_cast<std::uint16_t>(count);
-    }
-    if (++frames_ % frames_between_looks != 0) return;
-    Plane<std::uint8_t> steady(object.size());
-    std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),
-                           [](int frames) { return static_cast<std::uint8_t>(frames >= ghost_frames ? 255 : 0); });
-    const Plane<std::uint8_t> ghosts = ghosts_among(steady, frame.grey, now_.grey);
-    if (ghosts.empty()) return;
-    for (std::size_t i = 0; i < grey_.size(); ++i) {
-        if (ghosts.pixels()[i] == 0) continue;
-        grey_[i] = frame.grey.pixels()[i];
-        now_.grey.pixels()[i] = frame.grey.pixels()[i];
-        steady_for_.pixels()[i] = 0;
-        if (colour_.empty() || frame.colour.empty()) continue;
-        now_.colour.pixels()[i] = frame.colour.pixels()[i];
-        for (std::size_t c = 0; c < 3; ++c) colour_[3 * i + c] = frame.colour.pixels()[i][c];
-    }
-}
-
-Planes median_reference(std::span<const video::Frame> frames) {
-    if (frames.empty()) return {};
-    return {median(frames, &video::Frame::grey), median(frames, &video::Frame::colour)};
 }
 
 }  // namespace vvr::fields

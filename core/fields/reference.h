@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/fields/illumination.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
@@ -23,6 +22,16 @@ struct Reference : Planes {
     Plane<std::uint8_t> noise{};  ///< result of `noise_of`; empty if there were too few frames
     bool shakes = false;          ///< the camera shakes, and stabilization is on
 };
+
+/// What is known of a scene before the first frame.
+struct EmptyScene {
+    Reference reference;         ///< may be empty unless `needs_reference`
+    Plane<std::uint8_t> region;  ///< 0 = ignored; empty = nothing is ignored
+    std::int64_t frames = 0;     ///< frames of the clip; 0 = unknown
+};
+
+/// Whether these options need the empty scene: for the filter, or for the seeds' area.
+bool needs_reference(const FieldOptions& options);
 
 /// One row of the table of references: the source of the empty scene.
 struct ReferenceRow {
@@ -52,31 +61,12 @@ Planes median_reference(std::span<const video::Frame> frames);
 /// stays an object even if it lies there for most of the clip, where the median of all frames would show it.
 Planes lasting_reference(std::span<const video::Frame> frames);
 
-/// A reference that follows slow changes of the scene in a stream of any length. It doesn't adapt where there is an
-/// object, so a bag left behind never disappears into it. A person who stood there during learning leaves a ghost when
-/// walking away: an object that hasn't changed for `ghost_frames`, with an edge in the reference and none in the frame,
-/// is a ghost and becomes part of the scene.
-class RunningReference {
-  public:
-    static constexpr int ghost_frames = 125;  ///< five seconds at 25 frames per second
-
-    explicit RunningReference(const Planes& start);
-
-    const Planes& now() const { return now_; }
-
-    /// Adapts to a frame.
-    /// \param light the change of light since the previous frame; it also applies behind objects
-    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light);
-
-  private:
-    void absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object);
-
-    Planes now_;
-    int frames_ = 0;
-    Plane<std::uint8_t> last_level_;   ///< grey level of each object pixel when it last changed
-    Plane<std::uint16_t> steady_for_;  ///< number of frames since then; 0 where there is no object
-    std::vector<float> grey_;
-    std::vector<float> colour_;
-};
+/// The usual deviation of each pixel from the empty scene, grey levels: camera noise, and more where leaves sway or
+/// edges tremble. It is roughly the median deviation, taken from the third of the frames that deviate least, so that an
+/// object that is present most of the time doesn't count; from fewer frames where an object stays even longer.
+/// \param frames under the same light and, if the camera shakes, aligned
+/// \param scene the empty scene, smoothed by `smooth` as the frames will be
+/// \returns empty if there are too few frames
+Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth);
 
 }  // namespace vvr::fields

@@ -94,4 +94,124 @@ std::vector<std::string> time_texts(const events::Event& event, const WallClock&
     return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
 }
 
+glm::dvec3 Trails::point(const events::Event& event, double seconds) const {
+    const glm::dvec2 place = position_at(event, seconds);
+    glm::dvec3 c = volume_.c_of({place.x, place.y, 0});
+    c.z = volume_.t_of_seconds(seconds);
+    return layout_.p_from_c(c);
+}
+
+namespace {
+
+/// Whether the object was occluded at a time: its path has a gap there.
+bool was_occluded(const events::Event& event, double seconds) {
+    constexpr double max_step = 1.5;  // seconds; path points are normally 0.5 s or 1/128 of the path apart
+    const auto after =
+        std::ranges::upper_bound(event.path, seconds, {}, [](const events::PathPoint& p) { return p.at.seconds; });
+    if (after == event.path.begin() || after == event.path.end()) return false;
+    const double life = event.last.seconds - event.first.seconds;
+    return after->at.seconds - (after - 1)->at.seconds > std::max(max_step, life / 32);
+}
+
+}  // namespace
+
+std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks::Volume& volume,
+                                           const space::Layout& layout, double length) {
+    if (volume.layers() == 0) return {};
+    const double begin = volume.layer(0).pts;
+    const double end = volume.layer(volume.layers() - 1).last_pts;
+    const double whole = end - begin;
+    constexpr double arrows_along_arc = 16;
+    constexpr std::size_t max_objects = 16;  // more objects would have too many arrows
+    const space::Camera camera;
+    const Trails trails(volume, layout, camera, {1, 1});
+    std::vector<scene::Glyph> arrows;
+    const std::vector<std::size_t> order = by_importance(objects.events);
+    for (std::size_t i = 0; i < std::min(order.size(), max_objects); ++i) {
+        const events::Event& event = objects.events[order[i]];
+        const double first = std::max(begin, event.first.seconds);
+        const double last = std::min(end, event.last.seconds);
+        const double life = last - first;
+        if (!(life > 0)) continue;
+        const double room =
+            volume.is_nonuniform() ? volume.t_of_seconds(last) - volume.t_of_seconds(first) : life / whole;
+        // Seconds between an object's arrows. Each arrow shows the motion from `reach` before to `reach` after its
+        // time.
+        const double each = std::max(life / std::max(room * arrows_along_arc, 1e-9), 0.5);
+        const double reach = each / 5;
+        const int count = std::max(1, static_cast<int>(life / each));
+        for (int k = 0; k < count; ++k) {
+            const double at = first + life * (k + 0.5) / count;
+            const double from = std::max(first, at - reach);
+            const double to = std::min(last, at + reach);
+            const glm::dvec2 moved = position_at(event, to) - position_at(event, from);
+            // Smaller motions count as stationary.
+            if (was_occluded(event, at) || !(to > from) || glm::length(moved) < 0.01 * volume.size().width) continue;
+            const glm::dvec3 direction = trails.point(event, to) - trails.point(event, from);
+            if (!(glm::length(direction) > 0)) continue;
+            const glm::dvec3 vector = glm::normalize(direction) * length;
+            const double frames = (to - from) / std::max(whole, 1e-9) * static_cast<double>(volume.frames());
+            arrows.push_back({glm::vec3(trails.point(event, at) - vector * 0.5), glm::vec3(vector),
+                              static_cast<float>(glm::length(moved) / std::max(frames, 1.0)),
+                              static_cast<float>(volume.t_of_seconds(at) * static_cast<double>(volume.frames()))});
+        }
+    }
+    return arrows;
+}
+
+void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                   labels::Lettering& lettering) {
+    constexpr std::size_t max_numbers = 24;  // more numbered trails would be confusing
+    std::size_t written = 0;
+    const int size = std::max(9, sheet.small - 2);
+    for (const std::size_t k : by_importance(objects.events)) {
+        const events::Event& event = objects.events[k];
+        for (const double share : {0.0, 0.04, 0.08, 0.15}) {
+            const double at = std::lerp(event.first.seconds, event.last.seconds, share);
+            const labels::Badge badge = labels::make_badge(fmt::format("{}", objects.numbers[k]),
+                                                           trails.pixel(event, at), size, objects.colour_of(k));
+            if (!sheet.between.contains(badge.box) || !lettering.is_free(badge.box)) continue;
+            lettering.badges.push_back(badge);
+            lettering.regions.push_back({badge.box, objects.numbers[k]});
+            ++written;
+            break;
+        }
+        if (written == max_numbers) return;
+    }
+}
+
+void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                 const image::Rgba& background, labels::Lettering& lettering) {
+    constexpr std::size_t max_marked = 6;
+    constexpr double min_share = 0.05;  // of the longest event; shorter stays are dots on the trail
+    double longest = 0;
+    for (const events::Event& event : objects.events)
+        longest = std::max(longest, event.last.seconds - event.first.seconds);
+    const double width = sheet.small / 6.5;
+    const glm::dvec2 up(0, sheet.small * 0.9);
+    std::size_t marked = 0;
+    for (const std::size_t k : by_importance(objects.events)) {
+        const events::Event& event = objects.events[k];
+        const image::Rgba colour = objects.colour_of(k);
+        const std::vector<events::Stay> stays = stationary_times(event);
+        const auto stay =
+            std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
+        if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, min_share * longest))
+            continue;
+        if (marked++ == max_marked) return;
+        for (const Moment& at : {stay->first, stay->last}) {
+            const glm::dvec2 place = trails.pixel(event, at.seconds);
+            lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
+            lettering.strokes.push_back({place - up, place + up, width, colour});
+            for (const double down : {-1.7, 1.7}) {
+                labels::Label label =
+                    labels::make_centred_label(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
+                                               place.y + down * sheet.small, colour);
+                label.halo = background;
+                if (lettering.add(label, sheet.between, 1)) break;
+            }
+        }
+    }
+}
+
 }  // namespace vvr::glance

@@ -7,9 +7,15 @@
 
 #include <glm/glm.hpp>
 
+#include "core/bricks/volume.h"
 #include "core/events/event.h"
 #include "core/image/text.h"
+#include "core/labels/lettering.h"
+#include "core/labels/sheet.h"
 #include "core/labels/time_ticks.h"
+#include "core/scene/flow_geometry.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
 
 namespace vvr::glance {
 
@@ -42,5 +48,40 @@ std::vector<events::Stay> stationary_times(const events::Event& event);
 
 /// The event's time, as texts of decreasing length: "0:06–0:28", "0:06".
 std::vector<std::string> time_texts(const events::Event& event, const WallClock& clock);
+
+/// Positions of a volume's objects in P-space and in a camera's picture. The arguments must outlive it.
+class Trails {
+  public:
+    Trails(const bricks::Volume& volume, const space::Layout& layout, const space::Camera& camera, Size picture)
+        : volume_(volume), layout_(layout), camera_(camera), picture_(picture) {}
+
+    /// An object's position in P-space at a time of the clip in seconds.
+    glm::dvec3 point(const events::Event& event, double seconds) const;
+
+    /// As `point`, in pixels of the picture.
+    glm::dvec2 pixel(const events::Event& event, double seconds) const {
+        return camera_.pixel(point(event, seconds), picture_);
+    }
+
+  private:
+    const bricks::Volume& volume_;
+    const space::Layout& layout_;
+    const space::Camera& camera_;
+    Size picture_;
+};
+
+/// Arrows along the objects' paths that show their directions, at equal intervals of time; none where an object is
+/// stationary.
+/// \param length of an arrow, P-space units
+std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks::Volume& volume,
+                                           const space::Layout& layout, double length);
+
+/// Writes each object's number at the start of its trail, the most important objects first, where there is room.
+void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                   labels::Lettering& lettering);
+
+/// Marks the start and end of the longest stays: a tick across the trail, and the time if there is room.
+void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                 const image::Rgba& background, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

@@ -1,11 +1,13 @@
 #include "core/glance/portraits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "core/glance/portrait_row.h"
 #include "core/image/picture.h"
 
 namespace vvr::glance {
@@ -70,11 +72,174 @@ const Crop* Crops::find(const events::Event& event) const {
 
 namespace {
 
+constexpr double crossing_cost = 1e6;  // exceeds the sum of all lengths
+constexpr double obstacle_cost = 300;  // detour in pixels that avoiding an obstacle is worth
+
+/// Twice the signed area of the triangle a, b, c: its sign is the direction of the turn.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool intersects(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& box) {
+    const glm::dvec2 corners[] = {
+        {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (lines_cross(from, to, corners[i], corners[(i + 1) % 4])) return true;
+    }
+    return false;
+}
+
+/// The centres closest to `wished` that are in order and at least `step` apart, by isotonic regression (pool adjacent
+/// violators).
+std::vector<double> spread(std::span<const double> wished, double step, double low, double high) {
+    struct Pool {
+        double sum;
+        int count;
+        double mean() const { return sum / count; }
+    };
+    std::vector<Pool> pools;
+    for (std::size_t i = 0; i < wished.size(); ++i) {
+        pools.push_back({wished[i] - static_cast<double>(i) * step, 1});
+        while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+            pools[pools.size() - 2].sum += pools.back().sum;
+            pools[pools.size() - 2].count += pools.back().count;
+            pools.pop_back();
+        }
+    }
+    const double highest = std::max(low, high - step * static_cast<double>(wished.size() - 1));
+    std::vector<double> centres;
+    for (const Pool& pool : pools) {
+        for (int i = 0; i < pool.count; ++i) {
+            centres.push_back(std::clamp(pool.mean(), low, highest) + static_cast<double>(centres.size()) * step);
+        }
+    }
+    return centres;
+}
+
+/// A row of a fixed set of portraits.
+class Row {
+  public:
+    Row(std::span<const WantedPortrait> wanted, std::vector<std::size_t> order, const PixelBox& row, int gap,
+        std::span<const PixelBox> obstacles)
+        : wanted_(wanted), order_(std::move(order)), row_(row), step_(row.height() + gap), obstacles_(obstacles) {
+        std::ranges::sort(order_, {}, [&](std::size_t k) { return std::pair(wanted[k].seconds, k); });
+    }
+
+    std::vector<PlacedPortrait> place() const {
+        std::vector<double> wished;
+        for (const std::size_t k : order_) {
+            const auto& anchors = wanted_[k].anchors;
+            wished.push_back(std::ranges::min_element(anchors, {}, &Anchor::cost)->pixel.x);
+        }
+        std::vector<PlacedPortrait> placed;
+        // Stills and anchors depend on each other, so iterate.
+        for (int round = 0; round < 3; ++round) {
+            placed = choose_anchors(stills_at(wished));
+            for (std::size_t i = 0; i < placed.size(); ++i) wished[i] = placed[i].to.x;
+        }
+        return placed;
+    }
+
+  private:
+    std::vector<PlacedPortrait> stills_at(std::span<const double> wished) const {
+        const double half = row_.height() / 2.0;
+        const std::vector<double> centres = spread(wished, step_, row_.left + half, row_.right - half);
+        std::vector<PlacedPortrait> stills;
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            const int left = static_cast<int>(std::floor(centres[i] - half));
+            const PixelBox still{left, row_.top, left + row_.height(), row_.bottom};
+            stills.push_back({order_[i], still, {centres[i], row_.bottom}, {}});
+        }
+        return stills;
+    }
+
+    double cost_of(const PlacedPortrait& portrait, const Anchor& anchor) const {
+        const auto intersected = std::ranges::count_if(
+            obstacles_, [&](const PixelBox& box) { return intersects(portrait.from, anchor.pixel, box); });
+        return glm::distance(portrait.from, anchor.pixel) + anchor.cost +
+               obstacle_cost * static_cast<double>(intersected);
+    }
+
+    /// Chooses the anchors with the shortest lines that don't cross a neighbour's, by dynamic programming along the
+    /// row.
+    std::vector<PlacedPortrait> choose_anchors(std::vector<PlacedPortrait> row) const {
+        std::vector<std::vector<double>> costs(row.size());
+        std::vector<std::vector<std::size_t>> before(row.size());
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            for (const Anchor& anchor : wanted_[row[i].wanted].anchors) {
+                double least = i == 0 ? 0 : std::numeric_limits<double>::infinity();
+                std::size_t from = 0;
+                for (std::size_t k = 0; i > 0 && k < costs[i - 1].size(); ++k) {
+                    const glm::dvec2& other = wanted_[row[i - 1].wanted].anchors[k].pixel;
+                    const bool cross = lines_cross(row[i - 1].from, other, row[i].from, anchor.pixel);
+                    const double cost = costs[i - 1][k] + (cross ? crossing_cost : 0);
+                    if (cost < least) {
+                        least = cost;
+                        from = k;
+                    }
+                }
+                costs[i].push_back(least + cost_of(row[i], anchor));
+                before[i].push_back(from);
+            }
+        }
+        std::size_t chosen = 0;
+        for (std::size_t i = row.size(); i-- > 0;) {
+            if (i + 1 == row.size())
+                chosen = static_cast<std::size_t>(std::ranges::min_element(costs[i]) - costs[i].begin());
+            row[i].to = wanted_[row[i].wanted].anchors[chosen].pixel;
+            chosen = before[i][chosen];
+        }
+        return row;
+    }
+
+    std::span<const WantedPortrait> wanted_;
+    std::vector<std::size_t> order_;
+    PixelBox row_;
+    double step_;
+    std::span<const PixelBox> obstacles_;
+};
+
+/// The least wanted portrait whose line crosses another.
+std::optional<std::size_t> least_wanted_crossing(std::span<const PlacedPortrait> row) {
+    std::optional<std::size_t> least;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        for (std::size_t k = i + 1; k < row.size(); ++k) {
+            if (!lines_cross(row[i].from, row[i].to, row[k].from, row[k].to)) continue;
+            least = std::max(least.value_or(0), std::max(row[i].wanted, row[k].wanted));
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+    return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
+}
+
+std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> wanted, const PixelBox& row, int gap,
+                                            std::span<const PixelBox> obstacles) {
+    const int step = row.height() + gap;
+    if (row.height() <= 0) return {};
+    const auto most = static_cast<std::size_t>(std::max(0, (row.width() + gap) / step));
+    std::vector<std::size_t> order;
+    std::size_t next = 0;
+    while (true) {
+        for (; order.size() < most && next < wanted.size(); ++next) {
+            if (!wanted[next].anchors.empty()) order.push_back(next);
+        }
+        if (order.empty()) return {};
+        std::vector<PlacedPortrait> placed = Row(wanted, order, row, gap, obstacles).place();
+        const std::optional<std::size_t> crossing = least_wanted_crossing(placed);
+        if (!crossing) return placed;
+        std::erase(order, *crossing);
+    }
+}
+
+namespace {
+
 // Maximum number of events to try: if lines would cross, less important events take their turn.
 constexpr std::size_t max_candidates = 40;
-// Maximum number of numbered trails: more would be confusing.
-constexpr std::size_t max_numbers = 24;
-
 /// Anchors along the trail; those near the portrait's own time cost least.
 std::vector<Anchor> anchors_of(const events::Event& event, double moment, const Trails& trails) {
     constexpr int steps = 24;
@@ -182,60 +347,6 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& cr
         shown.push_back(candidate.event);
     }
     return shown;
-}
-
-void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                   labels::Lettering& lettering) {
-    std::size_t written = 0;
-    const int size = std::max(9, sheet.small - 2);
-    for (const std::size_t k : by_importance(objects.events)) {
-        const events::Event& event = objects.events[k];
-        for (const double share : {0.0, 0.04, 0.08, 0.15}) {
-            const double at = std::lerp(event.first.seconds, event.last.seconds, share);
-            const labels::Badge badge = labels::make_badge(fmt::format("{}", objects.numbers[k]),
-                                                           trails.pixel(event, at), size, objects.colour_of(k));
-            if (!sheet.between.contains(badge.box) || !lettering.is_free(badge.box)) continue;
-            lettering.badges.push_back(badge);
-            lettering.regions.push_back({badge.box, objects.numbers[k]});
-            ++written;
-            break;
-        }
-        if (written == max_numbers) return;
-    }
-}
-
-void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                 const image::Rgba& background, labels::Lettering& lettering) {
-    constexpr std::size_t max_marked = 6;
-    constexpr double min_share = 0.05;  // of the longest event; shorter stays are dots on the trail
-    double longest = 0;
-    for (const events::Event& event : objects.events)
-        longest = std::max(longest, event.last.seconds - event.first.seconds);
-    const double width = sheet.small / 6.5;
-    const glm::dvec2 up(0, sheet.small * 0.9);
-    std::size_t marked = 0;
-    for (const std::size_t k : by_importance(objects.events)) {
-        const events::Event& event = objects.events[k];
-        const image::Rgba colour = objects.colour_of(k);
-        const std::vector<events::Stay> stays = stationary_times(event);
-        const auto stay =
-            std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
-        if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, min_share * longest))
-            continue;
-        if (marked++ == max_marked) return;
-        for (const Moment& at : {stay->first, stay->last}) {
-            const glm::dvec2 place = trails.pixel(event, at.seconds);
-            lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
-            lettering.strokes.push_back({place - up, place + up, width, colour});
-            for (const double down : {-1.7, 1.7}) {
-                labels::Label label =
-                    labels::make_centred_label(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
-                                               place.y + down * sheet.small, colour);
-                label.halo = background;
-                if (lettering.add(label, sheet.between, 1)) break;
-            }
-        }
-    }
 }
 
 }  // namespace vvr::glance

@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "core/base/plane.h"
 #include "core/events/event.h"
 #include "core/glance/objects.h"
-#include "core/glance/trails.h"
 #include "core/labels/lettering.h"
 #include "core/labels/sheet.h"
 #include "core/video/frame.h"
@@ -47,19 +48,43 @@ std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, cons
 /// The square part of a frame that a still of an object shows: the object with some of its surroundings.
 PixelBox still_box(const PixelBox& object, Size frame);
 
+/// A point on an object's trail to which its portrait's leader line may go.
+struct Anchor {
+    glm::dvec2 pixel{};
+    double cost = 0;  ///< penalty in pixels, added to the line's length
+};
+
+/// A portrait to place.
+struct WantedPortrait {
+    double seconds = 0;  ///< time of the clip that orders the portraits
+    std::vector<Anchor> anchors;
+};
+
+/// A portrait placed in the row, with its leader line.
+struct PlacedPortrait {
+    std::size_t wanted = 0;  ///< index in the list of wanted portraits
+    PixelBox still;
+    glm::dvec2 from{};  ///< start of the line, at the still's lower edge
+    glm::dvec2 to{};
+};
+
+/// Places portraits in a row above the trails, in time order and as near to their trails as possible. Leader lines
+/// never cross: of two that would, the less wanted portrait is dropped for the next one.
+/// \param wanted most wanted first; anchors lie below the row
+/// \param row area of the stills; its height is their size
+/// \param gap minimum distance of stills, in pixels
+/// \param obstacles boxes that lines avoid if they can
+std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> wanted, const PixelBox& row, int gap,
+                                            std::span<const PixelBox> obstacles);
+
+/// Whether the segments a-b and c-d intersect.
+bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
+
 /// Places stills of the most important objects in the sheet's portrait band, with number, activity and time above each,
 /// and a leader line to the object's trail.
 /// \returns the indices of the events shown, from left to right
 std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
                                          const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
                                          labels::Lettering& lettering);
-
-/// Writes each object's number at the start of its trail, the most important objects first, where there is room.
-void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                   labels::Lettering& lettering);
-
-/// Marks the start and end of the longest stays: a tick across the trail, and the time if there is room.
-void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                 const image::Rgba& background, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

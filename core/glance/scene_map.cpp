@@ -159,4 +159,41 @@ void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const
     Map(objects, field, box, text, lettering).draw();
 }
 
+PixelBox map_box(const space::Layout& layout, const space::Camera& camera, Size picture, const PixelBox& area,
+                 double aspect) {
+    constexpr int samples = 128;
+    const double middle = (area.left + area.right) / 2.0;
+    // A point of the volume's surface in the picture.
+    struct SurfacePoint {
+        double from_middle;  ///< horizontal distance from the middle of `area`, pixels
+        double row;
+    };
+    std::vector<SurfacePoint> surface;
+    double lowest_of_arc = 0;
+    for (int i = 0; i <= samples; ++i) {
+        const double t = static_cast<double>(i) / samples;
+        for (const double x : {0.0, 0.5, 1.0}) {
+            for (const double y : {0.0, 1.0}) {
+                const glm::dvec2 at = camera.pixel(layout.p_from_c({x, y, t}), picture);
+                surface.push_back({std::abs(at.x - middle), at.y});
+                if (i == samples / 2) lowest_of_arc = std::max(lowest_of_arc, at.y);
+            }
+        }
+    }
+    if (area.empty()) return {};
+    const double gap = picture.height * 0.012;
+    PixelBox best;
+    for (int half = 20; half < area.width() / 2; half += 2) {
+        double top = lowest_of_arc;
+        for (const SurfacePoint& at : surface) {
+            if (at.from_middle < half + gap) top = std::max(top, at.row);
+        }
+        const int height = static_cast<int>(2 * half / aspect);
+        const int first = static_cast<int>(std::ceil(top + gap));
+        if (first + height + gap > area.bottom) break;
+        best = {static_cast<int>(middle) - half, first, static_cast<int>(middle) + half, first + height};
+    }
+    return best;
+}
+
 }  // namespace vvr::glance

@@ -3,6 +3,8 @@
 #include "core/base/plane.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
 
 namespace vvr::glance {
 
@@ -15,5 +17,12 @@ namespace vvr::glance {
 /// \param background the scene is blended towards it
 void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
               const image::Rgba& background, labels::Lettering& lettering);
+
+/// The largest box for the map: in the open middle of a horseshoe, with the frame's shape, and clear of the volume.
+/// Empty if there is none, as with the layout `box`.
+/// \param area of the picture that may be used
+/// \param aspect a frame's width divided by its height
+PixelBox map_box(const space::Layout& layout, const space::Camera& camera, Size picture, const PixelBox& area,
+                 double aspect);
 
 }  // namespace vvr::glance

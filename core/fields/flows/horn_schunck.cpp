@@ -1,10 +1,84 @@
 #include <array>
+#include <vector>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include "core/base/setting.h"
 #include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/kernels/weighted_sum.h"
 
 namespace vvr::fields {
 namespace {
+
+Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<const float> taps) {
+    auto result = Plane<float>::for_overwrite(frames.front()->size());
+    std::vector<const float*> inputs;
+    for (const Plane<float>* frame : frames) inputs.push_back(frame->pixels().data());
+    kernels::weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
+    return result;
+}
+
+/// A thread's buffers, which it reuses for each frame.
+struct LinearWorkspace {
+    PlaneStack derivatives;
+    LinearSystem system;
+};
+
+/// The paper's solver: Jacobi iterations from zero. The equations are linearized about zero flow, so they are valid up
+/// to about two pixels per frame.
+class Jacobi final : public FlowMethod {
+  public:
+    explicit Jacobi(const SolverSettings& settings)
+        : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
+          iterations_(settings.iterations),
+          cube_(settings.cube),
+          taps_(gaussian_taps(settings.pre_smooth)) {}
+
+    int reach() const override {
+        const auto smoothing = static_cast<int>(taps_.size() / 2);
+        return cube_ ? smoothing + 1 : smoothing + 2;
+    }
+
+    // An iteration uses the neighbours of each point.
+    int margin() const override { return iterations_; }
+
+    FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {smoothed(grey, taps_)}}; }
+
+    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+        std::vector<const Plane<float>*> planes;
+        for (const FlowFrame* frame : frames) planes.push_back(&frame->levels.front());
+        LinearWorkspace& work = workspaces_.local();
+        if (cube_) {
+            cube(planes, part, work.derivatives);
+        } else {
+            barron_derivatives(planes, taps_, part, work.derivatives);
+        }
+        work.system.reset(work.derivatives.size(), alpha2_);
+        work.system.load(work.derivatives);
+        work.system.clear();
+        work.system.relax(iterations_);
+        return work.system.flow();
+    }
+
+  private:
+    // From this frame to the next; at the clip's end, from the previous frame to this one.
+    void cube(std::span<const Plane<float>* const> planes, const Rect& part, PlaneStack& result) const {
+        const std::size_t middle = planes.size() / 2;
+        const std::size_t first = planes[middle + 1] == planes[middle] ? middle - 1 : middle;
+        if (taps_.size() == 1) return cube_derivatives(*planes[first], *planes[first + 1], part, result);
+        const std::size_t before = first - taps_.size() / 2;
+        cube_derivatives(along_time(planes.subspan(before, taps_.size()), taps_),
+                         along_time(planes.subspan(before + 1, taps_.size()), taps_), part, result);
+    }
+
+    float alpha2_;
+    int iterations_;
+    bool cube_;
+    std::vector<float> taps_;
+    mutable oneapi::tbb::enumerable_thread_specific<LinearWorkspace> workspaces_;
+};
 
 constexpr std::array solvers{
     SolverRow{"pyramid",
@@ -14,7 +88,9 @@ constexpr std::array solvers{
     SolverRow{"jacobi",
               "the paper's: a number of steps from zero",
               {.alpha = 10, .iterations = 60, .pre_smooth = 1.5},
-              make_jacobi},
+              [](const SolverSettings& settings) -> std::unique_ptr<FlowMethod> {
+                  return std::make_unique<Jacobi>(settings);
+              }},
 };
 
 constexpr std::array derivatives{

@@ -243,7 +243,7 @@ TEST(Filters, BackgroundModelsLearnTheScene) {
 /// What a background model says of frames of noise, each given to it by `run`.
 template <class Run>
 std::vector<Plane<std::uint8_t>> seen_by(const fields::FilterRow& row, const Run& run) {
-    const std::unique_ptr<fields::Filter> filter = row.make(exact(std::string(row.name)));
+    const fields::Filter filter = row.make(exact(std::string(row.name)));
     std::mt19937 random(7);
     std::vector<Plane<std::uint8_t>> masks;
     for (int i = 0; i < 30; ++i) {
@@ -251,7 +251,7 @@ std::vector<Plane<std::uint8_t>> seen_by(const fields::FilterRow& row, const Run
         for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(60 + random() % 80);
         const fields::Planes smooth{frame.grey, {}};
         const Plane<std::uint8_t> none(size, 0);
-        run([&] { masks.push_back((*filter)({frame, smooth, nullptr, none, nullptr, none, {}})); });
+        run([&] { masks.push_back(filter({frame, smooth, nullptr, none, nullptr, none, {}})); });
     }
     return masks;
 }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/blobs.h"
-#include "core/fields/noise.h"
 #include "core/fields/object.h"
+#include "core/fields/reference.h"
 #include "core/fields/shadows.h"
 #include "tests/unit/fields/pictures.h"
 

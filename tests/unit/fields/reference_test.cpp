@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fields/running_reference.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

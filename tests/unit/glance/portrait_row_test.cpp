@@ -1,9 +1,9 @@
-#include "core/glance/portrait_row.h"
-
 #include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "core/glance/portraits.h"
 
 namespace vvr {
 namespace {

@@ -1,6 +1,7 @@
-#include "core/glance/trails.h"
-
 #include <gtest/gtest.h>
+
+#include "core/glance/objects.h"
+#include "core/glance/scene_map.h"
 
 namespace vvr {
 namespace {

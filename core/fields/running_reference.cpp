@@ -1,0 +1,140 @@
+#include "core/fields/running_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <span>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/cv_view.h"
+
+namespace vvr::fields {
+namespace {
+
+// Learning rate of the reference per frame: it adapts in about four seconds at 25 frames per second.
+constexpr float pace = 1.F / 32;
+
+// Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
+constexpr int edge = 3;
+
+template <class T>
+void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
+            std::size_t channels, const IlluminationChange& light, std::uint8_t* out) {
+    const auto gain = static_cast<float>(light.gain);
+    const auto offset = static_cast<float>(light.offset);
+    const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        exact[i] = std::clamp(gain * exact[i] + offset, 0.F, 255.F);
+        if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
+        out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
+    }
+}
+
+// Grey levels by which a stationary pixel may vary.
+constexpr int steady_tolerance = 12;
+
+constexpr int frames_between_looks = 25;
+
+// A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
+// levels.
+constexpr double clearer = 2;
+constexpr double least_step = 8;
+
+/// The largest gradient at and next to each pixel.
+cv::Mat steepness(const Plane<std::uint8_t>& grey) {
+    cv::Mat steep;
+    cv::morphologyEx(cv_view(grey), steep, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8U));
+    return steep;
+}
+
+/// 255 where a blob of `steady` is a ghost, and `edge` pixels around it; empty if there is none.
+Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
+                                 const Plane<std::uint8_t>& reference) {
+    cv::Mat labels, boxes, centres;
+    const int count = cv::connectedComponentsWithStats(cv_view(steady), labels, boxes, centres);
+    if (count <= 1) return {};
+    cv::Mat inner;
+    cv::erode(cv_view(steady), inner, cv::Mat::ones(3, 3, CV_8U));
+    const cv::Mat here = steepness(frame);
+    const cv::Mat there = steepness(reference);
+    struct Outline {
+        double here = 0, there = 0, pixels = 0;
+    };
+    std::vector<Outline> outlines(static_cast<std::size_t>(count));
+    for (int j = 0; j < labels.rows; ++j) {
+        for (int i = 0; i < labels.cols; ++i) {
+            const int label = labels.at<int>(j, i);
+            if (label == 0 || inner.at<std::uint8_t>(j, i) != 0) continue;
+            Outline& outline = outlines[static_cast<std::size_t>(label)];
+            outline.here += here.at<std::uint8_t>(j, i);
+            outline.there += there.at<std::uint8_t>(j, i);
+            outline.pixels += 1;
+        }
+    }
+    Plane<std::uint8_t> ghosts(steady.size());
+    bool any = false;
+    for (int j = 0; j < labels.rows; ++j) {
+        for (int i = 0; i < labels.cols; ++i) {
+            const Outline& outline = outlines[static_cast<std::size_t>(labels.at<int>(j, i))];
+            if (outline.there < least_step * outline.pixels || outline.there < clearer * outline.here) continue;
+            if (labels.at<int>(j, i) == 0) continue;
+            ghosts.at(i, j) = 255;
+            any = true;
+        }
+    }
+    if (!any) return {};
+    cv::Mat out = cv_view(ghosts);
+    cv::dilate(out, out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8U));
+    return ghosts;
+}
+
+}  // namespace
+
+RunningReference::RunningReference(const Planes& start)
+    : now_(start),
+      last_level_(start.grey.size()),
+      steady_for_(start.grey.size()),
+      grey_(start.grey.pixels().begin(), start.grey.pixels().end()) {
+    for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
+}
+
+void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light) {
+    absorb_ghosts(frame, object);
+    Plane<std::uint8_t> near_object(object.size());
+    cv::Mat out = cv_view(near_object);
+    cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
+    follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, now_.grey.pixels().data());
+    if (colour_.empty() || frame.colour.empty()) return;
+    follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
+}
+
+void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object) {
+    for (std::size_t i = 0; i < object.pixels().size(); ++i) {
+        std::uint16_t& steady = steady_for_.pixels()[i];
+        std::uint8_t& last = last_level_.pixels()[i];
+        const std::uint8_t level = frame.grey.pixels()[i];
+        const bool is_same = steady > 0 && std::abs(level - last) <= steady_tolerance;
+        if (!is_same) last = level;
+        const int count = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + 1, 2 * ghost_frames) : 1;
+        steady = static_cast<std::uint16_t>(count);
+    }
+    if (++frames_ % frames_between_looks != 0) return;
+    Plane<std::uint8_t> steady(object.size());
+    std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),
+                           [](int frames) { return static_cast<std::uint8_t>(frames >= ghost_frames ? 255 : 0); });
+    const Plane<std::uint8_t> ghosts = ghosts_among(steady, frame.grey, now_.grey);
+    if (ghosts.empty()) return;
+    for (std::size_t i = 0; i < grey_.size(); ++i) {
+        if (ghosts.pixels()[i] == 0) continue;
+        grey_[i] = frame.grey.pixels()[i];
+        now_.grey.pixels()[i] = frame.grey.pixels()[i];
+        steady_for_.pixels()[i] = 0;
+        if (colour_.empty() || frame.colour.empty()) continue;
+        now_.colour.pixels()[i] = frame.colour.pixels()[i];
+        for (std::size_t c = 0; c < 3; ++c) colour_[3 * i + c] = frame.colour.pixels()[i][c];
+    }
+}
+
+}  // namespace vvr::fields
