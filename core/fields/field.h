@@ -45,11 +45,12 @@ constexpr bool interpolates(Values values) {
     return values == Values::strength;
 }
 
-/// Joins a pixel's values of two frames in one layer. Strengths: the stronger. Bands: the change from before the first
-/// frame to the last; a pixel that was covered only in between counts as newly covered, so that nothing is lost.
+/// Merges a pixel's values of two frames that share a layer. Strengths: the larger. Signs: the one farther from the
+/// middle. Bands: the change from before the first frame to the last; a pixel that was covered only in between counts
+/// as newly covered, so that nothing is lost.
 constexpr std::uint8_t joined(Values values, std::uint8_t before, std::uint8_t after) {
-    const bool one_is_nothing = before == 0 || after == 0;
-    if (values == Values::strength || (values == Values::sign && one_is_nothing)) return std::max(before, after);
+    const bool one_is_zero = before == 0 || after == 0;
+    if (values == Values::strength || (values == Values::sign && one_is_zero)) return std::max(before, after);
     if (values == Values::sign) return std::abs(after - sign_middle) > std::abs(before - sign_middle) ? after : before;
     const auto first = static_cast<Band>(before);
     const auto last = static_cast<Band>(after);
@@ -59,8 +60,8 @@ constexpr std::uint8_t joined(Values values, std::uint8_t before, std::uint8_t a
     return static_cast<std::uint8_t>(came_and_went ? Band::newly_covered : band_of(then, now));
 }
 
-/// The bricks in which a seed makes geometry (§6): one digit, 0 or 1, per brick from the clip's first one, repeated
-/// after the last digit. Default: all bricks.
+/// The bricks in which a seed makes geometry (§6): one digit, 0 or 1, per brick. The first digit is for the clip's
+/// first brick, and the digits repeat. Default: all bricks.
 class SeedFlags {
   public:
     static constexpr int most = 32;  ///< digits

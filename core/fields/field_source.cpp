@@ -29,7 +29,7 @@
 
 namespace vvr::fields {
 
-/// Reads the frames of a span, with `context` frames on each side. Must outlive the jobs that it returns.
+/// Reads the frames of a span with `context` frames on each side. Must outlive the jobs that it returns.
 class ClipReader {
   public:
     /// \param source at its first frame
@@ -120,15 +120,17 @@ FrameJob ClipReader::operator()() {
 namespace {
 
 void validate(const video::FrameSpan& span) {
-    // In this form, the test refuses NaN.
+    // Written this way, the condition also refuses NaN.
     if (!(span.start >= 0) || span.first < 0) {
-        throw Error(
-            ErrorCode::option_value_out_of_range,
-            fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
-            {setting::start.name});
+        throw Error(ErrorCode::option_value_out_of_range,
+                    fmt::format("start: {} is negative; the clip begins at 0",
+                                span.first < 0 ? static_cast<double>(span.first) : span.start),
+                    {setting::start.name});
     }
     if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
-        throw Error(ErrorCode::span_empty, "end has to come after the start", {setting::end.name});
+        throw Error(ErrorCode::span_empty,
+                    fmt::format("end: the clip {} is empty; give an end after the start", video::text_of(span)),
+                    {setting::end.name});
     }
 }
 
@@ -242,15 +244,15 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
         filter_mode::serial_in_order,
         [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
-    const auto result_of = [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
-        if (about.empty()) return nullptr;  // something has failed
-        const PipelineFrame* const here = about[static_cast<std::size_t>(work.reach())].get();
+    const auto result_of = [&](const Neighbourhood& neighbours) -> std::shared_ptr<Result> {
+        if (neighbours.empty()) return nullptr;  // something has failed
+        const PipelineFrame* const here = neighbours[static_cast<std::size_t>(work.reach())].get();
         if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
-        return std::make_shared<Result>(Result{here->frame, work.finish(about)});
+        return std::make_shared<Result>(Result{here->frame, work.finish(neighbours)});
     };
     const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
         filter_mode::parallel,
-        [&](const Neighbourhood& about) { return first.guard([&] { return result_of(about); }); });
+        [&](const Neighbourhood& neighbours) { return first.guard([&] { return result_of(neighbours); }); });
     const auto hand_over = [&](const std::shared_ptr<Result>& result) {
         if (!result) return;
         ++frames;

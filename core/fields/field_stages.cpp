@@ -27,28 +27,28 @@ bool continuous(const PipelineFrame& a, const PipelineFrame& b) {
 }
 
 /// The neighbourhood without frames beyond a gap or a jump of the light: flow methods assume constant brightness.
-Neighbourhood continuous_part(Neighbourhood about, int reach) {
+Neighbourhood continuous_part(Neighbourhood neighbours, int reach) {
     for (const int step : {-1, 1}) {
-        const PipelineFrame* inner = about[static_cast<std::size_t>(reach)].get();
+        const PipelineFrame* inner = neighbours[static_cast<std::size_t>(reach)].get();
         for (int k = 1; k <= reach; ++k) {
-            std::shared_ptr<PipelineFrame>& shot = about[static_cast<std::size_t>(reach + step * k)];
+            std::shared_ptr<PipelineFrame>& shot = neighbours[static_cast<std::size_t>(reach + step * k)];
             if (shot == nullptr || inner == nullptr || !continuous(*shot, *inner)) shot = nullptr;
             inner = shot.get();
         }
     }
-    return about;
+    return neighbours;
 }
 
 }  // namespace
 
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     : options_(options),
-      first_(running(*options.filter, options, options.threshold)),
+      first_(activate(*options.filter, options, options.threshold)),
       row_(*first_.row),
       region_(scene.region),
       flow_(make_flow(options.flow)),
       whole_frame_flow_(is_whole_frame(options.flow, scene.frames) || !options.seeds.area->object_alone) {
-    if (options.second != nullptr) second_.emplace(running(*options.second, options, std::nullopt));
+    if (options.second != nullptr) second_.emplace(activate(*options.second, options, std::nullopt));
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
@@ -95,10 +95,10 @@ Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     return {last_.begin(), last_.end()};
 }
 
-Field FieldStages::finish(const Neighbourhood& about) const {
+Field FieldStages::finish(const Neighbourhood& neighbours) const {
     const auto middle = static_cast<std::size_t>(reach_);
-    const PipelineFrame& here = *about[middle];
-    const PipelineFrame* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
+    const PipelineFrame& here = *neighbours[middle];
+    const PipelineFrame* const before = reach_ > 0 ? neighbours[middle - 1].get() : nullptr;
     const FilterTraits& traits = row_.traits;
     Field field;
     field.index = here.frame->index;
@@ -109,7 +109,7 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     const bool requested = here.frame->index % options_.flow.every == 0;
     if (!flow_ || (!requested && !traits.flow && !second_traits.flow && !options_.flow.every_frame)) return field;
 
-    const Neighbourhood connected = continuous_part(about, reach_);
+    const Neighbourhood connected = continuous_part(neighbours, reach_);
     // If the filter needs the difference object, that is used: the filter's values may also mark uncovered pixels,
     // which are no object.
     const Plane<std::uint8_t> moves = moving(connected, object_ ? here.object : field.scalar);
@@ -120,8 +120,8 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     return field;
 }
 
-FieldStages::ActiveFilter FieldStages::running(const FilterRow& row, const FieldOptions& options,
-                                               std::optional<int> threshold) {
+FieldStages::ActiveFilter FieldStages::activate(const FilterRow& row, const FieldOptions& options,
+                                                std::optional<int> threshold) {
     return {&row, row.make(options), threshold.value_or(row.traits.threshold)};
 }
 
@@ -146,8 +146,8 @@ Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const Pipe
 
 // Flow is computed only around visible pixels that change, with the method's margin. Beyond an end of the clip or a
 // jump of the light, the last frame is repeated.
-Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
-    const PipelineFrame& here = *about[static_cast<std::size_t>(reach_)];
+Flow FieldStages::flow_of(const Neighbourhood& neighbours, const Plane<std::uint8_t>& moves) const {
+    const PipelineFrame& here = *neighbours[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
     const bool everywhere = whole_frame_flow_ || row_.traits.flow || (second_ && second_->row->traits.flow);
@@ -159,7 +159,7 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
     for (const int step : {-1, 1}) {
         PipelineFrame* nearest = nullptr;
         for (int k = 0; k <= reach; ++k) {
-            PipelineFrame* const shot = about[static_cast<std::size_t>(reach_ + step * k)].get();
+            PipelineFrame* const shot = neighbours[static_cast<std::size_t>(reach_ + step * k)].get();
             if (shot != nullptr) nearest = shot;
             frames[static_cast<std::size_t>(reach + step * k)] = &prepared(*nearest);
         }
@@ -169,13 +169,13 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
 }
 
 // The part of the object that changes from the previous frame or to the next; noise in the rest would look like motion.
-Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
+Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& neighbours, const Plane<std::uint8_t>& object) const {
     const auto middle = static_cast<std::size_t>(reach_);
-    const PipelineFrame& here = *about[middle];
+    const PipelineFrame& here = *neighbours[middle];
     Plane<std::uint8_t> result(object.size());
     for (const std::size_t k : {middle - 1, middle + 1}) {
-        if (reach_ == 0 || about[k] == nullptr) continue;
-        mark_changes(about[k]->smooth.grey, here.smooth.grey, object, result);
+        if (reach_ == 0 || neighbours[k] == nullptr) continue;
+        mark_changes(neighbours[k]->smooth.grey, here.smooth.grey, object, result);
     }
     return result;
 }

@@ -17,7 +17,7 @@
 
 namespace vvr::fields {
 
-/// A frame in the pipeline. Its neighbours read it too, so nothing may be moved out of it.
+/// A frame in the pipeline. The frames before and after it read it too, so nothing may be moved out of it.
 struct PipelineFrame {
     video::SharedFrame frame;            ///< aligned with the reference if the camera shakes
     std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
@@ -59,7 +59,7 @@ class FieldStages {
 
     /// Runs the steps that need the neighbours. Thread-safe; filters that need the frames in order have run in
     /// `gather`.
-    Field finish(const Neighbourhood& about) const;
+    Field finish(const Neighbourhood& neighbours) const;
 
   private:
     void store_object(PipelineFrame& shot, FoundObject&& found) const;
@@ -70,12 +70,12 @@ class FieldStages {
         int threshold;
     };
 
-    static ActiveFilter running(const FilterRow& row, const FieldOptions& options, std::optional<int> threshold);
+    static ActiveFilter activate(const FilterRow& row, const FieldOptions& options, std::optional<int> threshold);
     Plane<std::uint8_t> filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before,
                                  const Flow& flow) const;
-    Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;
+    Flow flow_of(const Neighbourhood& neighbours, const Plane<std::uint8_t>& moves) const;
     const FlowFrame& prepared(PipelineFrame& shot) const;
-    Plane<std::uint8_t> moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const;
+    Plane<std::uint8_t> moving(const Neighbourhood& neighbours, const Plane<std::uint8_t>& object) const;
 
     FieldOptions options_;
     ActiveFilter first_;

@@ -158,7 +158,7 @@ constexpr std::array rows{
         "signed"},
     FilterRow{"edges", "how steeply the brightness changes", {.min_area = false, .threshold = 24}, stateless<edges>},
     FilterRow{"flow",
-              "how fast it moves: 24 levels for a pixel a frame",
+              "how fast it moves: 24 levels per pixel per frame",
               {.flow = true, .threshold = 12},
               stateless<flow_magnitude>},
     FilterRow{"luminance", "the video itself", {.min_area = false}, stateless<luminance>},

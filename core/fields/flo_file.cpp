@@ -33,7 +33,8 @@ void append(std::string& bytes, T value) {
 }
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
-    throw Error(ErrorCode::file_invalid, fmt::format("{}: not a flow file: {}", name, what));
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("{}: not a flow file: {}; docs/formats.md describes the format", name, what));
 }
 
 }  // namespace
@@ -52,17 +53,19 @@ std::string encode_flo(const Flow& flow) {
 }
 
 Flow decode_flo(std::string_view bytes, const std::string& name) {
-    if (bytes.size() < header_bytes) fail(name, fmt::format("{} bytes are less than its header's 12", bytes.size()));
+    if (bytes.size() < header_bytes)
+        fail(name, fmt::format("it has {} bytes, fewer than the 12 of a header", bytes.size()));
     if (at<float>(bytes, 0) != magic) fail(name, "it doesn't begin with the number 202021.25 (\"PIEH\")");
     const Size size{at<std::int32_t>(bytes, 4), at<std::int32_t>(bytes, 8)};
     if (size.width < 1 || size.height < 1 || size.width > largest_side || size.height > largest_side) {
-        fail(name, fmt::format("a size of {}x{} can't be", size.width, size.height));
+        fail(name, fmt::format("its header gives {}x{} pixels, but a side has 1 to {}", size.width, size.height,
+                               largest_side));
     }
     const std::size_t expected =
         header_bytes + static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 8;
     if (bytes.size() != expected) {
-        fail(name,
-             fmt::format("{} bytes where its size of {}x{} needs {}", bytes.size(), size.width, size.height, expected));
+        fail(name, fmt::format("it has {} bytes, but a flow of {}x{} needs {}", bytes.size(), size.width, size.height,
+                               expected));
     }
     Flow flow{Plane<float>(size), Plane<float>(size)};
     for (std::size_t i = 0; i < flow.u.pixels().size(); ++i) {

@@ -12,7 +12,7 @@ namespace vvr::fields {
 namespace {
 
 constexpr std::array rows{
-    FlowRow{"horn-schunck", "the paper's method; the solver says how its equations are solved", make_horn_schunck},
+    FlowRow{"horn-schunck", "the paper's method; --solver solves its equations", make_horn_schunck},
     FlowRow{"dis", "OpenCV's dense inverse search", make_dis},
     FlowRow{"farneback", "OpenCV's polynomial expansion", make_farneback},
     FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }, true},
@@ -23,19 +23,19 @@ constexpr std::int64_t few_frames = 64;
 
 constexpr std::array areas{
     FlowArea{"auto", "the whole frame in clips of up to 64 frames, else where something moves", few_frames},
-    FlowArea{"moving", "only near what is shown and changes", 0},
+    FlowArea{"moving", "only near visible pixels that change", 0},
     FlowArea{"all", "the whole frame", std::numeric_limits<std::int64_t>::max()},
 };
 
 // Parts that cover more than this share cost more, with their margins, than the whole picture.
-constexpr double most_of_it = 0.7;
+constexpr double max_share = 0.7;
 
-bool touch(const Rect& a, const Rect& b) {
+bool intersect(const Rect& a, const Rect& b) {
     return a.x < b.x + b.size.width && b.x < a.x + a.size.width && a.y < b.y + b.size.height &&
            b.y < a.y + a.size.height;
 }
 
-Rect around(const Rect& a, const Rect& b) {
+Rect bounding_rect(const Rect& a, const Rect& b) {
     const int x = std::min(a.x, b.x);
     const int y = std::min(a.y, b.y);
     return {
@@ -60,11 +60,11 @@ Rect inflated(const Rect& r, int margin, Size size) {
 /// Adds a part, merged with all parts that it touches, and with those that the merged one then touches.
 void add(std::vector<Rect>& parts, Rect part) {
     for (std::size_t k = 0; k < parts.size();) {
-        if (!touch(parts[k], part)) {
+        if (!intersect(parts[k], part)) {
             ++k;
             continue;
         }
-        part = around(parts[k], part);
+        part = bounding_rect(parts[k], part);
         parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
         k = 0;
     }
@@ -86,7 +86,7 @@ std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin) 
     long covered = 0;
     for (const Rect& part : parts) covered += area(part);
     const Rect whole{0, 0, size};
-    if (static_cast<double>(covered) > most_of_it * static_cast<double>(area(whole))) return {whole};
+    if (static_cast<double>(covered) > max_share * static_cast<double>(area(whole))) return {whole};
     return parts;
 }
 

@@ -38,7 +38,7 @@ class FlowMethod {
     /// Number of frames needed on each side.
     virtual int reach() const = 0;
 
-    /// Margin in pixels around the wanted area, so that what lies outside doesn't matter.
+    /// Width in pixels of the border around a part whose pixels affect the flow in the part.
     virtual int margin() const = 0;
 
     /// The part of the work that depends on one frame alone.

@@ -176,11 +176,11 @@ Plane<float> local_gains(const Planes& reference, const Planes& frame) {
     for (int j = 0; j < gains.height(); ++j) {
         for (int i = 0; i < gains.width(); ++i) {
             // With a margin of half a block on each side.
-            const cv::Rect about = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
-                                   cv::Rect(0, 0, size.width, size.height);
+            const cv::Rect window = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
+                                    cv::Rect(0, 0, size.width, size.height);
             ratios.clear();
-            for (int y = about.y; y < about.y + about.height; y += sampling) {
-                for (int x = about.x; x < about.x + about.width; x += sampling) {
+            for (int y = window.y; y < window.y + window.height; y += sampling) {
+                for (int x = window.x; x < window.x + window.width; x += sampling) {
                     const double before = std::max<int>(reference.grey.at(x, y), darkest);
                     // Brighter pixels give more precise ratios.
                     ratios.push_back({std::max<int>(frame.grey.at(x, y), darkest) / before, before});
@@ -221,19 +221,19 @@ std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame
 constexpr std::array rows{
     IlluminationRow{"global", "one change for the whole picture: exposure, clouds, lamps", true, relit_globally},
     IlluminationRow{"local", "a change that varies over the picture: shadows, a lamp at one side", true, relit_locally},
-    IlluminationRow{"none", "every change of light counts", false, unchanged},
+    IlluminationRow{"none", "compensate nothing", false, unchanged},
 };
 
 }  // namespace
 
 IlluminationChange estimate_illumination(const Planes& reference, const Planes& frame) {
     const std::vector<LevelChange> classes = level_changes(reference, frame);
-    int places = 0;
-    for (const LevelChange& c : classes) places += c.total();
+    int used = 0;
+    for (const LevelChange& c : classes) used += c.total();
     // If nearly all pixels are clipped, nothing can be learnt.
-    const int looked_at =
+    const int sampled =
         ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
-    if (places == 0 || 5 * places < looked_at) return {};
+    if (used == 0 || 5 * used < sampled) return {};
     std::vector<Change> changes;
     for (const LevelChange& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
     return line_through(changes);

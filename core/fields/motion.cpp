@@ -11,8 +11,8 @@
 namespace vvr::fields {
 namespace {
 
-// Bounds of a tile's mean difference, grey levels. Without noise, a motion of a tenth of a pixel is detected; with the
-// worst noise of a camera, a person still is.
+// Bounds of the threshold of a tile's mean difference, grey levels. The lower one detects a motion of a tenth of a
+// pixel in a clip without noise; the upper one still detects a person in the noisiest clip.
 constexpr float least = 0.5F;
 constexpr float most = 4;
 
@@ -94,10 +94,10 @@ void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& h
     for (int y = 0; y < tiles.rows(); ++y) {
         for (int x = 0; x < tiles.columns(); ++x) {
             if (near_object.at(x, y) == 0 || tiles.difference(x, y) < threshold) continue;
-            const Block about(x, y, object.size());
-            for (int j = about.top; j < about.bottom; ++j) {
-                std::copy(object.row(j).begin() + about.left, object.row(j).begin() + about.right,
-                          changed.row(j).begin() + about.left);
+            const Block block(x, y, object.size());
+            for (int j = block.top; j < block.bottom; ++j) {
+                std::copy(object.row(j).begin() + block.left, object.row(j).begin() + block.right,
+                          changed.row(j).begin() + block.left);
             }
         }
     }
@@ -110,7 +110,7 @@ constexpr double lasting = 1;   // seconds for which an object that stops still 
 constexpr int moved = 12;       // pixels of a tile's 64 that change; edges of stationary objects flicker by less
 
 /// The number of pixels other than 0 in each tile.
-std::vector<std::uint8_t> filling(const Plane<std::uint8_t>& scalar) {
+std::vector<std::uint8_t> occupancy(const Plane<std::uint8_t>& scalar) {
     const int columns = (scalar.width() + tile_side - 1) / tile_side;
     const int rows = (scalar.height() + tile_side - 1) / tile_side;
     std::vector<std::uint8_t> counts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -133,9 +133,9 @@ bool differ(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>&
 }  // namespace
 
 bool MotionDetector::operator()(const Field& field) {
-    past_.push_back({field.pts, filling(field.scalar)});
+    past_.push_back({field.pts, occupancy(field.scalar)});
     while (past_.size() > 2 && field.pts - past_[1].pts >= memory) past_.pop_front();
-    if (differ(past_.front().filling, past_.back().filling)) last_ = field.pts;
+    if (differ(past_.front().occupancy, past_.back().occupancy)) last_ = field.pts;
     return last_ && field.pts - *last_ <= lasting;
 }
 

@@ -26,7 +26,7 @@ class MotionDetector {
   private:
     struct Past {
         double pts = 0;
-        std::vector<std::uint8_t> filling;
+        std::vector<std::uint8_t> occupancy;
     };
 
     std::deque<Past> past_;

@@ -18,13 +18,13 @@ constexpr int gain = 2;
 // clearly as in some places.
 constexpr double weak_share = 0.85;
 
-// An enclosed hole belongs to its object if it differs by this share of the threshold; else the scene is visible
-// through it.
+// An enclosed hole belongs to its object if it differs from the scene by this share of the threshold; else it shows the
+// scene.
 constexpr double hole_share = 0.25;
 
-// Multiple of the minimum area. In smaller objects, the rim where the scene shines through is a large part and looks
+// Multiple of the minimum area. Objects below it have a large share of rim pixels, which mix with the scene and look
 // like shadow.
-constexpr int smalls = 4;
+constexpr int small_factor = 4;
 
 // Thresholds as multiples of the median noise at the usual threshold of 24, and the limits to which noise may raise
 // them.
@@ -134,7 +134,7 @@ Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, co
     const Plane<std::uint8_t> before = object;
     const std::vector<ShadowPixel> shadow = extract_shadows(object, frame, empty, threshold_value_);
     if (shadow.empty()) return object;
-    restore_small_blobs(object, before, smalls * min_area_);
+    restore_small_blobs(object, before, small_factor * min_area_);
     apply_hysteresis(object, strong_, least_strong_, min_area_);
     constexpr int reaches_per_side = 18;  // half a car in a usual picture
     restore_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);

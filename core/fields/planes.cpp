@@ -77,7 +77,7 @@ Plane<std::uint8_t> hue_difference(const Planes& a, const Planes& b) {
 constexpr std::array rows{
     NormRow{"channel", "the channel that differs most", false, largest_difference},
     NormRow{"luminance", "the brightness alone", false, luminance_difference},
-    NormRow{"hue", "hue and saturation: brightness does not count, nor do soft shadows", true, hue_difference},
+    NormRow{"hue", "hue and saturation; ignores brightness and soft shadows", true, hue_difference},
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ std::span<const NormRow> norms() {
 const NormRow& norm_for(const NormRow& norm, const Planes& picture) {
     if (!norm.needs_colour || !picture.colour.empty()) return norm;
     throw Error(ErrorCode::input_unsuitable,
-                fmt::format("norm {}: these frames have no colour; choose luminance", norm.name), {"norm"});
+                fmt::format("norm: '{}' needs colour, and the video is grey; choose 'luminance'", norm.name), {"norm"});
 }
 
 const NormRow& row_of(Name<NormRow> name) {

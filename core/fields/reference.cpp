@@ -80,16 +80,17 @@ namespace {
 // Grey levels by which an unchanged pixel may vary over a clip, per channel.
 constexpr int tolerance = 18;
 
-bool alike(std::uint8_t a, std::uint8_t b) {
+bool similar(std::uint8_t a, std::uint8_t b) {
     return std::abs(a - b) <= tolerance;
 }
-bool alike(const Bgr& a, const Bgr& b) {
-    return alike(a[0], b[0]) && alike(a[1], b[1]) && alike(a[2], b[2]);
+bool similar(const Bgr& a, const Bgr& b) {
+    return similar(a[0], b[0]) && similar(a[1], b[1]) && similar(a[2], b[2]);
 }
 
 /// One channel of a pixel in some frames.
 template <class Value>
-std::uint8_t middle(std::vector<std::uint8_t>& scratch, const std::vector<const video::Frame*>& frames, Value value) {
+std::uint8_t median_of(std::vector<std::uint8_t>& scratch, const std::vector<const video::Frame*>& frames,
+                       Value value) {
     scratch.clear();
     for (const video::Frame* frame : frames) scratch.push_back(value(*frame));
     const auto half = scratch.begin() + std::ssize(scratch) / 2;
@@ -104,16 +105,16 @@ class FirstLasting {
         : frames_(frames), plane_(plane) {}
 
     /// Whether more than three quarters of the frames look like `pixel` there: then nothing else can last.
-    bool is_sure(std::size_t i, const Pixel& pixel) const { return 4 * like(i, pixel) > 3 * frames_.size(); }
+    bool is_stable(std::size_t i, const Pixel& pixel) const { return 4 * count_similar(i, pixel) > 3 * frames_.size(); }
 
     /// The frames that show the first lasting level; none if there is no such level.
     void find(std::size_t i, std::vector<const video::Frame*>& found) const {
         found.clear();
         for (const video::Frame& first : frames_) {
             const Pixel& pixel = at(first, i);
-            if (4 * like(i, pixel) < frames_.size()) continue;
+            if (4 * count_similar(i, pixel) < frames_.size()) continue;
             for (const video::Frame& frame : frames_) {
-                if (alike(at(frame, i), pixel)) found.push_back(&frame);
+                if (similar(at(frame, i), pixel)) found.push_back(&frame);
             }
             return;
         }
@@ -122,9 +123,9 @@ class FirstLasting {
   private:
     const Pixel& at(const video::Frame& frame, std::size_t i) const { return (frame.*plane_).pixels()[i]; }
 
-    std::size_t like(std::size_t i, const Pixel& pixel) const {
+    std::size_t count_similar(std::size_t i, const Pixel& pixel) const {
         std::size_t count = 0;
-        for (const video::Frame& frame : frames_) count += alike(at(frame, i), pixel) ? 1U : 0U;
+        for (const video::Frame& frame : frames_) count += similar(at(frame, i), pixel) ? 1U : 0U;
         return count;
     }
 
@@ -141,15 +142,15 @@ void correct(Planes& reference, std::span<const video::Frame> frames, Plane<Pixe
         std::vector<const video::Frame*> shown;
         std::vector<std::uint8_t> scratch;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            if (lasting.is_sure(i, medians.pixels()[i])) continue;
+            if (lasting.is_stable(i, medians.pixels()[i])) continue;
             lasting.find(i, shown);
             if (shown.empty()) continue;
             reference.grey.pixels()[i] =
-                middle(scratch, shown, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
+                median_of(scratch, shown, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
             if (reference.colour.empty()) continue;
             for (std::size_t c = 0; c < 3; ++c) {
                 reference.colour.pixels()[i][c] =
-                    middle(scratch, shown, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
+                    median_of(scratch, shown, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
             }
         }
     });
@@ -180,11 +181,11 @@ constexpr std::size_t frame_step = 3;
 constexpr double share = 0.35;
 constexpr double to_median = 1.5;
 
-// The share of the frames that surely show the scene even where an object lies for most of the clip. Noise is limited
-// to this multiple of theirs, plus some levels: anything above is the object.
-constexpr double sure_share = 0.15;
-constexpr int most_times = 4;
-constexpr int most_more = 2;
+// The share of the frames that show the empty scene even where an object lies for most of the clip. The noise is at
+// most this multiple of the noise in these frames, plus some grey levels: larger deviations are the object.
+constexpr double stable_share = 0.15;
+constexpr int max_ratio = 4;
+constexpr int max_excess = 2;
 
 }  // namespace
 
@@ -195,7 +196,7 @@ Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes&
         const video::Frame& frame = frames[k * frame_step];
         differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
     });
-    const auto place_of = [&](double part) {
+    const auto rank_of = [&](double part) {
         return differences.size() - static_cast<std::size_t>(part * static_cast<double>(differences.size() - 1));
     };
     Plane<std::uint8_t> noise(scene.grey.size());
@@ -203,14 +204,14 @@ Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes&
         std::vector<const std::uint8_t*> rows;
         for (const Plane<std::uint8_t>& plane : differences) rows.push_back(plane.row(j).data());
         const std::span<std::uint8_t> row = noise.row(j);
-        std::vector<std::uint8_t> sure(row.size());
-        rank_rows(rows, place_of(share), row);
-        rank_rows(rows, place_of(sure_share), sure);
+        std::vector<std::uint8_t> stable(row.size());
+        rank_rows(rows, rank_of(share), row);
+        rank_rows(rows, rank_of(stable_share), stable);
         for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = static_cast<std::uint8_t>(std::min<int>(row[i], most_times * sure[i] + most_more));
+            row[i] = static_cast<std::uint8_t>(std::min<int>(row[i], max_ratio * stable[i] + max_excess));
         }
     });
-    // What sways here also sways next to it.
+    // Leaves that sway here also sway in the next pixel.
     cv::Mat out = cv_view(noise);
     out.convertTo(out, CV_8U, to_median);
     cv::blur(out, out, {3, 3});
@@ -224,7 +225,7 @@ namespace {
 constexpr int frames_for_median = 31;
 
 /// Converts frames to the light of the first: levels of a pixel are comparable only in the same light.
-std::vector<video::Frame> in_one_light(std::vector<video::Frame> frames, const IlluminationRow& illumination) {
+std::vector<video::Frame> relit_like_first(std::vector<video::Frame> frames, const IlluminationRow& illumination) {
     if (!illumination.compensates || frames.empty()) return frames;
     const Planes first{frames.front().grey, frames.front().colour};
     oneapi::tbb::parallel_for_each(frames, [&](video::Frame& frame) {
@@ -258,8 +259,8 @@ std::vector<video::Frame> first_frame(video::FrameSource& clip) {
     return first_frames(clip, 1, 1);
 }
 
-// A live stream can't wait: two seconds at 25 frames per second must do. From a clip, which can be read again, it is
-// the first twenty seconds, so that passers-by are absent for most of them.
+// A live stream can't wait, so two seconds at 25 frames per second must be enough. A clip can be read again, so its
+// first twenty seconds are used: passers-by are absent for most of them.
 std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
     const video::VideoInfo& info = clip.info();
     constexpr double seconds = 20;
@@ -271,15 +272,15 @@ std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
 }
 
 constexpr std::array rows{
-    ReferenceRow{"median", "each pixel's median over the clip, or of what was first where things came to stay",
+    ReferenceRow{"median", "the median of the clip; where something came to stay, the median of what was there before",
                  spread_over_clip, lasting_reference, true},
     ReferenceRow{"first", "the first frame", first_frame, median_reference},
-    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, lasting_reference, false,
-                 true},
+    ReferenceRow{"running", "learned from the first seconds, then adapted to slow changes", first_seconds,
+                 lasting_reference, false, true},
 };
 
-Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
-    std::vector<video::Frame> frames = in_one_light(row.look(clip), *options.illumination);
+Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
+    std::vector<video::Frame> frames = relit_like_first(row.sample(clip), *options.illumination);
     Reference reference;
     // A filter that shows the video itself or its motion must show the camera's motion too.
     const bool is_compared = options.filter->traits.object;
@@ -315,7 +316,7 @@ ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row
 }
 
 Reference make_reference(video::FrameSource& clip, const FieldOptions& options) {
-    if (const ReferenceRow* const row = options.reference.row()) return learnt(clip, *row, options);
+    if (const ReferenceRow* const row = options.reference.row()) return learn(clip, *row, options);
     const std::string& picture_file = options.reference.name();
     video::SourceOptions like_clip;
     like_clip.field_size = clip.field_size();

@@ -37,10 +37,10 @@ bool needs_reference(const FieldOptions& options);
 struct ReferenceRow {
     std::string_view name;
     std::string_view help;
-    std::vector<video::Frame> (*look)(video::FrameSource& clip);  ///< frames to learn from, by time
-    Planes (*scene)(std::span<const video::Frame> frames);        ///< the empty scene of these frames
-    bool needs_whole_clip = false;                                ///< not possible for streams
-    bool adapts = false;                                          ///< follows slow changes of the scene
+    std::vector<video::Frame> (*sample)(video::FrameSource& clip);  ///< frames to learn from, in order of time
+    Planes (*scene)(std::span<const video::Frame> frames);          ///< the empty scene of these frames
+    bool needs_whole_clip = false;                                  ///< not possible for streams
+    bool adapts = false;                                            ///< follows slow changes of the scene
 };
 
 /// "median", "first", "running".
@@ -58,7 +58,7 @@ Planes median_reference(std::span<const video::Frame> frames);
 
 /// The empty scene of frames that are ordered by time. Each pixel is the median of the first level that lasts for at
 /// least a quarter of the frames, or else the median of all frames. Passers-by seldom stay that long. A bag left behind
-/// stays an object even if it lies there for most of the clip, where the median of all frames would show it.
+/// stays an object even if it lies there for most of the clip; the median of all frames would contain it.
 Planes lasting_reference(std::span<const video::Frame> frames);
 
 /// The usual deviation of each pixel from the empty scene, grey levels: camera noise, and more where leaves sway or

@@ -37,14 +37,14 @@ class Parser {
         while (true) {
             skip_spaces();
             if (at_ == text_.size() || text_[at_] == ';') {
-                if (result.back().size() < 3) fail("a polygon has at least three points");
+                if (result.back().size() < 3) fail("a polygon needs at least three points");
                 if (at_ == text_.size()) return result;
                 ++at_;
                 result.emplace_back();
                 continue;
             }
             const double x = number();
-            if (at_ == text_.size() || text_[at_] != ',') fail("expected ',' and the y of the point");
+            if (at_ == text_.size() || text_[at_] != ',') fail("expected ',' and the point's y");
             ++at_;
             const double y = number();
             result.back().push_back({x, y});
@@ -60,17 +60,18 @@ class Parser {
         double value = 0;
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
         if (error != std::errc()) fail("expected a number");
-        if (!(std::abs(value) <= farthest)) fail(fmt::format("a coordinate must be within ±{}", farthest));
+        if (!(std::abs(value) <= farthest)) fail(fmt::format("a coordinate must be from -{0} to {0}", farthest));
         at_ = static_cast<std::size_t>(end - text_.data());
         return value;
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorCode::option_value,
-                    fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
-                                "between polygons, or the name of a text file (.txt) of them or of a picture",
-                                setting_, what, at_ + 1, text_),
-                    {setting_});
+        throw Error(
+            ErrorCode::option_value,
+            fmt::format("{}: {} at character {} of \"{}\"; give points \"x,y x,y x,y\" in pixels of the video, "
+                        "with ';' between polygons, or the name of a picture or of a text file (.txt) of polygons",
+                        setting_, what, at_ + 1, text_),
+            {setting_});
     }
 
     std::string_view setting_;
@@ -127,7 +128,7 @@ std::vector<Polygon> polygons_of(std::string_view setting, const std::string& te
     try {
         return Parser(setting, list).polygons();
     } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
+        throw Error(error.code(), fmt::format("{}; this text is in the file '{}'", error.what(), text), error.about());
     }
 }
 
@@ -136,11 +137,12 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
         Plane<std::uint8_t> plane(field);
         draw(plane, polygons_of(setting, text), video);
         if (setting == setting::roi.name && std::ranges::all_of(plane.pixels(), [](auto p) { return p == 0; })) {
-            throw Error(ErrorCode::option_value_out_of_range,
-                        fmt::format("{}: \"{}\" is outside of the frame, which has {}x{} pixels, so nothing would be "
-                                    "looked at",
-                                    setting, text, video.width, video.height),
-                        {setting});
+            throw Error(
+                ErrorCode::option_value_out_of_range,
+                fmt::format("{}: \"{}\" lies outside the frame of {}x{} pixels; give pixels of the video, from its top "
+                            "left corner",
+                            setting, text, video.width, video.height),
+                {setting});
         }
         return plane;
     }

@@ -14,7 +14,7 @@ namespace vvr::fields {
 namespace {
 
 // Learning rate of the reference per frame: it adapts in about four seconds at 25 frames per second.
-constexpr float pace = 1.F / 32;
+constexpr float learning_rate = 1.F / 32;
 
 // Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
 constexpr int edge = 3;
@@ -27,7 +27,7 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
     const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
     for (std::size_t i = 0; i < exact.size(); ++i) {
         exact[i] = std::clamp(gain * exact[i] + offset, 0.F, 255.F);
-        if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
+        if (near_object[i / channels] == 0) exact[i] += learning_rate * (levels[i] - exact[i]);
         out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
     }
 }
@@ -35,30 +35,30 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
 // Grey levels by which a stationary pixel may vary.
 constexpr int steady_tolerance = 12;
 
-constexpr int frames_between_looks = 25;
+constexpr int ghost_check_interval = 25;
 
 // A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
 // levels.
-constexpr double clearer = 2;
-constexpr double least_step = 8;
+constexpr double min_edge_ratio = 2;
+constexpr double min_edge_step = 8;
 
 /// The largest gradient at and next to each pixel.
-cv::Mat steepness(const Plane<std::uint8_t>& grey) {
+cv::Mat gradient(const Plane<std::uint8_t>& grey) {
     cv::Mat steep;
     cv::morphologyEx(cv_view(grey), steep, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8U));
     return steep;
 }
 
 /// 255 where a blob of `steady` is a ghost, and `edge` pixels around it; empty if there is none.
-Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
-                                 const Plane<std::uint8_t>& reference) {
+Plane<std::uint8_t> find_ghosts(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
+                                const Plane<std::uint8_t>& reference) {
     cv::Mat labels, boxes, centres;
     const int count = cv::connectedComponentsWithStats(cv_view(steady), labels, boxes, centres);
     if (count <= 1) return {};
     cv::Mat inner;
     cv::erode(cv_view(steady), inner, cv::Mat::ones(3, 3, CV_8U));
-    const cv::Mat here = steepness(frame);
-    const cv::Mat there = steepness(reference);
+    const cv::Mat here = gradient(frame);
+    const cv::Mat there = gradient(reference);
     struct Outline {
         double here = 0, there = 0, pixels = 0;
     };
@@ -78,7 +78,8 @@ Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<
     for (int j = 0; j < labels.rows; ++j) {
         for (int i = 0; i < labels.cols; ++i) {
             const Outline& outline = outlines[static_cast<std::size_t>(labels.at<int>(j, i))];
-            if (outline.there < least_step * outline.pixels || outline.there < clearer * outline.here) continue;
+            if (outline.there < min_edge_step * outline.pixels || outline.there < min_edge_ratio * outline.here)
+                continue;
             if (labels.at<int>(j, i) == 0) continue;
             ghosts.at(i, j) = 255;
             any = true;
@@ -120,11 +121,11 @@ void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8
         const int count = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + 1, 2 * ghost_frames) : 1;
         steady = static_cast<std::uint16_t>(count);
     }
-    if (++frames_ % frames_between_looks != 0) return;
+    if (++frames_ % ghost_check_interval != 0) return;
     Plane<std::uint8_t> steady(object.size());
     std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),
                            [](int frames) { return static_cast<std::uint8_t>(frames >= ghost_frames ? 255 : 0); });
-    const Plane<std::uint8_t> ghosts = ghosts_among(steady, frame.grey, now_.grey);
+    const Plane<std::uint8_t> ghosts = find_ghosts(steady, frame.grey, now_.grey);
     if (ghosts.empty()) return;
     for (std::size_t i = 0; i < grey_.size(); ++i) {
         if (ghosts.pixels()[i] == 0) continue;

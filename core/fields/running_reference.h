@@ -9,9 +9,9 @@
 namespace vvr::fields {
 
 /// A reference that follows slow changes of the scene in a stream of any length. It doesn't adapt where there is an
-/// object, so a bag left behind never disappears into it. A person who stood there during learning leaves a ghost when
-/// walking away: an object that hasn't changed for `ghost_frames`, with an edge in the reference and none in the frame,
-/// is a ghost and becomes part of the scene.
+/// object, so a bag left behind never becomes background. If somebody stands in the scene while it is learned and walks
+/// away later, a ghost remains: an object that hasn't changed for `ghost_frames` frames, with an edge in the reference
+/// and none in the frame. A ghost becomes background.
 class RunningReference {
   public:
     static constexpr int ghost_frames = 125;  ///< five seconds at 25 frames per second

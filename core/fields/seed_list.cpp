@@ -64,7 +64,7 @@ class Lines {
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(ErrorCode::file_invalid,
-                    fmt::format("{}:{}: {}; docs/formats.md has the format of seed lists", name_, number_, what));
+                    fmt::format("{}:{}: {}; docs/formats.md describes seed lists", name_, number_, what));
     }
 
   private:
@@ -86,7 +86,7 @@ class Lines {
 };
 
 void expect(Lines& lines, std::string_view keyword, std::size_t numbers) {
-    if (!lines.next()) lines.fail(fmt::format("the file ends where a line '{} ...' should be", keyword));
+    if (!lines.next()) lines.fail(fmt::format("expected a line '{} ...', found the end of the file", keyword));
     if (lines.words().front() != keyword || lines.words().size() != numbers + 1) {
         lines.fail(fmt::format("expected '{}' and {} number{}, found '{}'", keyword, numbers, numbers == 1 ? "" : "s",
                                lines.line()));
@@ -95,7 +95,7 @@ void expect(Lines& lines, std::string_view keyword, std::size_t numbers) {
 
 Seed parse_point(const Lines& lines, Size size) {
     if (lines.words().size() != 5) {
-        lines.fail(fmt::format("a point is 'x y u v flag', found '{}'", lines.line()));
+        lines.fail(fmt::format("expected a point 'x y u v flag', found '{}'", lines.line()));
     }
     Seed seed{lines.finite(0), lines.finite(1), lines.finite(2), lines.finite(3)};
     const auto right = static_cast<float>(size.width - 1);
@@ -107,8 +107,7 @@ Seed parse_point(const Lines& lines, Size size) {
     const std::string_view flag = lines.words()[4];
     const std::optional<SeedFlags> flags = SeedFlags::parse(flag);
     if (!flags) {
-        lines.fail(fmt::format("the flag of a point is 0 or 1, or a digit per brick, at most {}, found '{}'",
-                               SeedFlags::most, flag));
+        lines.fail(fmt::format("expected a flag of 1 to {} digits, each 0 or 1, found '{}'", SeedFlags::most, flag));
     }
     seed.flags = *flags;
     return seed;
@@ -127,7 +126,8 @@ std::string format_seeds(const SeedList& list) {
 
 SeedList parse_seeds(std::string_view text, const std::string& name) {
     Lines lines(text, name);
-    if (!lines.next() || lines.line() != first_line) lines.fail(fmt::format("the first line is not '{}'", first_line));
+    if (!lines.next() || lines.line() != first_line)
+        lines.fail(fmt::format("expected the first line '{}'", first_line));
     SeedList list;
     expect(lines, "frame", 1);
     list.frame = lines.number<std::int64_t>(1);
@@ -135,7 +135,8 @@ SeedList parse_seeds(std::string_view text, const std::string& name) {
     list.size = {lines.number<int>(1), lines.number<int>(2)};
     if (list.size.width < 1 || list.size.height < 1 || list.size.width > largest_side ||
         list.size.height > largest_side) {
-        lines.fail(fmt::format("a field of {}x{} can't be", list.size.width, list.size.height));
+        lines.fail(fmt::format("a field has sides of 1 to {} pixels, found {}x{}", largest_side, list.size.width,
+                               list.size.height));
     }
     expect(lines, "points", 1);
     const auto points = lines.number<std::uint64_t>(1);
@@ -143,7 +144,7 @@ SeedList parse_seeds(std::string_view text, const std::string& name) {
         if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} points", list.seeds.size(), points));
         list.seeds.push_back(parse_point(lines, list.size));
     }
-    if (lines.next()) lines.fail(fmt::format("more lines than the {} points that were announced", points));
+    if (lines.next()) lines.fail(fmt::format("there are more points than 'points {}' says", points));
     return list;
 }
 
@@ -165,14 +166,14 @@ std::vector<fs::path> lists_in(const std::string& folder) {
     }
     if (error) {
         throw Error(code_of_system_error(error.value()),
-                    fmt::format("seeds: cannot read the folder '{}': {}; name a folder of lists, or one list", folder,
-                                error.message()),
+                    fmt::format("seeds: cannot read the folder '{}': {}; give a folder of seed lists, or one list",
+                                folder, error.message()),
                     {setting::seeds.name});
     }
     if (files.empty()) {
         throw Error(ErrorCode::file_not_found,
-                    fmt::format("seeds: '{}' holds no list of seeds (000000.txt); `vvr extract` writes them to a "
-                                "folder 'seeds'",
+                    fmt::format("seeds: the folder '{}' has no seed list (000000.txt); give the folder 'seeds' of an "
+                                "extraction",
                                 folder),
                     {setting::seeds.name});
     }
@@ -207,7 +208,8 @@ ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string&
         check_size(list, file.string());
         const std::int64_t frame = list.frame;
         if (!lists_.emplace(frame, std::move(list)).second) {
-            throw Error(ErrorCode::file_invalid, fmt::format("{}: frame {} has a list already", file.string(), frame));
+            throw Error(ErrorCode::file_invalid,
+                        fmt::format("{}: another list is for frame {} too; remove one of them", file.string(), frame));
         }
     }
 }
@@ -215,8 +217,8 @@ ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string&
 void ListedSeeds::check_size(const SeedList& list, const std::string& file) const {
     if (list.size == field_size()) return;
     throw Error(ErrorCode::file_invalid,
-                fmt::format("{}: seeds of a field of {}x{}, but the clip's fields have {}x{}; change the "
-                            "fields' size or the list",
+                fmt::format("{}: the list is for a field of {}x{}, but the clip's fields are {}x{}; change the field "
+                            "size or the list",
                             file, list.size.width, list.size.height, field_size().width, field_size().height),
                 {setting::field_size.name});
 }
@@ -228,8 +230,8 @@ std::int64_t ListedSeeds::interval(std::int64_t asked) const {
 std::vector<Seed> ListedSeeds::shared_seeds(const Field& field) const {
     if (field.flow.u.empty()) {
         throw Error(ErrorCode::options_conflict,
-                    "seeds: a list that all frames share takes its directions from the flow of each, and none is "
-                    "computed; choose another flow, or a folder with a list for each frame",
+                    "seeds: a list for all frames needs the flow of each frame, but none is computed; choose a flow "
+                    "method, or give a folder with a list for each frame",
                     {setting::seeds.name, setting::flow.name});
     }
     std::vector<Seed> seeds;

@@ -50,7 +50,7 @@ class ListedSeeds final : public FieldSource {
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
 
-    /// A few lists were chosen by a person, so all of them count; of many lists, only those at the requested interval.
+    /// All frames if there are only a few lists, because a person chose them; else the requested interval.
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
 

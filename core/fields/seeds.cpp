@@ -24,13 +24,13 @@ constexpr std::array orders{
     SeedOrderRow{"magnitude", "the fastest first", false, magnitude},
     SeedOrderRow{"difference", "what differs most from the empty scene first", false,
                  [](const SeedInput& input, int i, int j) { return static_cast<float>(input.object.at(i, j)); }},
-    SeedOrderRow{"age", "what has been there for longest first", true,
+    SeedOrderRow{"age", "what has been there longest first", true,
                  [](const SeedInput& input, int i, int j) { return static_cast<float>(input.age.at(i, j)); }},
 };
 
 constexpr std::array areas{
-    SeedAreaRow{"object", "on what differs from the empty scene, and moves", true},
-    SeedAreaRow{"field", "anywhere in the frame where the flow is fast enough, as the paper has it", false},
+    SeedAreaRow{"object", "on moving objects", true},
+    SeedAreaRow{"field", "anywhere in the frame, as in the paper", false},
 };
 
 /// A seed and its sort key.
@@ -130,7 +130,8 @@ std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options)
     std::vector<Candidate> candidates = eligible(input, options);
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::weight);
     if (selection.kind == SeedSelection::Kind::random) {
-        // Not the generator's own constant: with it, neighbouring frames would draw the same numbers, shifted.
+        // The factor differs from the generator's increment. With the same one, neighbouring frames would draw the same
+        // numbers, shifted.
         const std::uint64_t seed = selection.number * 0xd1342543de82ef95U + static_cast<std::uint64_t>(input.index);
         candidates = some_of(candidates, selection.count, Random(seed)());
     }

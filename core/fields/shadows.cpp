@@ -23,8 +23,8 @@ constexpr float most_tint = 0.07F;
 // The same for a single pixel, which proves less.
 constexpr float least_tint = 0.06F;
 
-// A pixel with a larger difference is no shadow, whatever is around it.
-constexpr float hopeless_tint = 0.3F;
+// A pixel with a larger difference is never a shadow, whatever its neighbours are.
+constexpr float max_tint_of_shadow = 0.3F;
 
 // A deep shadow gets more of its light from the sky, which is bluer than the sun: so the allowed difference grows by
 // this times the missing share of light.
@@ -88,7 +88,7 @@ bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
 }
 
 constexpr std::array rows{
-    ShadowRow{"remove", "what is only darker, with its colour kept, is no object", true},
+    ShadowRow{"remove", "remove what is darker but keeps its colour", true},
     ShadowRow{"keep", "shadows count as objects", false},
 };
 
@@ -138,12 +138,12 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
         // Next to its object, a shadow has that object's colour around it.
         const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
         const float tint = shares.most - shares.least;
-        const bool may_be = is_darker(shares) && tint < hopeless_tint;
+        const bool may_be = is_darker(shares) && tint < max_tint_of_shadow;
         const bool shadow = may_be && (tint < own_tint || has_kept_colour(frame, empty, i, j));
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
-    std::vector<ShadowPixel> taken;
-    // One pixel proves nothing: most of its neighbours must look like shadow too.
+    std::vector<ShadowPixel> removed;
+    // A single pixel is unreliable, so most of its neighbours must look like shadow too.
     for (const auto& [i, j] : points) {
         int sum = 0;
         for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
@@ -151,9 +151,9 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
         }
         // At an object's edge, half of the neighbours belong to the object: there the pixel itself decides.
         const bool is_taken = sum > 0 || (sum == 0 && votes.at(i - i0, j - j0) > 0);
-        if (is_taken) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
+        if (is_taken) removed.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
     }
-    return taken;
+    return removed;
 }
 
 void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach, std::uint8_t faint) {

@@ -19,8 +19,8 @@ namespace vvr::fields {
 namespace {
 
 constexpr std::array rows{
-    StabilizerRow{"auto", "where the camera shakes its motion is taken out before anything is compared", true},
-    StabilizerRow{"off", "frames are compared as they are", false},
+    StabilizerRow{"auto", "align frames if the camera shakes", true},
+    StabilizerRow{"off", "compare frames unaligned", false},
 };
 
 // Points all over the picture, so that no object covers most of them.
@@ -44,7 +44,7 @@ constexpr double least_agreeing = 0.25;  // share of the points that were found 
 constexpr double least_shake = 0.5;
 
 // The number of the reference's frames that are tested for camera shake.
-constexpr std::size_t frames_to_tell = 6;
+constexpr std::size_t frames_to_test = 6;
 
 /// The mean of the largest set of shifts that agree.
 Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
@@ -160,8 +160,8 @@ void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plan
 bool camera_shakes(std::span<const video::Frame> frames) {
     if (frames.size() < 2) return false;
     const Stabilizer stabilizer(planes_of(frames.front()));
-    const std::size_t count = std::min(frames.size() - 1, frames_to_tell);
-    std::array<char, frames_to_tell> moved{};
+    const std::size_t count = std::min(frames.size() - 1, frames_to_test);
+    std::array<char, frames_to_test> moved{};
     oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         moved[k] = is_visible(stabilizer.shift_of(frames[1 + k * (frames.size() - 1) / count].grey)) ? 1 : 0;
     });

@@ -89,24 +89,24 @@ bool intersects(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& bo
     return false;
 }
 
-/// The centres closest to `wished` that are in order and at least `step` apart, by isotonic regression (pool adjacent
-/// violators).
-std::vector<double> spread(std::span<const double> wished, double step, double low, double high) {
+/// The centres closest to `preferred` that are in order and at least `step` apart, by isotonic regression (pool
+/// adjacent violators).
+std::vector<double> spread(std::span<const double> preferred, double step, double low, double high) {
     struct Pool {
         double sum;
         int count;
         double mean() const { return sum / count; }
     };
     std::vector<Pool> pools;
-    for (std::size_t i = 0; i < wished.size(); ++i) {
-        pools.push_back({wished[i] - static_cast<double>(i) * step, 1});
+    for (std::size_t i = 0; i < preferred.size(); ++i) {
+        pools.push_back({preferred[i] - static_cast<double>(i) * step, 1});
         while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
             pools[pools.size() - 2].sum += pools.back().sum;
             pools[pools.size() - 2].count += pools.back().count;
             pools.pop_back();
         }
     }
-    const double highest = std::max(low, high - step * static_cast<double>(wished.size() - 1));
+    const double highest = std::max(low, high - step * static_cast<double>(preferred.size() - 1));
     std::vector<double> centres;
     for (const Pool& pool : pools) {
         for (int i = 0; i < pool.count; ++i) {
@@ -126,24 +126,24 @@ class Row {
     }
 
     std::vector<PlacedPortrait> place() const {
-        std::vector<double> wished;
+        std::vector<double> preferred;
         for (const std::size_t k : order_) {
             const auto& anchors = wanted_[k].anchors;
-            wished.push_back(std::ranges::min_element(anchors, {}, &Anchor::cost)->pixel.x);
+            preferred.push_back(std::ranges::min_element(anchors, {}, &Anchor::cost)->pixel.x);
         }
         std::vector<PlacedPortrait> placed;
         // Stills and anchors depend on each other, so iterate.
         for (int round = 0; round < 3; ++round) {
-            placed = choose_anchors(stills_at(wished));
-            for (std::size_t i = 0; i < placed.size(); ++i) wished[i] = placed[i].to.x;
+            placed = choose_anchors(stills_at(preferred));
+            for (std::size_t i = 0; i < placed.size(); ++i) preferred[i] = placed[i].to.x;
         }
         return placed;
     }
 
   private:
-    std::vector<PlacedPortrait> stills_at(std::span<const double> wished) const {
+    std::vector<PlacedPortrait> stills_at(std::span<const double> preferred) const {
         const double half = row_.height() / 2.0;
-        const std::vector<double> centres = spread(wished, step_, row_.left + half, row_.right - half);
+        const std::vector<double> centres = spread(preferred, step_, row_.left + half, row_.right - half);
         std::vector<PlacedPortrait> stills;
         for (std::size_t i = 0; i < order_.size(); ++i) {
             const int left = static_cast<int>(std::floor(centres[i] - half));

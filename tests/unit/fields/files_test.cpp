@@ -45,26 +45,30 @@ TEST(SeedFile, TakesCommentsEmptyLinesAndOtherLineEnds) {
 }
 
 TEST(SeedFile, SaysWhatIsWrongAndWhere) {
-    EXPECT_NE(seeds_error("").find("s.txt:1: the first line is not 'vvr-seeds 1'"), std::string::npos);
-    EXPECT_NE(seeds_error(std::string("\0\xff\x13junk", 7)).find("s.txt:1: the first line"), std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 2\n").find("the first line"), std::string::npos);
+    EXPECT_NE(seeds_error("").find("s.txt:1: expected the first line 'vvr-seeds 1'"), std::string::npos);
+    EXPECT_NE(seeds_error(std::string("\0\xff\x13junk", 7)).find("s.txt:1: expected the first line"),
+              std::string::npos);
+    EXPECT_NE(seeds_error("vvr-seeds 2\n").find("expected the first line"), std::string::npos);
     EXPECT_NE(seeds_error("vvr-seeds 1\nsize 40 30\n").find("s.txt:2: expected 'frame' and 1 number"),
               std::string::npos);
     EXPECT_NE(seeds_error("vvr-seeds 1\nframe 3\nsize 40\n").find("s.txt:3: expected 'size' and 2 numbers"),
               std::string::npos);
     EXPECT_NE(seeds_error("vvr-seeds 1\nframe x\n").find("s.txt:2: 'x' is not a number"), std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 1\nframe 3\nsize 0 30\npoints 0\n").find("a field of 0x30 can't be"),
+    EXPECT_NE(seeds_error("vvr-seeds 1\nframe 3\nsize 0 30\npoints 0\n")
+                  .find("a field has sides of 1 to 65536 pixels, found 0x30"),
               std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points -1\n").find("'-1' is not a number"), std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 99999999999999999999\n").find("is not a number"), std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 2\n1 2 0 0 1\n").find("s.txt:6: the file ends after 1 of 2 points"),
               std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 1\n1 2 0 0 1\n").find("more lines than the 1 points"),
+    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 1\n1 2 0 0 1\n")
+                  .find("s.txt:6: there are more points than 'points 1' says"),
               std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0\n").find("a point is 'x y u v flag'"), std::string::npos);
-    EXPECT_NE(
-        seeds_error(good_head + "points 1\n1 2 0 0 2\n").find("the flag of a point is 0 or 1, or a digit per brick"),
-        std::string::npos);
+    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0\n").find("expected a point 'x y u v flag', found '1 2 0 0'"),
+              std::string::npos);
+    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 2\n")
+                  .find("expected a flag of 1 to 32 digits, each 0 or 1, found '2'"),
+              std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 1\n1,5 2 0 0 1\n").find("'1,5' is not a number"), std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 1\n1 2 nan 0 1\n").find("'nan' is not a finite number"),
               std::string::npos);
@@ -112,17 +116,27 @@ TEST(FloFile, SaysWhatIsWrong) {
         return error_of([&] { fields::decode_flo(bytes, "f.flo"); });
     };
     const std::string good = fields::encode_flo(small_flow());
-    EXPECT_EQ(flo_error(""), "f.flo: not a flow file: 0 bytes are less than its header's 12");
+    EXPECT_EQ(
+        flo_error(""),
+        "f.flo: not a flow file: it has 0 bytes, fewer than the 12 of a header; docs/formats.md describes the format");
     EXPECT_EQ(flo_error("PIEJ" + good.substr(4)),
-              "f.flo: not a flow file: it doesn't begin with the number 202021.25 (\"PIEH\")");
-    EXPECT_EQ(flo_error(good + "x"), "f.flo: not a flow file: 61 bytes where its size of 3x2 needs 60");
-    EXPECT_EQ(flo_error(good.substr(0, 59)), "f.flo: not a flow file: 59 bytes where its size of 3x2 needs 60");
+              "f.flo: not a flow file: it doesn't begin with the number 202021.25 (\"PIEH\"); docs/formats.md "
+              "describes the format");
+    EXPECT_EQ(
+        flo_error(good + "x"),
+        "f.flo: not a flow file: it has 61 bytes, but a flow of 3x2 needs 60; docs/formats.md describes the format");
+    EXPECT_EQ(
+        flo_error(good.substr(0, 59)),
+        "f.flo: not a flow file: it has 59 bytes, but a flow of 3x2 needs 60; docs/formats.md describes the format");
     std::string huge = good;
     huge.replace(4, 4, "\xff\xff\xff\x7f");
-    EXPECT_EQ(flo_error(huge), "f.flo: not a flow file: a size of 2147483647x2 can't be");
+    EXPECT_EQ(flo_error(huge),
+              "f.flo: not a flow file: its header gives 2147483647x2 pixels, but a side has 1 to 65536; "
+              "docs/formats.md describes the format");
     fields::Flow bad = small_flow();
     bad.v.at(1, 0) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(flo_error(fields::encode_flo(bad)), "f.flo: not a flow file: vector 1 is not a number");
+    EXPECT_EQ(flo_error(fields::encode_flo(bad)),
+              "f.flo: not a flow file: vector 1 is not a number; docs/formats.md describes the format");
     EXPECT_EQ(error_of([] { fields::read_flo("/nowhere/f.flo"); }),
               "cannot open '/nowhere/f.flo': No such file or directory; check its name and permissions");
 }

@@ -39,7 +39,8 @@ TEST(FieldOptions, NumbersOutOfRange) {
     EXPECT_EQ(error_of([&](auto& o) { o.seeds.min_magnitude = -infinity; }),
               "min-magnitude: -inf is not between 0 and 10000");
     EXPECT_NE(error_of([](auto& o) { o.span.start = -1; }).find("start: -1"), std::string::npos);
-    EXPECT_EQ(error_of([](auto& o) { o.span.start = 2, o.span.end = 1; }), "end has to come after the start");
+    EXPECT_EQ(error_of([](auto& o) { o.span.start = 2, o.span.end = 1; }),
+              "end: the clip from 2 s to 1 s is empty; give an end after the start");
     EXPECT_NE(error_of([](auto& o) { o.flow.every = 0; }).find("flow-every: 0"), std::string::npos);
 }
 
@@ -76,15 +77,14 @@ TEST(FieldOptions, Polygons) {
     }
     const auto polygon_error = [](const char* text) { return error_of([&](auto& o) { o.mask = text; }); };
     EXPECT_NE(
-        polygon_error("0,0 10,0").find("mask: a polygon has at least three points at character 9 of \"0,0 10,0\""),
+        polygon_error("0,0 10,0").find("mask: a polygon needs at least three points at character 9 of \"0,0 10,0\""),
         std::string::npos);
     EXPECT_NE(polygon_error("0,0 10,0 5,5;").find("at least three points"), std::string::npos);
-    EXPECT_NE(polygon_error("0,0 10,0 5;5").find("expected ',' and the y of the point at character 11"),
-              std::string::npos);
+    EXPECT_NE(polygon_error("0,0 10,0 5;5").find("expected ',' and the point's y at character 11"), std::string::npos);
     EXPECT_NE(polygon_error("0,0 10,0 x,5").find("expected a number at character 10"), std::string::npos);
-    EXPECT_NE(polygon_error("0,nan 10,0 5,5").find("a coordinate must be within ±100000"), std::string::npos);
-    EXPECT_NE(polygon_error("0,0 inf,0 5,5").find("a coordinate must be within"), std::string::npos);
-    EXPECT_NE(polygon_error("0,0 1e9,0 5,5").find("a coordinate must be within"), std::string::npos);
+    EXPECT_NE(polygon_error("0,nan 10,0 5,5").find("a coordinate must be from -100000 to 100000"), std::string::npos);
+    EXPECT_NE(polygon_error("0,0 inf,0 5,5").find("a coordinate must be from"), std::string::npos);
+    EXPECT_NE(polygon_error("0,0 1e9,0 5,5").find("a coordinate must be from"), std::string::npos);
 }
 
 }  // namespace
