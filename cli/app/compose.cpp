@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/app/letter.h"
+#include "cli/app/annotate.h"
 #include "core/glance/objects.h"
 #include "core/labels/ruler.h"
 #include "core/scene/scene.h"
@@ -192,7 +192,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
         composed.slices = view ? space::fit_camera(*view, scene::outline_points(*plan.layout), plan.picture.size)
                                : composed.framing.camera;
     }
-    composed.lettering = letter(plan, seen, composed);
+    composed.lettering = annotate(plan, seen, composed);
     return composed;
 }
 

@@ -1,8 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <future>
 #include <memory>
 #include <string>
+#include <thread>
+#include <utility>
+
+#include <oneapi/tbb/concurrent_queue.h>
 
 #include "cli/app/compose.h"
 #include "cli/app/observer.h"
@@ -11,7 +18,7 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 
-// Draws compositions. Call these functions on the thread that owns the context (cli/app/render_thread.h).
+// Draws compositions, on a thread that owns the OpenGL context: call these functions on a RenderThread.
 namespace vvr::app {
 
 /// The OpenGL objects that draw the pictures of a plan. Create, use and close them on the same thread.
@@ -45,5 +52,35 @@ image::Picture draw(const Plan& plan, const Composition& composed, const Observa
 
 /// Releases OpenGL's memory, before encoding needs as much.
 void close(Drawing& drawing);
+
+/// The thread that draws. OpenGL is opened, used and closed on it only. Other threads give it work, which it does in
+/// order. After the first error, all later work fails with the same error.
+class RenderThread {
+  public:
+    using Work = std::function<void(Drawing&)>;
+
+    RenderThread();
+
+    /// Waits until all work is done.
+    ~RenderThread();
+    RenderThread(const RenderThread&) = delete;
+    RenderThread& operator=(const RenderThread&) = delete;
+
+    /// Queues work. Blocks while the queue is full.
+    /// \returns a future that is ready when the work is done, or has its exception
+    std::future<void> start(Work work);
+
+    /// Runs work on the thread and waits for it.
+    void run(Work work) { start(std::move(work)).get(); }
+
+  private:
+    using Task = std::packaged_task<void(Drawing&)>;
+
+    void serve();
+
+    oneapi::tbb::concurrent_bounded_queue<Task> tasks_;  ///< an empty task ends the thread
+    std::exception_ptr error_;                           ///< the first error; used by the thread only
+    std::jthread thread_;
+};
 
 }  // namespace vvr::app

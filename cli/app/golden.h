@@ -4,20 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "core/image/comparison.h"
 #include "core/image/picture.h"
 
 namespace vvr::app {
-
-/// The numbers for people, one per line.
-std::string numbers_of(const image::Comparison& comparison);
-
-/// The numbers as JSON; null if not computed.
-nlohmann::ordered_json json_of(const image::Comparison& comparison);
 
 /// Shows where two pictures differ: the worst pixels, and a map of letters. Shows nothing if there are no numbers.
 /// \param a a word for the first picture; `b` for the second

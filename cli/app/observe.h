@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -8,10 +9,10 @@
 #include "cli/app/objects.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
-#include "cli/app/volume_paint.h"
 #include "core/bricks/layer.h"
 #include "core/bricks/volume.h"
 #include "core/events/event_finder.h"
+#include "core/fields/field.h"
 #include "core/fields/field_source.h"
 #include "core/glance/portraits.h"
 #include "core/video/frame.h"
@@ -50,6 +51,23 @@ Observation observe(const Plan& plan, fields::FieldSource& source, Observer& obs
 
 /// What the plan needs from the fields of `frames` frames.
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
+
+/// Computes the colours of a frame's voxels, if the volume stores colours.
+class VolumePaint {
+  public:
+    /// \param plan must outlive this object
+    explicit VolumePaint(const Plan& plan);
+
+    /// Empty if voxels have no colours of their own. Valid until the next call.
+    const Plane<Bgr>& operator()(const video::Frame& frame, const fields::Field& field);
+
+  private:
+    Bgr colour_of_flow(float u, float v) const;
+
+    const Plan& plan_;
+    std::array<Bgr, 256> of_value_{};
+    Plane<Bgr> painted_;
+};
 
 /// Builds an observation from frames and their fields.
 class Gathering {

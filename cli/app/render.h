@@ -20,9 +20,23 @@ struct RenderSummary {
 /// \throws Error of every kind; `differs` after everything has been written
 RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken = {});
 
+/// The result of a run.
+struct Outcome {
+    Observation seen;
+    Composition composed;  ///< of the last picture
+    RunFacts run;
+};
+
 /// Draws one picture of a whole clip, or `products.pictures` of them; none if only a report is wanted. These differ
-/// only in the phase of the tracelines' texture and form a loop. \throws Error backend before a long clip is read, if
-/// OpenGL can't draw; limit, not_video, io, usage
+/// only in the phase of the tracelines' texture and form a loop.
+/// \throws Error backend before a long clip is read, if OpenGL can't draw; limit, not_video, io, usage
 Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
+
+/// Draws a series: one picture per brick of the clip, when the brick has entered the window. Picture j shows bricks j -
+/// k + 1 to j; the first pictures show fewer, from the start of the horseshoe. Time scale and camera are the same in
+/// all pictures. Memory depends only on the window.
+/// \param sink called with each picture and its brick's number
+/// \returns the last window's observation, with the frames, damage and events of the whole clip
+Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
 
 }  // namespace vvr::app

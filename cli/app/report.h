@@ -1,12 +1,66 @@
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "cli/app/drawn.h"
+#include "cli/app/composition.h"
+#include "cli/app/observe.h"
 #include "core/image/picture.h"
+#include "gl/context.h"
 
 namespace vvr::app {
+
+/// The duration of each stage of a run in seconds, in the order of first use.
+class Stages {
+  public:
+    /// Adds the time since the last call, or since construction, to this stage.
+    void end(const std::string& name) {
+        const Clock::time_point now = Clock::now();
+        const std::chrono::duration<double> took = now - std::exchange(last_, now);
+        for (auto& [known, seconds] : seconds_) {
+            if (known == name) {
+                seconds += took.count();
+                return;
+            }
+        }
+        seconds_.emplace_back(name, took.count());
+    }
+
+    const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Clock::time_point last_ = Clock::now();
+    std::vector<std::pair<std::string, double>> seconds_;
+};
+
+/// The renderer and statistics of a run.
+struct RunFacts {
+    std::string renderer{};    ///< GL_RENDERER
+    std::string gl_version{};  ///< GL_VERSION
+    std::string backend{};
+    std::int64_t pictures = 0;  ///< so far
+    Stages stages{};
+
+    void describe(const gl::Context& context) {
+        renderer = context.renderer();
+        gl_version = context.version();
+        backend = context.backend();
+        stages.end("context");
+    }
+};
+
+/// All facts about a run that reports and pages use.
+struct Drawn {
+    const Plan& plan;
+    const Observation& seen;
+    const Composition& composed;
+    const RunFacts& run;
+};
 
 /// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.
 /// \param advice from advice_on

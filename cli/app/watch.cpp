@@ -16,8 +16,8 @@
 
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
+#include "cli/app/render.h"
 #include "cli/app/report.h"
-#include "cli/app/series.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
 #include "core/fields/running_reference.h"
@@ -94,11 +94,6 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
 }
 
-/// The whole URL: its last part alone says too little.
-std::string title_of_stream(const std::string& name) {
-    return video::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
-}
-
 /// Writes pictures and measures their latency.
 class LivePictures {
   public:
@@ -172,7 +167,9 @@ class LivePictures {
 
 /// The job with the name and start time of the stream.
 RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
-    if (job.look.title.empty()) job.look.title = title_of_stream(name);
+    // The whole URL: its last part alone says too little.
+    if (job.look.title.empty())
+        job.look.title = video::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
     if (job.look.start_time.from == StartTime::From::automatic) {
         job.look.start_time =
             is_file ? start_time_from_name(job, name) : starts_at(std::time(nullptr), ClockSource::live);

@@ -10,7 +10,7 @@
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
 #include "cli/app/report.h"
-#include "cli/app/tell.h"
+#include "cli/app/summary.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/plane.h"
@@ -192,11 +192,11 @@ void Writer::write(FinishedPicture&& finished) {
 void Writer::finish(const Drawn& drawn, double seconds) {
     const OutputOptions& output = drawn.plan.job.output;
     const std::vector<std::string> advice = advice_on(drawn.plan, drawn.seen);
-    tell_warnings(drawn, advice, observer_);
+    log_warnings(drawn, advice, observer_);
     files_.close();
-    observer_.info(fmt::format("{}, {:.1f} s", outcome_of(drawn), seconds));
+    observer_.info(fmt::format("{}, {:.1f} s", result_text(drawn), seconds));
     if (drawn.plan.products.events && drawn.seen.events)
-        observer_.info(summary_of(drawn.seen.events->events, drawn.plan.clock));
+        observer_.info(events_summary(drawn.seen.events->events, drawn.plan.clock));
     if (!output.report.empty()) {
         const std::string text = format_report(drawn, advice, seconds);
         const auto bytes = std::as_bytes(std::span(text));

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/app/drawn.h"
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
+#include "cli/app/report.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
@@ -14,6 +14,16 @@
 #include "core/page/page.h"
 
 namespace vvr::app {
+
+/// A picture that is ready to be written.
+struct FinishedPicture {
+    int number = 0;  ///< from 0; in a series, the number of its brick
+    image::Picture picture;
+    Drawn drawn;
+};
+
+/// Called for each picture of a run, in order.
+using PictureSink = std::function<void(FinishedPicture&&)>;
 
 /// Writes the pictures of a render: to one or several files, an animation, a page, or nowhere.
 class PictureOutput {

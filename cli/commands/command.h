@@ -65,6 +65,10 @@ inline constexpr std::array command_rows{
 /// For every command, the options that config files can set.
 std::vector<options::CommandNames> names_of_commands();
 
+/// The versions of vvr and its libraries, one per line. OpenGL's renderer is left to `vvr doctor`, as asking for it
+/// takes longer than all the rest.
+std::string version_text();
+
 /// \throws Error usage when no command has that name
 const CommandRow& find_command(const std::string& name);
 

@@ -11,7 +11,6 @@
 #include "cli/console.h"
 #include "cli/options/log_options.h"
 #include "cli/options/output.h"
-#include "cli/versions.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 
@@ -104,7 +103,7 @@ cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environ
         return cli::ExitStatus::done;
     }
     if (name == "--version" || name == "-V" || name == "version") {
-        cli::print(cli::version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
+        cli::print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return cli::ExitStatus::done;
     }
     return run_with(find_command(name), arguments.subspan(1), environment);

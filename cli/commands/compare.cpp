@@ -1,7 +1,12 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/app/golden.h"
 #include "cli/commands/command.h"
@@ -15,6 +20,48 @@
 namespace vvr::commands {
 
 namespace {
+
+constexpr std::array<std::string_view, 5> verdicts{"same", "size", "channels", "not-finite", "values"};
+
+/// The numbers for people, one per line.
+std::string numbers_of(const image::Comparison& comparison) {
+    if (!comparison.has_numbers()) return {};
+    std::string text;
+    const auto line = [&text](const char* name, const std::string& value) {
+        text += fmt::format("{:<6} {}\n", name, value);
+    };
+    line("mean", fmt::format("{:.6f}", comparison.mean));
+    line("max", fmt::format("{:.6f}", comparison.max));
+    line("rms", fmt::format("{:.6f}", comparison.rms));
+    line("psnr", std::isinf(comparison.psnr) ? "infinite" : fmt::format("{:.2f} dB", comparison.psnr));
+    line("off", fmt::format("{} of {} pixels, {:.4f} %", comparison.off, comparison.pixels.pixels().size(),
+                            comparison.percent));
+    line("patch", fmt::format("{:.6f}", comparison.patch));
+    return text;
+}
+
+/// The numbers as JSON; null if not computed.
+nlohmann::ordered_json json_of(const image::Comparison& comparison) {
+    nlohmann::ordered_json json{{"same", comparison.verdict == image::Verdict::same},
+                                {"verdict", verdicts.at(static_cast<std::size_t>(comparison.verdict))},
+                                {"reason", comparison.reason}};
+    const auto number = [&](double value) {
+        return comparison.has_numbers() && std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+    };
+    json["mean"] = number(comparison.mean);
+    json["max"] = number(comparison.max);
+    json["rms"] = number(comparison.rms);
+    json["psnr_db"] = number(comparison.psnr);
+    json["pixels_off"] = comparison.has_numbers() ? nlohmann::ordered_json(comparison.off) : nullptr;
+    json["percent_off"] = number(comparison.percent);
+    json["patch"] = number(comparison.patch);
+    json["worst"] = nlohmann::ordered_json::array();
+    for (const image::PixelPair& pixel : comparison.worst) {
+        json["worst"].push_back(
+            {{"x", pixel.column}, {"y", pixel.row}, {"difference", pixel.difference}, {"a", pixel.a}, {"b", pixel.b}});
+    }
+    return json;
+}
 
 constexpr Setting json_option{"json", "", "for programs: null where there is no number"};
 
@@ -39,7 +86,7 @@ class Compare final : public Command {
         const image::Samples a = image::without_pixel_data(image::read_samples(names_[0]));
         const image::Samples b = image::without_pixel_data(image::read_samples(names_[1]));
         const image::Comparison comparison = image::compare(a, b, options_.tolerance);
-        cli::print(json_ ? json_of_files(comparison) : app::numbers_of(comparison));
+        cli::print(json_ ? json_of_files(comparison) : numbers_of(comparison));
         cli::Console console(environment, false);
         if (comparison.has_numbers() && !options_.diff.empty()) {
             const auto held = console.guard();
@@ -54,7 +101,7 @@ class Compare final : public Command {
   private:
     std::string json_of_files(const image::Comparison& comparison) const {
         nlohmann::ordered_json json{{"a", names_[0]}, {"b", names_[1]}};
-        json.update(app::json_of(comparison));
+        json.update(json_of(comparison));
         return json_text(json, 2) + "\n";
     }
 

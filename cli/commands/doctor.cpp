@@ -1,12 +1,19 @@
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/core/version.hpp>
+
+extern "C" {
+#include <libavutil/ffversion.h>
+}
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/versions.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/image/text.h"
@@ -15,6 +22,16 @@
 namespace vvr::commands {
 
 namespace {
+
+struct LibraryVersion {
+    std::string name;
+    std::string version;
+};
+
+/// The versions with which vvr was built. Asking the libraries would need to load them.
+std::vector<LibraryVersion> library_versions() {
+    return {{"FFmpeg", FFMPEG_VERSION}, {"OpenImageIO", OIIO_VERSION_STRING}, {"OpenCV", CV_VERSION}};
+}
 
 std::string describe(const gl::BackendReport& report) {
     std::string text =
@@ -51,7 +68,7 @@ auto drawn_with(const std::vector<gl::BackendReport>& reports) {
 
 std::string as_json(const std::vector<gl::BackendReport>& reports) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
-    for (const cli::LibraryVersion& library : cli::library_versions()) libraries[library.name] = library.version;
+    for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
     for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
     const std::string font = image::font_name();
@@ -68,9 +85,9 @@ std::string as_json(const std::vector<gl::BackendReport>& reports) {
 
 std::string as_text(const std::vector<gl::BackendReport>& reports) {
     const std::string font = image::font_name();
-    std::string text = cli::version_text() +
-                       fmt::format("font           {}\n",
-                                   font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
+    std::string text =
+        version_text() + fmt::format("font           {}\n",
+                                     font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
     const auto drawn = drawn_with(reports);
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; below is how to fix it"
@@ -114,6 +131,13 @@ class Doctor final : public Command {
 };
 
 }  // namespace
+
+std::string version_text() {
+    std::string text = fmt::format("vvr {}\n", version());
+    for (const LibraryVersion& library : library_versions())
+        text += fmt::format("{} {}\n", library.name, library.version);
+    return text;
+}
 
 std::unique_ptr<Command> make_doctor() {
     return std::make_unique<Doctor>();

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/app/clip_list.h"
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/commands/command.h"
@@ -11,10 +15,35 @@
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/labels/time_ticks.h"
+#include "core/store/manifest.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 
 namespace vvr::commands {
 
 namespace {
+
+/// The files of an input in order, each with its camera, start time, and the source of that time. Empty for inputs
+/// without them, such as a stream or pictures.
+std::vector<video::Segment> list_clips(const app::InputOptions& options) {
+    if (std::ranges::all_of(options.names, store::is_data_folder)) return {};
+    const video::RecorderNames layouts(options.name_patterns);
+    if (auto recording = video::find_recording(options.names, layouts, options.join))
+        return std::move(recording->segments);
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(options.names.front(), none)) return {};
+    return {video::segment_from_name(options.names.front(), layouts)};
+}
+
+/// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
+std::string text_of(const video::Segment& clip) {
+    const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
+    const std::string_view by = row_of(clip.begin_source).words;
+    if (!clip.begin) return fmt::format("{}, {}", camera, by);
+    const bool named = clip.begin_source == ClockSource::file_name;
+    return fmt::format("{}, {} UTC {}{}", camera, labels::format_clock(*clip.begin), by,
+                       named ? fmt::format(" ({})", clip.layout) : "");
+}
 
 std::string text_of(Size size) {
     return fmt::format("{}x{}", size.width, size.height);
@@ -53,8 +82,7 @@ std::string as_text(const fields::FieldSource& source, const app::Extent& extent
     line("bricks", fmt::to_string(extent.bricks));
     line("memory", fmt::format("at most about {} MB", extent.bytes / 1'000'000));
     if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
-    for (const video::Segment& clip : files)
-        text += fmt::format("  {}: {}\n", shown_text(clip.path), app::text_of(clip));
+    for (const video::Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
     return text;
 }
 
@@ -123,7 +151,7 @@ class Info final : public Command {
         options::finish(line, job_, false);
         app::validate(job_);
         const app::OpenedFields fields = app::open_fields(job_);
-        const std::vector<video::Segment> files = app::list_clips(job_.input);
+        const std::vector<video::Segment> files = list_clips(job_.input);
         const app::Plan plan = app::make_plan(job_, fields.facts());
         cli::print((json_ ? as_json : as_text)(*fields.source, plan.extent, files, fields.warnings));
         return cli::ExitStatus::done;

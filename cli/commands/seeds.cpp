@@ -1,12 +1,171 @@
-#include "cli/app/stored_flow_seeds.h"
+#include "core/fields/seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/app/observer.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
+#include "core/base/text.h"
+#include "core/fields/filter.h"
+#include "core/fields/flo_file.h"
+#include "core/fields/options.h"
+#include "core/fields/seed_list.h"
+#include "core/fields/settings.h"
+#include "core/image/atomic_file.h"
+#include "core/store/extraction.h"
 
 namespace vvr::commands {
 
 namespace {
+
+/// A stored flow, and the folder for its seed lists.
+struct StoredFlowSeedsJob {
+    std::filesystem::path flow;  ///< an extraction, or a folder of .flo files whose names end in frame numbers
+    std::filesystem::path folder;
+    fields::SeedOptions seeds;
+};
+
+namespace fs = std::filesystem;
+
+/// The folder for the lists of a run. The destructor removes the lists, and a new folder, unless keep() was called.
+class SeedFolder {
+  public:
+    explicit SeedFolder(fs::path folder) : folder_(std::move(folder)) {
+        std::error_code error;
+        made_ = fs::create_directory(folder_, error);
+        if (!error && fs::is_directory(folder_) && fs::is_empty(folder_, error) && !error) return;
+        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::folder_not_empty,
+                    fmt::format("cannot write seeds to '{}': {}; choose a new or an empty folder", folder_.string(),
+                                error ? error.message() : "it holds files"),
+                    {"output"});
+    }
+    ~SeedFolder() {
+        if (kept_) return;
+        std::error_code none;
+        for (const fs::path& file : files_) fs::remove(file, none);
+        if (made_) fs::remove(folder_, none);
+    }
+    SeedFolder(const SeedFolder&) = delete;
+    SeedFolder& operator=(const SeedFolder&) = delete;
+
+    void add(const fields::SeedList& list) {
+        files_.push_back(folder_ / store::stored::seed_file(list.frame).filename());
+        const std::string text = fields::format_seeds(list);
+        image::replace_file(files_.back(), std::as_bytes(std::span(text)));
+        seeds_ += std::ssize(list.seeds);
+    }
+
+    void keep() { kept_ = true; }
+    std::int64_t lists() const { return std::ssize(files_); }
+    std::int64_t seeds() const { return seeds_; }
+
+  private:
+    fs::path folder_;
+    std::vector<fs::path> files_;
+    std::int64_t seeds_ = 0;
+    bool made_ = false;
+    bool kept_ = false;
+};
+
+/// The number at the end of a file name.
+std::int64_t frame_of(const fs::path& file) {
+    const std::string name = file.stem().string();
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    std::int64_t frame = 0;
+    const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), frame);
+    if (error == std::errc() && digits < name.size()) return frame;
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("'{}': the name of a flow ends in the number of its frame, such as frame000012.flo",
+                            file.string()));
+}
+
+/// These files have flow only; objects are unknown.
+void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
+    std::map<std::int64_t, fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(job.flow, error)) {
+        if (entry.path().extension() != ".flo") continue;
+        const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
+        if (is_new) continue;
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': frame {} has a flow already, '{}'",
+                                                         entry.path().string(), known->first, known->second.string()));
+    }
+    if (files.empty()) {
+        const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
+                                       : std::string("is no extraction and holds no .flo file");
+        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::file_not_found,
+                    fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
+                                job.flow.string(), what));
+    }
+    const bool magnitude = job.seeds.order == fields::seed_orders().front();
+    if (job.seeds.area->object_alone || !magnitude) {
+        throw Error(ErrorCode::extraction_unsuitable,
+                    fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
+                                "seed-order magnitude, or name an extraction",
+                                job.flow.string()),
+                    {setting::seed_area.name, setting::seed_order.name});
+    }
+    for (const auto& [frame, file] : files) {
+        const fields::Flow flow = fields::read_flo(file.string());
+        const Plane<std::uint8_t> object(flow.u.size());
+        folder.add({frame, flow.u.size(), fields::make_seeds({frame, flow, object, {}}, job.seeds)});
+    }
+}
+
+void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
+    store::StoredFields fields(std::array{job.flow.string()});
+    const auto filter =
+        std::ranges::find(fields.settings(), setting::filter.name, [](const auto& s) { return s.first; });
+    const bool marks =
+        filter != fields.settings().end() && Choice<fields::FilterRow>(filter->second)->traits.shows_object;
+    if (!marks && job.seeds.area->object_alone) {
+        throw Error(ErrorCode::extraction_unsuitable,
+                    fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
+                                "choose seed-area field",
+                                job.flow.string()),
+                    {setting::seed_area.name});
+    }
+    Plane<std::uint16_t> age;
+    const fields::FieldNeeds needs{.seeds = false, .flow = true, .colour = false, .every = fields.interval(1)};
+    fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) {
+        age = fields::aged(age, field.scalar);
+        if (field.flow.u.empty()) return;
+        folder.add({field.index, field.flow.u.size(),
+                    fields::make_seeds({field.index, field.flow, field.scalar, age}, job.seeds)});
+    });
+}
+
+/// Chooses seeds on a stored flow (the filter stage of §4.2, between the boxes of Fig. 3). Writes one list per frame
+/// that has a flow, with its u and v. The folder must be new or empty.
+/// \throws Error usage for options that need data which is not stored; io
+void write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer) {
+    fields::FieldOptions options;
+    options.seeds = job.seeds;
+    fields::validate(options);
+    SeedFolder folder(job.folder);
+    if (store::is_data_folder(job.flow)) {
+        seeds_of_extraction(job, folder);
+    } else {
+        seeds_of_files(job, folder);
+    }
+    folder.keep();
+    observer.info(fmt::format("'{}': {} with {}", job.folder.string(), counted(folder.lists(), "list"),
+                              counted(folder.seeds(), "seed")));
+}
 
 namespace text {
 constexpr Setting output{"output", "DIR", "a new or empty folder for the lists, which `vvr render --seeds DIR` reads"};
@@ -31,12 +190,12 @@ class Seeds final : public Command {
             throw Error(ErrorCode::output_missing, "no output: say where the lists go with -o DIR");
         job_.flow = flows_.front();
         cli::Console console(environment);
-        app::write_seeds(job_, console);
+        write_seeds(job_, console);
         return cli::ExitStatus::done;
     }
 
   private:
-    app::StoredFlowSeedsJob job_;
+    StoredFlowSeedsJob job_;
     std::vector<std::string> flows_;
 };
 

@@ -1,10 +1,9 @@
-#include "cli/app/render_thread.h"
-
 #include <atomic>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "cli/app/draw.h"
 #include "core/base/error.h"
 
 namespace vvr {

@@ -1,4 +1,4 @@
-#include "cli/app/footage.h"
+#include "cli/commands/footage.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,7 +20,7 @@
 #include "core/video/input_files.h"
 #include "core/video/packet_range.h"
 
-namespace vvr::app {
+namespace vvr::commands {
 
 namespace {
 
@@ -133,8 +133,8 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 
 }  // namespace
 
-Footage find_footage(const InputOptions& options) {
-    require_input(options);
+Footage find_footage(const app::InputOptions& options) {
+    app::require_input(options);
     const video::RecorderNames layouts(options.name_patterns);
     if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
     if (auto recording = video::find_recording(options.names, layouts, options.join))
@@ -146,7 +146,7 @@ Footage find_footage(const InputOptions& options) {
 }
 
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
-                                                  Observer& observer) {
+                                                  app::Observer& observer) {
     const std::vector<video::Segment>& files = footage.recording.segments;
     if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
     std::vector<video::SegmentPlace> places;
@@ -168,7 +168,7 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
         }
     }
     if (places.empty()) throw Error(ErrorCode::not_video, problems.front());
-    report_warnings(footage.recording.warnings, problems, observer);
+    app::report_warnings(footage.recording.warnings, problems, observer);
     return places;
 }
 
@@ -211,4 +211,4 @@ std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places
     return parts;
 }
 
-}  // namespace vvr::app
+}  // namespace vvr::commands

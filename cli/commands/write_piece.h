@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/app/footage.h"
 #include "cli/app/observer.h"
+#include "cli/commands/footage.h"
 #include "core/base/wall_clock.h"
 
-namespace vvr::app {
+namespace vvr::commands {
 
 /// A piece of footage, completely resolved.
 struct PieceJob {
@@ -22,7 +22,7 @@ struct PieceJob {
     WallClock clock{};      ///< of the recording; none = unknown
     std::optional<std::int64_t>
         created{};  ///< without a clock: the container's creation time, seconds since 1970 (UTC)
-    InputOptions input;
+    app::InputOptions input;
     int threads = 0;
     bool tells_early_end = true;  ///< warn if the footage ends before the piece
     std::filesystem::path path;
@@ -37,9 +37,9 @@ void check_exact(const std::filesystem::path& path);
 /// Copies packets, from the key frame before the piece on.
 /// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
-bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
+bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop);
 
 /// Encodes exactly the frames of the piece, without sound.
-bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
+bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop);
 
-}  // namespace vvr::app
+}  // namespace vvr::commands

@@ -1,4 +1,4 @@
-#include "cli/app/tell.h"
+#include "cli/app/summary.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -43,7 +43,7 @@ std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation
 
 }  // namespace
 
-std::string outcome_of(const Drawn& drawn) {
+std::string result_text(const Drawn& drawn) {
     const auto& [plan, seen, composed, run] = drawn;
     const std::filesystem::path& path = plan.job.output.path;
     const std::string name = path.empty() ? seen.info.name : path.string();
@@ -53,7 +53,7 @@ std::string outcome_of(const Drawn& drawn) {
                        counted(std::ssize(composed.bricks), "brick"));
 }
 
-std::string summary_of(const std::vector<events::Event>& events, const WallClock& clock) {
+std::string events_summary(const std::vector<events::Event>& events, const WallClock& clock) {
     if (events.empty()) return "no events";
     const auto longest = std::ranges::max_element(events, {}, length_of);
     const double first = longest->first.seconds;
@@ -72,7 +72,7 @@ std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     return advice;
 }
 
-void tell_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer) {
+void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer) {
     const auto& [plan, seen, composed, run] = drawn;
     const std::string& name = seen.info.name;
     const Size field = plan.clip.field_size;

@@ -1,4 +1,4 @@
-#include "cli/app/write_piece.h"
+#include "cli/commands/write_piece.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 #include "core/video/recorder_names.h"
 #include "core/video/scaler.h"
 
-namespace vvr::app {
+namespace vvr::commands {
 
 namespace {
 
@@ -116,7 +116,7 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
 /// Warns if the footage ends before the requested end of the piece.
 /// \param last time of the piece's last frame
 /// \param length of that frame
-void warn_of_end(const PieceJob& job, double last, double length, Observer& observer) {
+void warn_of_end(const PieceJob& job, double last, double length, app::Observer& observer) {
     if (!job.tells_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
     if (!job.span.end && !job.span.stop) return;
     observer.warn(fmt::format("'{}' ends at {:.3f} s, before the piece was to end", job.name, last));
@@ -156,7 +156,7 @@ void check_exact(const fs::path& path) {
     encoding_for(path);
 }
 
-bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
+bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop) {
     const std::vector<video::CopyPart> parts = parts_to_copy(job);
     const video::CopyPart& first = parts.front();
     const video::CopyPart& last = parts.back();
@@ -273,7 +273,7 @@ class PieceFrames {
 };
 
 Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::DecodedFrame> frame,
-               const WriteAt& write_at, Observer& observer, const std::stop_token& stop) {
+               const WriteAt& write_at, app::Observer& observer, const std::stop_token& stop) {
     constexpr int ticks = 90'000;
     constexpr int default_rate = 25;
     const Encoding& encoding = encoding_for(job.path);
@@ -302,7 +302,7 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
 
 }  // namespace
 
-bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
+bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop) {
     PieceFrames frames(job);
     auto frame = frames.next();
     if (!frame) video::throw_empty(job.name, job.span, std::nullopt);
@@ -327,4 +327,4 @@ bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token
     return true;
 }
 
-}  // namespace vvr::app
+}  // namespace vvr::commands

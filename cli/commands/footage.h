@@ -12,7 +12,7 @@
 #include "core/video/frame_span.h"
 #include "core/video/recording.h"
 
-namespace vvr::app {
+namespace vvr::commands {
 
 /// Start and end of an event, in seconds from the first frame of the clip or recording.
 struct EventTimes {
@@ -43,7 +43,7 @@ struct Footage {
 };
 
 /// \throws Error usage for anything but a file with time stamps or a recording of such files
-Footage find_footage(const InputOptions& options);
+Footage find_footage(const app::InputOptions& options);
 
 /// The part of a piece that lies in one file.
 struct FootagePart {
@@ -55,7 +55,7 @@ struct FootagePart {
 /// The times of each file in the recording, from its packets: the same as in a render of the recording. Skips files
 /// that begin after `until`.
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
-                                                  Observer& observer);
+                                                  app::Observer& observer);
 
 /// The times as in a report, for the files that contain the event, and for the available files that the margin reaches
 /// into.
@@ -67,4 +67,4 @@ std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const R
 /// The files that a span reaches into, in order. If files overlap in time, the earlier one is used.
 std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span);
 
-}  // namespace vvr::app
+}  // namespace vvr::commands
