@@ -30,6 +30,7 @@
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
+#include "core/page/page.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
