@@ -280,8 +280,8 @@ class Annotator {
             glance::label_stays(objects, trails, sheet_, background_, lettering_);
         }
         if (plan_.shows(Part::strip)) {
-            glance::label_strip(objects, seen_.begin.seconds, seen_.end().seconds, composed_.still, sheet_,
-                                {ink_, pale_, lines_, background_}, lettering_);
+            glance::label_strip(objects, seen_.findings, seen_.begin.seconds, seen_.end().seconds, composed_.still,
+                                sheet_, {ink_, pale_, lines_, background_}, lettering_);
         }
     }
 

@@ -143,6 +143,27 @@ Json json_of(const std::optional<events::Portrait>& portrait, const Scale& scale
     return json;
 }
 
+Json json_of(const events::Evidence& evidence) {
+    return {{"difference", rounded(evidence.difference)},
+            {"edges", rounded(evidence.edges)},
+            {"scene_edges", rounded(evidence.scene_edges)},
+            {"thickness", rounded(evidence.thickness)},
+            {"alone", rounded(evidence.alone)},
+            {"moved", rounded(evidence.moved)},
+            {"flicker", rounded(evidence.flicker)},
+            {"changed", rounded(evidence.changed)},
+            {"carried", evidence.carried},
+            {"confidence", rounded(evidence.confidence)}};
+}
+
+Json json_of(const events::Change& change, const Scale& scale) {
+    return {{"first", json_of(change.first)},
+            {"last", json_of(change.last)},
+            {"box", json_of(scale(change.box))},
+            {"field_box", json_of(change.box)},
+            {"evidence", json_of(change.evidence)}};
+}
+
 Json json_of(const events::Event& event, std::size_t place, const Scale& scale, const Place& where) {
     Json json{{"number", place + 1},
               {"kind", events::name_of(event.kind)},
@@ -153,6 +174,7 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
               {"into", number_of(event.into)},
               {"by", number_of(event.by)},
               {"alone_since", event.alone_since ? json_of(*event.alone_since) : Json()},
+              {"evidence", event.evidence ? json_of(*event.evidence) : Json()},
               {"portrait", json_of(event.portrait, scale)},
               {"box", json_of(scale(event.box))},
               {"field_box", json_of(event.box)},
@@ -266,10 +288,14 @@ std::string format_report(const Drawn& drawn, const std::vector<std::string>& ad
     json["seconds"]["total"] = rounded(seconds);
     json["peak_memory_bytes"] = peak_memory();
     json["advice"] = advice;
-    json["events"] = Json();
+    for (const char* key : {"events", "changes", "overlays"}) json[key] = Json();
     if (seen.events) {
-        json["events"] = Json::array();
+        for (const char* key : {"events", "changes", "overlays"}) json[key] = Json::array();
         const Scale scale(field, info.size);
+        for (const events::Change& change : seen.findings.changes) json["changes"].push_back(json_of(change, scale));
+        for (const PixelBox& box : seen.findings.overlays) {
+            json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});
+        }
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
             json["events"].push_back(json_of(seen.events->events[k], k, scale, {info.segments, plan.clock}));
     }

@@ -14,9 +14,10 @@ namespace {
 /// Draws a time strip: maps times to columns and places the rows.
 class Strip {
   public:
-    Strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
-          const StripStyle& style, labels::Lettering& lettering)
+    Strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
+          const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering)
         : objects_(objects),
+          found_(found),
           begin_(begin),
           end_(end),
           nothing_moved_(nothing_moved),
@@ -103,6 +104,11 @@ class Strip {
 
     void label_idle() {
         for (const IdlePeriod& idle : idle_periods(objects_.events, begin_, end_)) {
+            // Where something changed that is no object, somebody may have been there.
+            const bool changed = std::ranges::any_of(found_.changes, [&](const events::Change& change) {
+                return change.first.seconds < idle.end && change.last.seconds > idle.begin;
+            });
+            if (changed) continue;
             const PixelBox room{column(idle.begin), rows_.top, column(idle.end), rows_.bottom};
             const std::string text = "nobody";
             const labels::Label label = labels::make_centred_label(text, sheet_.small, (room.left + room.right) / 2.0,
@@ -115,13 +121,21 @@ class Strip {
         const std::string more = without_bar > 0 ? fmt::format("; {} more not shown", without_bar) : "";
         std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
-        if (objects_.events.empty())
-            texts = {nothing_moved_ ? "Nothing moved" : "Nothing was in sight for long enough to be an object"};
+        if (objects_.events.empty()) texts = texts_without_objects();
         labels::add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small,
                                     sheet_.strip, style_.pale, lettering_);
     }
 
+    std::vector<std::string> texts_without_objects() const {
+        if (nothing_moved_) return {"Nothing moved"};
+        const int percent = std::max(1, static_cast<int>(std::lround(100 * found_.largest_share)));
+        return {fmt::format("Changes in up to {} % of the picture, but none that could be told apart as an object",
+                            percent),
+                fmt::format("Changes in up to {} % of the picture, no object", percent)};
+    }
+
     const Objects& objects_;
+    const events::Findings& found_;
     double begin_;
     double end_;
     bool nothing_moved_;
@@ -166,9 +180,9 @@ std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, doub
     return idle;
 }
 
-void label_strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
-                 const StripStyle& style, labels::Lettering& lettering) {
-    Strip(objects, begin, end, nothing_moved, sheet, style, lettering).draw();
+void label_strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
+                 const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering) {
+    Strip(objects, found, begin, end, nothing_moved, sheet, style, lettering).draw();
 }
 
 }  // namespace vvr::glance

@@ -38,9 +38,10 @@ struct StripStyle {
 
 /// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary. Objects that
 /// find no row are only counted.
+/// \param found the changes that are no objects
 /// \param begin, end seconds of the clip
 /// \param nothing_moved the clip has no motion at all
-void label_strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
-                 const StripStyle& style, labels::Lettering& lettering);
+void label_strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
+                 const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering);
 
 }  // namespace vvr::glance
