@@ -1,0 +1,320 @@
+#include "core/detector/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/detector/protobuf.h"
+
+namespace vvr::detector {
+
+namespace {
+
+// Numbers of fields, from the schema onnx.proto.
+namespace model_field {
+constexpr std::uint64_t graph = 7;
+}
+namespace graph_field {
+constexpr std::uint64_t node = 1;
+constexpr std::uint64_t initializer = 5;
+constexpr std::uint64_t input = 11;
+constexpr std::uint64_t sparse_initializer = 15;
+}  // namespace graph_field
+namespace node_field {
+constexpr std::uint64_t input = 1;
+constexpr std::uint64_t operation = 4;
+constexpr std::uint64_t attribute = 5;
+}  // namespace node_field
+namespace attribute_field {
+constexpr std::uint64_t tensor = 5;
+constexpr std::uint64_t graph = 6;
+constexpr std::uint64_t tensors = 10;
+constexpr std::uint64_t graphs = 11;
+}  // namespace attribute_field
+namespace tensor_field {
+constexpr std::uint64_t dimension = 1;
+constexpr std::uint64_t type = 2;
+constexpr std::uint64_t name = 8;
+constexpr std::uint64_t raw = 9;
+constexpr std::uint64_t external = 13;
+}  // namespace tensor_field
+constexpr std::uint64_t value_name = 1;
+constexpr std::array<std::uint64_t, 3> shape_of_value{2, 1, 2};  // type, tensor type, shape
+constexpr std::uint64_t shape_dimension = 1;
+constexpr std::uint64_t dimension_value = 1;
+
+/// A type of a tensor's numbers.
+struct NumberType {
+    std::uint64_t number;  ///< in the schema
+    std::size_t bytes;     ///< of a raw number
+    std::uint64_t list;    ///< the field that has the numbers if they aren't raw
+};
+
+constexpr std::array number_types{
+    NumberType{1, 4, 4},   // float: float_data
+    NumberType{2, 1, 5},   // uint8: int32_data
+    NumberType{3, 1, 5},   // int8: int32_data
+    NumberType{6, 4, 5},   // int32: int32_data
+    NumberType{7, 8, 7},   // int64: int64_data
+    NumberType{9, 1, 5},   // bool: int32_data
+    NumberType{11, 8, 10}  // double: double_data
+};
+
+constexpr std::array<std::uint64_t, 6> data_fields{4, 5, 6, 7, 10, 11};  // the lists of any type
+
+/// An operator and the number of its inputs.
+struct Operator {
+    std::string_view name;
+    std::size_t least;
+    std::size_t most;
+};
+
+constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+
+/// What detectors of formats() are made of.
+constexpr std::array operators{
+    Operator{"Add", 2, 2},
+    Operator{"BatchNormalization", 5, 5},
+    Operator{"Cast", 1, 1},
+    Operator{"Clip", 1, 3},
+    Operator{"Concat", 1, any},
+    Operator{"Constant", 0, 0},
+    Operator{"ConstantOfShape", 1, 1},
+    Operator{"Conv", 2, 3},
+    Operator{"Div", 2, 2},
+    Operator{"Exp", 1, 1},
+    Operator{"Expand", 2, 2},
+    Operator{"Gather", 2, 2},
+    Operator{"HardSigmoid", 1, 1},
+    Operator{"Identity", 1, 1},
+    Operator{"LeakyRelu", 1, 1},
+    Operator{"MaxPool", 1, 1},
+    Operator{"Mul", 2, 2},
+    Operator{"Pow", 2, 2},
+    Operator{"Relu", 1, 1},
+    Operator{"Reshape", 2, 2},
+    Operator{"Resize", 2, 4},
+    Operator{"Shape", 1, 1},
+    Operator{"Sigmoid", 1, 1},
+    Operator{"Slice", 1, 5},
+    Operator{"Softmax", 1, 1},
+    Operator{"Split", 1, 2},
+    Operator{"Squeeze", 1, 2},
+    Operator{"Sub", 2, 2},
+    Operator{"Transpose", 1, 1},
+    Operator{"Unsqueeze", 1, 2},
+    Operator{"Upsample", 2, 2},
+};
+
+// Sides of a model's input. Three grids divide it, the coarsest into cells of 32 pixels.
+constexpr std::uint64_t grid = 32;
+constexpr std::uint64_t longest_side = 2048;
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw Error(ErrorCode::not_a_model, what);
+}
+
+/// The one field of that number: a second one would be merged into it.
+void set_once(std::optional<std::string_view>& known, const ProtobufField& field) {
+    if (known) refuse("it is damaged: a part that can be there once is there twice");
+    known = field.bytes;
+}
+
+std::uint64_t count_of_varints(const ProtobufField& field) {
+    if (field.wire == Wire::varint) return 1;
+    // The last byte of each is below 0x80.
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(field.bytes, [](char byte) { return static_cast<unsigned char>(byte) < 0x80; }));
+}
+
+/// The numbers that a field adds to a list.
+std::uint64_t count_of_numbers(const ProtobufField& field) {
+    if (field.number == 4) return field.bytes.size() / sizeof(float);
+    if (field.number == 10) return field.bytes.size() / sizeof(double);
+    return count_of_varints(field);
+}
+
+/// The product of dimensions; nothing if it is larger than any file.
+std::optional<std::uint64_t> product(const std::vector<std::uint64_t>& dimensions) {
+    constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
+    std::uint64_t elements = 1;
+    for (const std::uint64_t side : dimensions) {
+        if (side > most) return std::nullopt;
+        elements *= side;
+        if (elements > most) return std::nullopt;
+    }
+    return elements;
+}
+
+/// Adds the numbers of a field that may be packed.
+void append_varints(const ProtobufField& field, std::vector<std::uint64_t>& numbers) {
+    if (field.wire == Wire::varint) numbers.push_back(field.value);
+    if (field.wire != Wire::bytes) return;
+    ProtobufReader packed(field.bytes);
+    while (const auto number = packed.next_packed()) numbers.push_back(*number);
+}
+
+/// Checks that a tensor has as many numbers as its shape says.
+/// \returns its name
+std::string_view check_tensor(std::string_view tensor) {
+    std::vector<std::uint64_t> dimensions;
+    std::uint64_t type = 0;
+    std::string_view name;
+    std::optional<std::string_view> raw;
+    std::array<std::uint64_t, data_fields.size()> listed{};
+    ProtobufReader reader(tensor);
+    while (const auto field = reader.next()) {
+        if (field->number == tensor_field::dimension) append_varints(*field, dimensions);
+        if (field->number == tensor_field::type) type = field->value;
+        if (field->number == tensor_field::name) name = field->bytes;
+        if (field->number == tensor_field::raw) set_once(raw, *field);
+        if (field->number == tensor_field::external) refuse("its weights are in another file; export it as one file");
+        const auto* const list = std::ranges::find(data_fields, field->number);
+        if (list != data_fields.end()) {
+            listed.at(static_cast<std::size_t>(list - data_fields.begin())) += count_of_numbers(*field);
+        }
+    }
+    const auto* const known = std::ranges::find(number_types, type, &NumberType::number);
+    if (known == number_types.end()) {
+        refuse(
+            fmt::format("its weights are of type {}, which OpenCV does not read; export it with 32-bit floats", type));
+    }
+    const auto elements = product(dimensions);
+    const std::uint64_t in_raw = raw ? raw->size() / known->bytes : 0;
+    std::uint64_t all = in_raw;
+    for (const std::uint64_t count : listed) all += count;
+    const auto own = static_cast<std::size_t>(std::ranges::find(data_fields, known->list) - data_fields.begin());
+    const std::uint64_t in_list = listed.at(own);
+    const bool whole = !raw || raw->size() % known->bytes == 0;
+    const bool in_one_place = all == in_raw || (all == in_list && !raw);
+    if (!elements || !whole || !in_one_place || all != *elements) {
+        refuse(fmt::format("it is damaged: the shape of '{}' is another than that of its numbers", shown_text(name)));
+    }
+    return name;
+}
+
+void check_attribute(std::string_view attribute) {
+    std::optional<std::string_view> tensor;
+    ProtobufReader reader(attribute);
+    while (const auto field = reader.next()) {
+        if (field->number == attribute_field::tensor) set_once(tensor, *field);
+        if (field->number == attribute_field::tensors) check_tensor(field->bytes);
+        if (field->number == attribute_field::graph || field->number == attribute_field::graphs) {
+            refuse("it has loops or conditions, which no detector needs");
+        }
+    }
+    if (tensor) check_tensor(*tensor);
+}
+
+void check_node(std::string_view node) {
+    std::size_t inputs = 0;
+    std::string_view name;
+    ProtobufReader reader(node);
+    while (const auto field = reader.next()) {
+        if (field->number == node_field::input) ++inputs;
+        if (field->number == node_field::operation) name = field->bytes;
+        if (field->number == node_field::attribute) check_attribute(field->bytes);
+    }
+    const auto* const known = std::ranges::find(operators, name, &Operator::name);
+    if (known == operators.end()) {
+        refuse(fmt::format("it needs the operator '{}', which no known detector has", shown_text(name.substr(0, 100))));
+    }
+    if (inputs < known->least || inputs > known->most) {
+        refuse(fmt::format("it is damaged: the operator '{}' has {}", name,
+                           counted(static_cast<std::int64_t>(inputs), "input")));
+    }
+}
+
+/// A value between the operators: its name and its sides; a side that is not fixed is 0.
+struct Value {
+    std::string_view name;
+    std::vector<std::uint64_t> sides;
+};
+
+/// The message that a field holds; the last one, as Protocol Buffers have it.
+std::string_view message_in(std::string_view message, std::uint64_t number) {
+    std::string_view found;
+    ProtobufReader reader(message);
+    while (const auto field = reader.next()) {
+        if (field->number == number) found = field->bytes;
+    }
+    return found;
+}
+
+Value read_value(std::string_view message) {
+    Value value{message_in(message, value_name), {}};
+    for (const std::uint64_t number : shape_of_value) message = message_in(message, number);
+    ProtobufReader shape(message);
+    while (const auto dimension = shape.next()) {
+        if (dimension->number != shape_dimension) continue;
+        std::uint64_t side = 0;
+        ProtobufReader reader(dimension->bytes);
+        while (const auto field = reader.next()) {
+            if (field->number == dimension_value) side = field->value;
+        }
+        value.sides.push_back(side);
+    }
+    return value;
+}
+
+Size size_of_input(const std::vector<Value>& inputs) {
+    if (inputs.size() != 1) refuse(fmt::format("it has {} inputs, not one image", inputs.size()));
+    const std::vector<std::uint64_t>& sides = inputs.front().sides;
+    const bool images = sides.size() == 4 && sides[0] <= 1 && sides[1] == 3;
+    if (!images) {
+        refuse(fmt::format("its input has the shape [{}], not that of one colour image, [1, 3, height, width]",
+                           fmt::join(sides, ", ")));
+    }
+    const auto fits = [](std::uint64_t side) { return side > 0 && side <= longest_side && side % grid == 0; };
+    if (!fits(sides[2]) || !fits(sides[3])) {
+        refuse(fmt::format("its images have {}x{} pixels; export it for a fixed size of multiples of {}, at most {}",
+                           sides[3], sides[2], grid, longest_side));
+    }
+    return {static_cast<int>(sides[3]), static_cast<int>(sides[2])};
+}
+
+Size check_graph(std::string_view graph) {
+    std::set<std::string_view> weights;
+    std::vector<Value> inputs;
+    ProtobufReader reader(graph);
+    while (const auto field = reader.next()) {
+        if (field->number == graph_field::node) check_node(field->bytes);
+        if (field->number == graph_field::initializer) weights.insert(check_tensor(field->bytes));
+        if (field->number == graph_field::sparse_initializer)
+            refuse("it has sparse weights, which OpenCV does not read");
+        if (field->number == graph_field::input) inputs.push_back(read_value(field->bytes));
+    }
+    // Old versions list the weights as inputs too.
+    std::erase_if(inputs, [&](const Value& value) { return weights.contains(value.name); });
+    return size_of_input(inputs);
+}
+
+}  // namespace
+
+Size check_model(std::string_view bytes) {
+    if (bytes.empty()) refuse("it is empty");
+    try {
+        std::optional<std::string_view> graph;
+        ProtobufReader reader(bytes);
+        while (const auto field = reader.next()) {
+            if (field->number == model_field::graph) set_once(graph, *field);
+        }
+        if (!graph) refuse("it is no ONNX file");
+        return check_graph(*graph);
+    } catch (const std::invalid_argument& error) {
+        refuse(fmt::format("it is no ONNX file, or a damaged one: {}", error.what()));
+    }
+}
+
+}  // namespace vvr::detector
