@@ -19,7 +19,7 @@ InputBox centred(double x, double y, double width, double height) {
 
 /// The centre in cells from the cell's corner, the logarithm of the size in cells.
 InputBox decode_yolox(std::span<const float, 4> box, const Cell& cell) {
-    return centred((cell.column + box[0]) * cell.side, (cell.row + box[1]) * cell.side,
+    return centred((cell.column + double{box[0]}) * cell.side, (cell.row + double{box[1]}) * cell.side,
                    std::exp(double{box[2]}) * cell.side, std::exp(double{box[3]}) * cell.side);
 }
 

@@ -50,4 +50,9 @@ std::optional<std::uint64_t> ProtobufReader::next_packed() {
     return read_varint();
 }
 
+void set_once(std::optional<std::string_view>& known, const ProtobufField& field) {
+    if (known) throw std::invalid_argument("a part is there twice");
+    known = field.bytes;
+}
+
 }  // namespace vvr::detector

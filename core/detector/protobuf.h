@@ -36,4 +36,8 @@ class ProtobufReader {
     std::string_view left_;
 };
 
+/// Keeps the bytes of a field that a message can have once. Protocol Buffers would merge a second one into the first.
+/// \throws std::invalid_argument if there was one before
+void set_once(std::optional<std::string_view>& known, const ProtobufField& field);
+
 }  // namespace vvr::detector

@@ -142,12 +142,12 @@ std::optional<std::string> failure_in_child(const std::function<void()>& action,
         run_child(action, pipe.in());
     }
     pipe.close_input();
-    const auto text = read_until_end(pipe.out(), std::chrono::seconds(2 * limits.seconds));
+    const auto text = read_until_end(pipe.out(), std::chrono::seconds(limits.clock_seconds));
     if (!text) ::kill(child, SIGKILL);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (!text) return fmt::format("it hangs: no answer for {} s", 2 * limits.seconds);
+    if (!text) return fmt::format("it hangs: no answer for {} s", limits.clock_seconds);
     if (WIFEXITED(status) && WEXITSTATUS(status) == passed) return std::nullopt;
     return text->empty() ? text_of_end(status, limits) : *text;
 }

@@ -8,8 +8,9 @@ namespace vvr::detector {
 
 /// What a child process may use before it is ended.
 struct TrialLimits {
-    int megabytes = 4096;  ///< in addition to what the process has already
-    int seconds = 60;      ///< of processor time; twice that by the clock
+    int megabytes = 4096;     ///< in addition to what the process has already
+    int seconds = 60;         ///< of processor time
+    int clock_seconds = 600;  ///< a busy machine gives a process a small part of its time
 };
 
 /// Runs an action in a child process, so that a crash ends only the child. The child has one thread, and its stderr
