@@ -1,5 +1,6 @@
 #include "core/detector/detector.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -51,10 +52,13 @@ std::string bytes_of(const std::filesystem::path& model) {
     }
 }
 
-/// What OpenCV says of a model, in one line without its own files and functions.
+/// What OpenCV says of a model: the first line, without names of its own files.
 std::string text_of(const cv::Exception& error) {
-    constexpr std::size_t most = 200;
-    return fmt::format("OpenCV cannot run it: {}", shown_text(std::string_view(error.err).substr(0, most)));
+    std::string_view text = error.err;
+    text = text.substr(0, text.find(": OpenCV("));
+    if (text.starts_with("> ")) text.remove_prefix(2);
+    text = text.substr(0, std::min<std::size_t>(text.find('\n'), 200));
+    return fmt::format("OpenCV cannot run it: {}", shown_text(text));
 }
 
 /// Of detections that overlap only the one with the highest score, highest first.

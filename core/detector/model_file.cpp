@@ -34,6 +34,7 @@ constexpr std::uint64_t sparse_initializer = 15;
 }  // namespace graph_field
 namespace node_field {
 constexpr std::uint64_t input = 1;
+constexpr std::uint64_t output = 2;
 constexpr std::uint64_t operation = 4;
 constexpr std::uint64_t attribute = 5;
 }  // namespace node_field
@@ -113,23 +114,33 @@ void check_attribute(std::string_view attribute) {
     if (tensor) check_tensor(*tensor);
 }
 
-void check_node(std::string_view node) {
-    std::size_t inputs = 0;
+/// Checks an operator, and adds its outputs to the values that are known.
+void check_node(std::string_view node, std::set<std::string_view>& known) {
+    std::vector<std::string_view> inputs;
+    std::vector<std::string_view> outputs;
     std::string_view name;
     ProtobufReader reader(node);
     while (const auto field = reader.next()) {
-        if (field->number == node_field::input) ++inputs;
+        if (field->number == node_field::input) inputs.push_back(field->bytes);
+        if (field->number == node_field::output) outputs.push_back(field->bytes);
         if (field->number == node_field::operation) name = field->bytes;
         if (field->number == node_field::attribute) check_attribute(field->bytes);
     }
-    const auto* const known = std::ranges::find(operators, name, &Operator::name);
-    if (known == operators.end()) {
+    const auto* const row = std::ranges::find(operators, name, &Operator::name);
+    if (row == operators.end()) {
         refuse(fmt::format("it needs the operator '{}', which no known detector has", shown_text(name.substr(0, 100))));
     }
-    if (inputs < known->least || inputs > known->most) {
+    if (inputs.size() < row->least || inputs.size() > row->most) {
         refuse(fmt::format("it is damaged: the operator '{}' has {}", name,
-                           counted(static_cast<std::int64_t>(inputs), "input")));
+                           counted(static_cast<std::int64_t>(inputs.size()), "input")));
     }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const bool left_out = inputs[i].empty() && i >= row->least;
+        if (left_out || known.contains(inputs[i])) continue;
+        refuse(fmt::format("it is damaged: nothing before the operator '{}' makes its input '{}'", name,
+                           shown_text(inputs[i].substr(0, 100))));
+    }
+    known.insert(outputs.begin(), outputs.end());
 }
 
 /// A value between the operators: its name and its sides; a side that is not fixed is 0.
@@ -181,19 +192,24 @@ Size size_of_input(const std::vector<Value>& inputs) {
 }
 
 Size check_graph(std::string_view graph) {
-    std::set<std::string_view> weights;
+    std::vector<std::string_view> nodes;
+    std::set<std::string_view> known;  // names of values
     std::vector<Value> inputs;
     ProtobufReader reader(graph);
     while (const auto field = reader.next()) {
-        if (field->number == graph_field::node) check_node(field->bytes);
-        if (field->number == graph_field::initializer) weights.insert(check_tensor(field->bytes));
-        if (field->number == graph_field::sparse_initializer)
+        if (field->number == graph_field::node) nodes.push_back(field->bytes);
+        if (field->number == graph_field::initializer) known.insert(check_tensor(field->bytes));
+        if (field->number == graph_field::sparse_initializer) {
             refuse("it has sparse weights, which OpenCV does not read");
+        }
         if (field->number == graph_field::input) inputs.push_back(read_value(field->bytes));
     }
     // Old versions list the weights as inputs too.
-    std::erase_if(inputs, [&](const Value& value) { return weights.contains(value.name); });
-    return size_of_input(inputs);
+    std::erase_if(inputs, [&](const Value& value) { return known.contains(value.name); });
+    const Size size = size_of_input(inputs);
+    known.insert(inputs.front().name);
+    for (const std::string_view node : nodes) check_node(node, known);
+    return size;
 }
 
 }  // namespace

@@ -169,6 +169,14 @@ TEST_F(DetectorTest, SaysWhichShapesItKnows) {
               std::string::npos);
 }
 
+TEST_F(DetectorTest, SaysWhatOpenCvCannotRun) {
+    std::string model = TinyModel().onnx();
+    model.replace(model.find("kernel_shape"), 12, "kernel_scape");
+    EXPECT_NE(
+        complaint(model).find("OpenCV cannot run it: Node [Conv@ai.onnx]:(onnx_node!grid8.map) parse error; give"),
+        std::string::npos);
+}
+
 TEST_F(DetectorTest, SurvivesDamagedModels) {
     const std::string model = TinyModel().onnx();
     std::mt19937 random(7);

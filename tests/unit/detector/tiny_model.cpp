@@ -107,6 +107,7 @@ std::string TinyModel::onnx() const {
     }
     graph.bytes(1, node("Concat", grids, transposed ? "output" : "all", {attribute("axis", 2)}));
     if (!transposed) graph.bytes(1, node("Transpose", {"all"}, "output", {attribute("perm", {0, 2, 1})}));
+    if (!last_node.empty()) graph.bytes(1, last_node);
     graph.bytes(2, "tiny").bytes(11, value("image", {1, 3, side, side}));
     graph.bytes(12, value("output", transposed ? std::vector{1, numbers, cells} : std::vector{1, cells, numbers}));
     constexpr std::uint64_t version = 6;

@@ -33,6 +33,7 @@ struct TinyModel {
     float full = 255;                                            ///< input value of a certain object
     int copies = 1;                                              ///< of the rows of each grid
     bool transposed = false;                                     ///< the output has one column per box
+    std::string last_node{};                                     ///< an operator after all others; empty = none
 
     /// The model in ONNX format.
     std::string onnx() const;
