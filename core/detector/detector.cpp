@@ -14,7 +14,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/detector/formats.h"
 #include "core/detector/model_file.h"
@@ -43,14 +43,6 @@ class QuietOpenCv {
   private:
     cv::utils::logging::LogLevel level_;
 };
-
-std::string bytes_of(const std::filesystem::path& model) {
-    try {
-        return read_file(model.string(), most_model_bytes);
-    } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("cannot read the detector's model: {}; check its name", error.what()));
-    }
-}
 
 /// What OpenCV says of a model: the first line, without names of its own files.
 std::string text_of(const cv::Exception& error) {
@@ -150,7 +142,7 @@ void Detector::Network::try_once(std::string_view bytes, Size input) {
 
 Detector::Detector(const std::filesystem::path& model, Trial trial) {
     const QuietOpenCv quiet;
-    const std::string bytes = bytes_of(model);
+    const std::string bytes = read_file(model.string(), most_model_bytes);
     std::optional<std::string> failure;
     try {
         const Size input = check_model(bytes);

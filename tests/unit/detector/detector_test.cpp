@@ -137,8 +137,7 @@ TEST_F(DetectorTest, SaysWhichFileCannotBeRead) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::file_not_found);
         EXPECT_STREQ(error.what(),
-                     "cannot read the detector's model: /no/such/model.onnx: can't be opened: No such file "
-                     "or directory; check its name");
+                     "cannot open '/no/such/model.onnx': No such file or directory; check its name and permissions");
     }
 }
 
