@@ -68,6 +68,8 @@ constexpr std::array rows{
              "an archive has no clips, so vvr does not remove its pictures"},
     ErrorRow{ErrorCode::worker_result_invalid, "worker-result-invalid", ErrorKind::io,
              "a worker of an archive ended with an unknown status, without its files, or with an invalid report"},
+    ErrorRow{ErrorCode::not_a_model, "not-a-model", ErrorKind::io,
+             "a file is no model of a detector, is damaged, or has a format that vvr does not know"},
     ErrorRow{ErrorCode::not_video, "not-video", ErrorKind::not_video, "the input is not a video that vvr can decode"},
     ErrorRow{ErrorCode::file_empty, "file-empty", ErrorKind::not_video, "the input is empty"},
     ErrorRow{ErrorCode::no_video_stream, "no-video-stream", ErrorKind::not_video,

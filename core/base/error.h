@@ -59,6 +59,7 @@ enum class ErrorCode {
     stream_timeout,
     archive_empty,
     worker_result_invalid,
+    not_a_model,
     not_video,
     file_empty,
     no_video_stream,

@@ -10,9 +10,9 @@ pkg_check_modules(re2 REQUIRED IMPORTED_TARGET re2)
 # Filters of system calls.
 pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp)
 
-# OpenCV's CMake files are in the package of all its modules; we want three of them.
+# OpenCV's CMake files are in the package of all its modules; we want four of them.
 find_path(OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
-foreach(module core imgproc video)
+foreach(module core dnn imgproc video)
   find_library(OPENCV_${module} opencv_${module} REQUIRED)
   add_library(opencv::${module} UNKNOWN IMPORTED)
   set_target_properties(opencv::${module} PROPERTIES

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace vvr::detector {
+
+/// What a class of objects is to somebody who watches a scene.
+enum class Group {
+    person,
+    vehicle,  ///< carries people or goods
+    animal,
+    thing,  ///< what a person can carry, leave and take
+    other,  ///< furniture and fixtures
+};
+
+struct ObjectClass {
+    std::string_view name;
+    Group group;
+};
+
+/// The 80 classes of the COCO data set; the place of a row is the number that models give the class.
+std::span<const ObjectClass> object_classes();
+
+std::string_view name_of(Group group);
+
+}  // namespace vvr::detector

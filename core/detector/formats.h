@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/plane.h"
+#include "core/detector/letterbox.h"
+
+namespace vvr::detector {
+
+/// A cell of one of the grids that divide a network's input.
+struct Cell {
+    int column = 0;
+    int row = 0;
+    int side = 0;  ///< input pixels
+};
+
+/// An object that a network tells of.
+struct Candidate {
+    InputBox box;
+    int class_id = 0;  ///< index in object_classes()
+    float score = 0;
+};
+
+/// A family of models. Its output has one row per box: the box in four numbers, the probability that there is an
+/// object, and the probability of each class. The rows follow the cells of three grids, finest first.
+struct Format {
+    std::string_view name;
+    int boxes_per_cell = 1;
+    ChannelOrder order = ChannelOrder::bgr;  ///< of the input
+    double scale = 1;                        ///< input value per grey level
+    InputBox (*decode)(std::span<const float, 4> box, const Cell& cell);
+};
+
+std::span<const Format> formats();
+
+/// The rows of a format's output for an input of that size.
+int rows_of(const Format& format, Size input);
+
+/// The numbers in a row.
+int row_length();
+
+/// The format whose output has that shape; null = none.
+const Format* find_format(std::span<const int> shape, Size input);
+
+/// The candidates of an output with at least that score.
+/// \param output all rows
+std::vector<Candidate> decode(const Format& format, std::span<const float> output, Size input, float threshold);
+
+}  // namespace vvr::detector

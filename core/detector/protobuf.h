@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace vvr::detector {
+
+/// How the value of a field is encoded.
+enum class Wire { varint = 0, fixed64 = 1, bytes = 2, fixed32 = 5 };
+
+/// A field of a message in the wire format of Protocol Buffers.
+struct ProtobufField {
+    std::uint64_t number = 0;
+    Wire wire = Wire::varint;
+    std::uint64_t value = 0;  ///< of a varint
+    std::string_view bytes;   ///< of any other: a text, a message, a packed list, or a number's 4 or 8 bytes
+};
+
+/// Reads the fields of a message in their order.
+class ProtobufReader {
+  public:
+    explicit ProtobufReader(std::string_view message) : left_(message) {}
+
+    /// The next field; nothing at the end.
+    /// \throws std::invalid_argument if the bytes are no message
+    std::optional<ProtobufField> next();
+
+    /// The next number of a packed list of varints; nothing at the end.
+    std::optional<std::uint64_t> next_packed();
+
+  private:
+    std::uint64_t read_varint();
+    std::string_view read_bytes(std::uint64_t count);
+
+    std::string_view left_;
+};
+
+/// Keeps the bytes of a field that a message can have once. Protocol Buffers would merge a second one into the first.
+/// \throws std::invalid_argument if there was one before
+void set_once(std::optional<std::string_view>& known, const ProtobufField& field);
+
+}  // namespace vvr::detector

@@ -1,0 +1,202 @@
+#include "core/detector/detector.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/unit/detector/tiny_model.h"
+
+namespace vvr::detector {
+namespace {
+
+using test::TinyModel;
+
+/// A file of a model for one test.
+class DetectorTest : public testing::Test {
+  protected:
+    DetectorTest()
+        : file_(std::filesystem::temp_directory_path() /
+                ("vvr-detector-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" +
+                 std::to_string(::getpid()) + ".onnx")) {}
+    ~DetectorTest() override { std::filesystem::remove(file_); }
+    DetectorTest(const DetectorTest&) = delete;
+    DetectorTest& operator=(const DetectorTest&) = delete;
+
+    const std::filesystem::path& write(std::string_view bytes) const {
+        std::ofstream(file_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return file_;
+    }
+
+    /// The error of a file, without its name.
+    std::string complaint(std::string_view bytes, ErrorCode code = ErrorCode::not_a_model) const {
+        try {
+            const Detector detector(write(bytes));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), code);
+            std::string text = error.what();
+            const std::size_t name = text.find(file_.string());
+            EXPECT_NE(name, std::string::npos) << text;
+            return text.replace(name, file_.string().size(), "FILE");
+        }
+        return "none";
+    }
+
+  private:
+    std::filesystem::path file_;
+};
+
+/// A black image of 64x64 pixels. The first pixel of one cell of 8 pixels has a colour.
+Plane<Bgr> image_with(int column, int row, const Bgr& colour) {
+    Plane<Bgr> image({64, 64}, Bgr{0, 0, 0});
+    image.at(column * 8, row * 8) = colour;
+    return image;
+}
+
+TEST_F(DetectorTest, FindsWhatTheModelTells) {
+    Detector detector(write(TinyModel{.class_id = 16}.onnx()));
+    EXPECT_EQ(detector.format(), "YOLOX");
+    EXPECT_EQ(detector.input(), (Size{64, 64}));
+    const auto found = detector.detect(view_of(image_with(3, 5, {204, 0, 0})), 0.5F);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0].box, (PixelBox{20, 36, 36, 52}));
+    EXPECT_EQ(found[0].class_id, 16);
+    EXPECT_NEAR(found[0].score, 0.8F, 1e-4F);
+    EXPECT_TRUE(detector.detect(view_of(image_with(3, 5, {204, 0, 0})), 0.81F).empty());
+}
+
+TEST_F(DetectorTest, ReturnsBoxesInPixelsOfTheImage) {
+    Detector detector(write(TinyModel().onnx()));
+    Plane<Bgr> image({256, 128}, Bgr{0, 0, 0});
+    for (int j = 64; j < 96; ++j) {
+        for (int i = 96; i < 128; ++i) image.at(i, j) = {255, 0, 0};
+    }
+    // The image is a quarter of its size in the input: the cell is at 24, 16, and a box has 16 pixels there.
+    const auto found = detector.detect(view_of(image), 0.5F);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0].box, (PixelBox{80, 48, 144, 112}));
+    EXPECT_TRUE(detector.detect({}, 0.5F).empty());
+}
+
+TEST_F(DetectorTest, ReadsBlueFirstForYolox) {
+    Detector detector(write(TinyModel().onnx()));
+    const auto image = image_with(1, 1, {0, 0, 255});
+    ImageView view = view_of(image);
+    EXPECT_TRUE(detector.detect(view, 0.5F).empty());
+    view.order = ChannelOrder::rgb;
+    EXPECT_EQ(detector.detect(view, 0.5F).size(), 1);
+}
+
+TEST_F(DetectorTest, ReadsRedFirstFrom0To1ForYolov5) {
+    Detector detector(write(TinyModel{.box = {30, 20, 10, 8}, .full = 1, .copies = 3}.onnx()));
+    EXPECT_EQ(detector.format(), "YOLOv5");
+    EXPECT_TRUE(detector.detect(view_of(image_with(1, 1, {255, 0, 0})), 0.5F).empty());
+    const auto found = detector.detect(view_of(image_with(1, 1, {0, 0, 255})), 0.5F);
+    ASSERT_EQ(found.size(), 1) << "of three boxes at one place";
+    EXPECT_EQ(found[0].box, (PixelBox{25, 16, 35, 24}));
+    EXPECT_NEAR(found[0].score, 1, 1e-4F);
+}
+
+TEST_F(DetectorTest, KeepsTheBestOfBoxesThatOverlap) {
+    Detector detector(write(TinyModel{.box = {0.5F, 0.5F, 2, 2}}.onnx()));
+    auto image = image_with(2, 2, {200, 0, 0});
+    image.at(24, 16) = {250, 0, 0};
+    image.at(56, 56) = {220, 0, 0};
+    const auto found = detector.detect(view_of(image), 0.5F);
+    ASSERT_EQ(found.size(), 2);
+    EXPECT_NEAR(found[0].score, 250 / 255.0, 1e-4);
+    EXPECT_NEAR(found[1].score, 220 / 255.0, 1e-4);
+}
+
+TEST_F(DetectorTest, AnswersTheSameEachTime) {
+    Detector detector(write(TinyModel().onnx()));
+    Plane<Bgr> image({150, 170});
+    std::mt19937 random(1);
+    for (Bgr& pixel : image.pixels()) pixel = {static_cast<std::uint8_t>(random()), 0, 0};
+    const auto first = detector.detect(view_of(image), 0.3F);
+    EXPECT_GT(first.size(), 4);
+    EXPECT_EQ(detector.detect(view_of(image), 0.3F), first);
+    Detector moved = std::move(detector);
+    EXPECT_EQ(moved.detect(view_of(image), 0.3F), first);
+}
+
+TEST_F(DetectorTest, SaysWhichFileCannotBeRead) {
+    try {
+        const Detector detector("/no/such/model.onnx");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::file_not_found);
+        EXPECT_STREQ(error.what(),
+                     "cannot open '/no/such/model.onnx': No such file or directory; check its name and permissions");
+    }
+}
+
+TEST_F(DetectorTest, SaysWhyAFileIsNoModel) {
+    EXPECT_EQ(complaint(""), "cannot use 'FILE' as a detector: it is empty; give a model of YOLOX in ONNX format");
+    EXPECT_NE(complaint("This is a text.\n").find("it is no ONNX file, or a damaged one"), std::string::npos);
+    const std::string model = TinyModel().onnx();
+    EXPECT_NE(complaint(std::string_view(model).substr(0, model.size() - 100)).find("a field is cut"),
+              std::string::npos);
+}
+
+TEST_F(DetectorTest, RefusesAFileThatIsTooLong) {
+    const std::filesystem::path& file = write("x");
+    std::filesystem::resize_file(file, (std::uintmax_t{1} << 30U) + 1);  // without blocks on the disk
+    try {
+        const Detector detector(file);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::file_too_large);
+    }
+}
+
+TEST_F(DetectorTest, SaysWhichShapesItKnows) {
+    EXPECT_EQ(complaint(TinyModel{.transposed = true}.onnx()),
+              "cannot use 'FILE' as a detector: its output has the shape [1, 85, 84], which is none of YOLOX's [1, 84, "
+              "85], YOLOv5's [1, 252, 85]; give a model of YOLOX in ONNX format");
+    EXPECT_NE(complaint(TinyModel{.numbers = 25}.onnx()).find("its output has the shape [1, 84, 25]"),
+              std::string::npos);
+}
+
+TEST_F(DetectorTest, SaysWhatOpenCvCannotRun) {
+    std::string model = TinyModel().onnx();
+    model.replace(model.find("kernel_shape"), 12, "kernel_scape");
+    EXPECT_NE(
+        complaint(model).find("OpenCV cannot run it: Node [Conv@ai.onnx]:(onnx_node!grid8.map) parse error; give"),
+        std::string::npos);
+}
+
+TEST_F(DetectorTest, SurvivesDamagedModels) {
+    const std::string model = TinyModel().onnx();
+    std::mt19937 random(7);
+    std::size_t refused = 0;
+    constexpr std::size_t tries = 300;
+    for (std::size_t i = 0; i < tries; ++i) {
+        std::string damaged = model;
+        for (auto change = random() % 4 + 1; change > 0; --change) {
+            damaged.at(random() % damaged.size()) = static_cast<char>(random() % 2 == 0 ? random() : 0);
+        }
+        try {
+            Detector detector(write(damaged));
+            detector.detect(view_of(image_with(3, 5, {255, 0, 0})), 0.5F);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::not_a_model);
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, tries / 20);
+    EXPECT_LT(refused, tries) << "weights may be any";
+}
+
+}  // namespace
+}  // namespace vvr::detector
