@@ -85,7 +85,7 @@ class Muxer {
     void begin(const Tags& tags) {
         for (const auto& [key, value] : tags) av_dict_set(&format_->metadata, key.c_str(), value.c_str(), 0);
         const int code = avformat_write_header(format_.get(), nullptr);
-        if (code < 0) fail("begin", code);
+        if (code < 0) fail("write the header of", code);
         begun_ = true;
     }
 
@@ -129,13 +129,13 @@ class Muxer {
         packet.stream_index = place.to->index;
         packet.pos = -1;
         const int code = av_interleaved_write_frame(format_.get(), &packet);
-        if (code < 0) fail("write", code);
+        if (code < 0) fail("write to", code);
     }
 
     void close() {
         begun_ = false;
         const int code = av_write_trailer(format_.get());
-        if (code < 0) fail("end", code);
+        if (code < 0) fail("finish", code);
         writer_.flush();
     }
 
@@ -153,14 +153,15 @@ class Muxer {
         const bool settings = was && is && text(was) == text(is);
         throw Error(
             ErrorCode::input_unsuitable,
-            fmt::format("'{}' can't be joined to the file before it as it is: it has {}, and that has {}{}; cut "
-                        "it exactly, which encodes the video anew",
-                        name, text(is), text(was), settings ? " of other settings" : ""),
+            fmt::format(
+                "cannot join '{}' to the previous file without re-encoding: it has {}, the previous one has {}{}; "
+                "cut exactly, which re-encodes the video",
+                name, text(is), text(was), settings ? " with other settings" : ""),
             {"exact"});
     }
 
     void check(int code) const {
-        if (code < 0) fail("begin", code);
+        if (code < 0) fail("write", code);
     }
 
     [[noreturn]] void fail(const char* what, int code) const {
@@ -172,7 +173,7 @@ class Muxer {
     AVStream* add(const AVStream& from) {
         AVStream* const to = avformat_new_stream(format_.get(), nullptr);
         if (to == nullptr || avcodec_parameters_copy(to->codecpar, from.codecpar) < 0) {
-            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video");
+            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video; give vvr more memory");
         }
         to->codecpar->codec_tag = tag_for(*format_->oformat, *from.codecpar);
         to->time_base = from.time_base;
@@ -348,11 +349,12 @@ bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const So
 void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
                 double rate, const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorCode::copy_impossible,
-                    fmt::format("'{}' would not show what '{}' does: {}; choose the ending of that file, or cut it "
-                                "exactly, which encodes the video anew",
-                                path.string(), parts.front().input.name, what),
-                    {"exact"});
+        throw Error(
+            ErrorCode::copy_impossible,
+            fmt::format("the copy '{}' would differ from '{}': {}; use the extension of the source file, or cut "
+                        "exactly, which re-encodes the video",
+                        path.string(), parts.front().input.name, what),
+            {"exact"});
     };
     const Input input = open_input(copy.string());
     SourceOptions options;
@@ -367,13 +369,13 @@ void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> par
         if (error.kind() != ErrorKind::not_video) throw;
     }
     if (packets && *packets != copied.packets) {
-        refuse(fmt::format("{} of {} frames can be read again", *packets, copied.packets));
+        refuse(fmt::format("{} of {} packets can be read back", *packets, copied.packets));
     }
-    if (!written) refuse("its frames don't decode there");
+    if (!written) refuse("its frames can't be decoded");
     const double zero = parts.front().begin + parts.front().piece.begin;
     for (const CopyPart& part : parts.first(std::min(parts.size(), checked_parts))) {
         if (begins_alike(*written, part.begin + part.piece.begin - zero, part, options)) continue;
-        refuse(fmt::format("from {:.3f} s on, where a key frame should be, other pictures come out", part.piece.begin));
+        refuse(fmt::format("its pictures differ from {:.3f} s on", part.piece.begin));
     }
 }
 

@@ -77,8 +77,8 @@ constexpr std::size_t longest_path = 4096;
 
 [[noreturn]] void refuse(std::string_view pattern, std::string_view why) {
     throw Error(ErrorCode::name_pattern_invalid,
-                fmt::format("'{}' is no pattern of names: {}; for example "
-                            "'%Y-%m-%d/%H/{{camera}}/%M.%S' is Frigate's",
+                fmt::format("'{}' is not a pattern of file names: {}; an example is Frigate's "
+                            "'%Y-%m-%d/%H/{{camera}}/%M.%S'",
                             pattern, why),
                 {"names"});
 }
@@ -138,7 +138,7 @@ Making make(std::string_view pattern, RecorderPattern::Words words) {
         const bool percent = rest.starts_with("%%");
         if (!percent && (rest.front() == '%' || rest.front() == '{')) {
             const std::size_t end = rest.front() == '%' ? 2 : std::min(rest.find('}'), rest.size() - 1) + 1;
-            refuse(pattern, fmt::format("it has '{}', and fields are {}", rest.substr(0, end),
+            refuse(pattern, fmt::format("unknown field '{}' (known: {})", rest.substr(0, end),
                                         fmt::join(names_of(fields), " ")));
         }
         made.expression += re2::RE2::QuoteMeta(rest.substr(0, 1));
@@ -193,7 +193,7 @@ std::optional<NamedTime> NameFields::time(bool utc) const {
 
 RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
     if (pattern.empty() || (words == Words::fields && pattern.size() > longest_pattern)) {
-        refuse(pattern, fmt::format("it has {} bytes where 1 to {} are possible", pattern.size(), longest_pattern));
+        refuse(pattern, fmt::format("it has {} bytes, not 1 to {}", pattern.size(), longest_pattern));
     }
     Making made = make(pattern, words);
     const auto has = [&](NameField field) { return made.has(field); };
@@ -209,7 +209,7 @@ RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
     options.set_log_errors(false);
     options.set_dot_nl(true);
     auto expression = std::make_shared<re2::RE2>("(?:.*/)?" + made.expression, options);
-    if (!expression->ok()) refuse(pattern, fmt::format("it is too long a pattern ({})", expression->error()));
+    if (!expression->ok()) refuse(pattern, fmt::format("it is too long ({})", expression->error()));
     expression_ = std::move(expression);
     captures_ = std::move(made.captures);
 }

@@ -78,13 +78,14 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
     std::error_code none;
     if (name == "-" || is_url(name)) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is a stream, and only files can be one recording together", name));
+                    fmt::format("cannot join '{}' with other inputs: it is a stream, not a file; give it alone", name));
     }
     if (!fs::exists(name, none)) open_file(name);  // throws
-    throw Error(ErrorCode::input_unsuitable,
-                fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
-                            "the others; give video files, or folders of them",
-                            name));
+    throw Error(
+        ErrorCode::input_unsuitable,
+        fmt::format("cannot join '{}' with other inputs: it has no video files; give video files, or folders of "
+                    "them",
+                    name));
 }
 
 // ---- One camera
@@ -196,9 +197,8 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     std::string chosen = cameras.begin()->first;
     Files names;
     for (const auto& [camera, files] : cameras) {
-        names.push_back(camera.empty()
-                            ? fmt::format("one that no name tells ('{}')", shown_text(file_of(files.front())))
-                            : shown_text(camera));
+        names.push_back(camera.empty() ? fmt::format("unknown ('{}')", shown_text(file_of(files.front())))
+                                       : shown_text(camera));
         if (!chosen.empty()) continue;
         chosen = camera;
         own = files;
@@ -210,12 +210,13 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     constexpr std::size_t told = 8;
     const std::size_t rest = names.size() - std::min(names.size(), told);
     names.resize(names.size() - rest);
-    throw Error(ErrorCode::recording_mixed,
-                fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
-                            "recording all the same",
-                            name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
-                            rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
-                {"join"});
+    throw Error(
+        ErrorCode::recording_mixed,
+        fmt::format("'{}' has files of {}: {}{}; give those of one camera, for example '{}', or join them as one "
+                    "recording",
+                    name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
+                    rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
+        {"join"});
 }
 
 bool are_alike(const ClipHeader& a, const ClipHeader& b) {
@@ -241,13 +242,14 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();
         if (are_alike(first.header, header)) continue;
-        throw Error(ErrorCode::recording_mixed,
-                    fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
-                                "are one recording; give one, or join them",
-                                first.segment->path, text_of(first.header), segment->path, text_of(header),
-                                first.segment->begin ? "no name tells of the second" : "no name tells of either",
-                                counted(std::ssize(recording.segments), "file")),
-                    {"join"});
+        throw Error(
+            ErrorCode::recording_mixed,
+            fmt::format("'{}' ({}) and '{}' ({}) seem unrelated: {} when it was recorded; give one of the {}, or "
+                        "join them as one recording",
+                        first.segment->path, text_of(first.header), segment->path, text_of(header),
+                        first.segment->begin ? "the name of the second does not say" : "no name says",
+                        counted(std::ssize(recording.segments), "file")),
+            {"join"});
     }
 }
 
@@ -308,16 +310,17 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         return true;
     };
     const std::string files = undated == std::ssize(recording.segments)
-                                  ? "its files' names do not tell"
-                                  : fmt::format("the names of {} do not tell", counted(undated, "file"));
+                                  ? "the names of its files do not say"
+                                  : fmt::format("the names of {} do not say", counted(undated, "file"));
     if (try_times(ClockSource::container, 0.4, [](const SegmentHeader& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, so each is placed by when its container says it was written; times of day "
-            "are not shown (--start-time container shows these)",
-            recording.name, files));
+        recording.warnings.push_back(
+            fmt::format("'{}': {} when it was recorded; vvr orders them by the creation times in their containers and "
+                        "shows no times "
+                        "of day (--start-time container shows these)",
+                        recording.name, files));
         return;
     }
     // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
@@ -325,16 +328,18 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             if (file.header.length <= 0) return std::nullopt;
             return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
-            "times of day are not shown (--start-time modified shows these)",
-            recording.name, files));
+        recording.warnings.push_back(
+            fmt::format("'{}': {} when it was recorded, nor do their containers; vvr orders them by their modification "
+                        "times and shows "
+                        "no times of day (--start-time modified shows these)",
+                        recording.name, files));
         return;
     }
-    recording.warnings.push_back(fmt::format(
-        "'{}': {} when it was recorded, and the times at which the files were written contradict each other; "
-        "they follow each other by their names",
-        recording.name, files));
+    recording.warnings.push_back(
+        fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
+                    "vvr orders them "
+                    "by their names",
+                    recording.name, files));
 }
 
 /// Sorts by start time. A file without one stays behind its predecessor by name.
@@ -402,7 +407,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.empty()) {
         throw Error(ErrorCode::file_invalid,
-                    fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
+                    fmt::format("the list '{}' is empty; write the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};
     for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));

@@ -256,6 +256,29 @@ TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
     EXPECT_EQ(read_all(*source).front().index, 0);
 }
 
+/// Lets libav allocate no larger block while it exists.
+class LibavLimit {
+  public:
+    explicit LibavLimit(std::size_t bytes) { av_max_alloc(bytes); }
+    ~LibavLimit() { av_max_alloc(std::numeric_limits<int>::max()); }
+    LibavLimit(const LibavLimit&) = delete;
+    LibavLimit& operator=(const LibavLimit&) = delete;
+};
+
+TEST(Sample, ReportsThatMemoryEndedWhileItDecodesAKeyFrame) {
+    const TempFolder folder;
+    const auto clip = folder / "clip.avi";
+    ffmpeg("-f lavfi -i testsrc2=size=640x480:rate=10:duration=2 -c:v mjpeg " + quoted(clip));
+    const auto source = video::open_source(clip);
+    const LibavLimit limit(200'000);  // bytes: more than libavformat needs, and less than a frame
+    try {
+        source->sample(8);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::out_of_memory) << error.what();
+    }
+}
+
 TEST(Sample, DoesNotTrustTheHeadersDuration) {
     const TempFolder folder;
     // An AVI cut in the middle still has the frame count of the whole in its header.
