@@ -40,7 +40,7 @@ bool stops_cleanly(AVCodecID codec) {
 }
 
 /// Whether the codec has frames that refer to other frames.
-bool leans_on_others(const Demuxer& demuxer) {
+bool has_inter_frames(const Demuxer& demuxer) {
     const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
@@ -209,7 +209,7 @@ SeekPoint VideoReader::find(double time) const {
         ++packets;
     }
     // Some files mark every packet as a key frame, which is implausible for these codecs.
-    if (keys == packets && leans_on_others(demuxer)) return {};
+    if (keys == packets && has_inter_frames(demuxer)) return {};
     return {key_before, frames};
 }
 

@@ -64,20 +64,20 @@ constexpr int greatest_errno = 4096;  // libav's own codes are greater
 
 /// Whether the operating system fails to read the beginning of a file.
 bool has_read_error(const std::string& name) {
-    constexpr std::size_t looked_at = 1 << 24;
+    constexpr std::size_t probed = 1 << 24;
     std::ifstream file(name, std::ios::binary);
-    std::vector<char> bytes(looked_at);
+    std::vector<char> bytes(probed);
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return file.bad();
 }
 
 /// Whether libav detects a file as a playlist.
 bool is_playlist(const Input& input) {
-    constexpr std::size_t looked_at = 4096;
-    std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
+    constexpr std::size_t probed = 4096;
+    std::string begin(probed + AVPROBE_PADDING_SIZE, '\0');
     const std::string path = input.url.substr(std::min(input.url.size(), std::string_view("file:").size()));
-    const auto got = input.file ? ::pread(input.file->get(), begin.data(), looked_at, 0)
-                                : std::ifstream(path, std::ios::binary).read(begin.data(), looked_at).gcount();
+    const auto got = input.file ? ::pread(input.file->get(), begin.data(), probed, 0)
+                                : std::ifstream(path, std::ios::binary).read(begin.data(), probed).gcount();
     if (got <= 0) return false;
     const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
                            nullptr};

@@ -71,7 +71,7 @@ std::string folder() {
     return asked && *asked ? asked : "/var/tmp";
 }
 
-Error failed(const std::string& name, const std::string& where, std::int64_t bytes, int why) {
+Error spool_error(const std::string& name, const std::string& where, std::int64_t bytes, int why) {
     const std::string next = why == ENOSPC || why == EDQUOT || why == EFBIG
                                  ? "set TMPDIR to a folder with more space, or give a file"
                                  : "set TMPDIR to a writable folder, or give a file";
@@ -82,9 +82,9 @@ Error failed(const std::string& name, const std::string& where, std::int64_t byt
 std::shared_ptr<const Descriptor> make_unlinked(const std::string& name, const std::string& where) {
     std::string path = where + "/vvr-XXXXXX";
     const int fd = ::mkostemp(path.data(), O_CLOEXEC);
-    if (fd < 0) throw failed(name, where, 0, errno);
+    if (fd < 0) throw spool_error(name, where, 0, errno);
     auto file = std::make_shared<Descriptor>(fd);
-    if (::unlink(path.c_str()) != 0) throw failed(name, where, 0, errno);
+    if (::unlink(path.c_str()) != 0) throw spool_error(name, where, 0, errno);
     return file;
 }
 
@@ -119,7 +119,7 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
-            throw failed(name, where, total, why);
+            throw spool_error(name, where, total, why);
         }
         total += got;
     }

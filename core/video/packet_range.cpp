@@ -140,12 +140,12 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     const Scan scan(input, rate, span);
     const std::vector<VideoPacket>& packets = scan.packets();
     const std::vector<std::size_t> inside = packets_in(scan, span);
-    PacketRange piece;
+    PacketRange range;
     if (inside.empty()) {
-        piece.over = scan.end();
-        return piece;
+        range.over = scan.end();
+        return range;
     }
-    piece.frames = std::ssize(inside);
+    range.frames = std::ssize(inside);
 
     const std::size_t earliest = std::ranges::min(inside);
     const std::int64_t wanted = packets[inside.front()].stamp;
@@ -156,18 +156,18 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     if (!first) throw_no_times(input, "it has no key frame before the requested part");
     const std::size_t last = last_needed(packets, *first, std::ranges::max(inside));
 
-    piece.first = static_cast<std::int64_t>(*first);
-    piece.last = static_cast<std::int64_t>(last);
-    piece.first_stamp = piece.last_stamp = packets[*first].stamp;
+    range.first = static_cast<std::int64_t>(*first);
+    range.last = static_cast<std::int64_t>(last);
+    range.first_stamp = range.last_stamp = packets[*first].stamp;
     for (std::size_t k = *first; k <= last; ++k) {
-        piece.last_stamp = std::max(piece.last_stamp, packets[k].stamp);
-        piece.damaged += packets[k].damaged;
+        range.last_stamp = std::max(range.last_stamp, packets[k].stamp);
+        range.damaged += packets[k].damaged;
     }
-    piece.begin = scan.seconds(piece.first_stamp);
-    piece.end = scan.seconds(piece.last_stamp);
-    piece.wanted = scan.seconds(wanted);
-    piece.ends_early = scan.ends_early();
-    return piece;
+    range.begin = scan.seconds(range.first_stamp);
+    range.end = scan.seconds(range.last_stamp);
+    range.wanted = scan.seconds(wanted);
+    range.ends_early = scan.ends_early();
+    return range;
 }
 
 double length_of(const Input& input, double rate) {

@@ -207,8 +207,8 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     for (const auto& [camera, files] : cameras) {
         if (camera != chosen) others.insert(others.end(), files.begin(), files.end());
     }
-    constexpr std::size_t told = 8;
-    const std::size_t rest = names.size() - std::min(names.size(), told);
+    constexpr std::size_t named = 8;
+    const std::size_t rest = names.size() - std::min(names.size(), named);
     names.resize(names.size() - rest);
     throw Error(
         ErrorCode::recording_mixed,
@@ -257,15 +257,15 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
 
 /// The headers of files whose names have no time, preceded by that of one file whose name has a time.
 std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
-    std::vector<Segment*> looked_at;
-    const auto told = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
-    if (told != segments.end()) looked_at.push_back(&*told);
+    std::vector<Segment*> read;
+    const auto dated = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
+    if (dated != segments.end()) read.push_back(&*dated);
     for (Segment& segment : segments) {
-        if (!segment.begin) looked_at.push_back(&segment);
+        if (!segment.begin) read.push_back(&segment);
     }
     std::vector<SegmentHeader> headers;
-    if (told != segments.end() && looked_at.size() == 1) return headers;
-    for (Segment* const segment : looked_at) {
+    if (dated != segments.end() && read.size() == 1) return headers;
+    for (Segment* const segment : read) {
         try {
             headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
         } catch (const Error& error) {
@@ -381,12 +381,12 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
 }
 
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
-    RecorderName told = layouts.read(whole_path(path));
+    RecorderName name = layouts.read(whole_path(path));
     Segment segment{path};
-    segment.camera = std::move(told.camera);
-    segment.layout = std::move(told.layout);
-    if (told.begin) {
-        segment.begin = utc_of(*told.begin, std::llround(modified_at(path).value_or(0)));
+    segment.camera = std::move(name.camera);
+    segment.layout = std::move(name.layout);
+    if (name.begin) {
+        segment.begin = utc_of(*name.begin, std::llround(modified_at(path).value_or(0)));
         segment.begin_source = ClockSource::file_name;
     }
     return segment;

@@ -2,9 +2,15 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <gtest/gtest.h>
 
+extern "C" {
+#include <libavutil/mem.h>
+}
+
+#include "core/base/error.h"
 #include "core/video/input_files.h"
 #include "core/video/packet_range.h"
 #include "tests/unit/video/clips.h"
