@@ -155,8 +155,7 @@ void throw_if_out_of_memory(std::string_view failure) {
     if (is_memory_available(taken)) return;
     throw Error(
         ErrorCode::out_of_memory,
-        fmt::format("out of memory for OpenGL: {}; give vvr more memory, or choose a smaller picture or smaller "
-                    "fields",
+        fmt::format("out of memory for OpenGL: {}; give vvr more memory, or choose a smaller picture or smaller fields",
                     failure),
         {"size", "field-size"});
 }

@@ -126,7 +126,7 @@ const ContainerRow& container_of(const std::filesystem::path& path) {
     const auto row = std::ranges::find(table, extension_of(path), &ContainerRow::name);
     if (row != table.end()) return *row;
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': no known container; end its name in {}", path.string(),
+                fmt::format("cannot write '{}': unknown container; use a file name that ends in {}", path.string(),
                             fmt::join(names_of(table), ", ")));
 }
 

@@ -91,7 +91,7 @@ bool is_playlist(const Input& input) {
     // too large.
     if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
         throw Error(code_of_system_error(AVUNERROR(code)),
-                    fmt::format("cannot read '{}': {}; check the path and its permissions", input.name, words));
+                    fmt::format("cannot read '{}': {}; check its name and permissions", input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check the disk", input.name, words));
@@ -273,8 +273,7 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
         throw Error(
             ErrorCode::picture_too_large,
-            fmt::format("'{}' has pictures of {}x{}, more than the limit of {} megapixels; scale the video down "
-                        "first",
+            fmt::format("'{}' has pictures of {}x{}, more than the limit of {} megapixels; scale the video down first",
                         input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
     }
     for (unsigned i = 0; i < format_->nb_streams; ++i) {

@@ -43,9 +43,9 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
         const int why = errno;
         throw Error(code_of_system_error(why),
                     fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
-                                why == ENOENT   ? "check the path"
+                                why == ENOENT   ? "check its name"
                                 : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
-                                                : "check the permissions of the file and its folder"));
+                                                : "check its permissions and those of its folder"));
     }
     return std::make_shared<Descriptor>(fd);
 }
@@ -265,7 +265,7 @@ Input open_pipe(const std::string& name, int fd) {
     if (fd < 0) {
         const int why = errno;
         throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; check the path and its permissions", name, std::strerror(why)));
+                    fmt::format("cannot read '{}': {}; check its name and permissions", name, std::strerror(why)));
     }
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }

@@ -196,9 +196,9 @@ std::vector<std::string> files_in(const fs::path& folder, const std::string& ask
         if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
     }
     if (why) {
-        throw Error(code_of_system_error(why.value()),
-                    fmt::format("cannot read the folder of '{}': {}; check the path and its permissions", asked,
-                                why.message()));
+        throw Error(
+            code_of_system_error(why.value()),
+            fmt::format("cannot read the folder of '{}': {}; check its name and permissions", asked, why.message()));
     }
     return names;
 }

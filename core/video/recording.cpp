@@ -318,8 +318,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         })) {
         recording.warnings.push_back(
             fmt::format("'{}': {} when it was recorded; vvr orders them by the creation times in their containers and "
-                        "shows no times "
-                        "of day (--start-time container shows these)",
+                        "shows no times of day (--start-time container shows these)",
                         recording.name, files));
         return;
     }
@@ -330,15 +329,13 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         })) {
         recording.warnings.push_back(
             fmt::format("'{}': {} when it was recorded, nor do their containers; vvr orders them by their modification "
-                        "times and shows "
-                        "no times of day (--start-time modified shows these)",
+                        "times and shows no times of day (--start-time modified shows these)",
                         recording.name, files));
         return;
     }
     recording.warnings.push_back(
         fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
-                    "vvr orders them "
-                    "by their names",
+                    "vvr orders them by their names",
                     recording.name, files));
 }
 

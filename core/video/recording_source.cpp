@@ -136,8 +136,7 @@ std::string text_of(const OmittedFrames& left_out) {
     const auto rest = left_out.files - std::ssize(left_out.first);
     return fmt::format(
         "{} {} omitted, because other files cover the same time: '{}'{}; {}, {:.1f} s; check whether they are copies, "
-        "or "
-        "from another camera",
+        "or from another camera",
         counted(left_out.files, "file"), left_out.files == 1 ? "was" : "were", fmt::join(left_out.first, "', '"),
         rest > 0 ? fmt::format(" and {} more", rest) : "", counted(left_out.frames, "frame"), left_out.seconds);
 }

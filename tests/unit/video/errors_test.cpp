@@ -58,7 +58,7 @@ class VideoErrors : public testing::Test {
 
 TEST_F(VideoErrors, MissingFile) {
     const auto name = folder / "none.avi";
-    expect_error(name, ErrorKind::io, {name, "No such file", "check the path"});
+    expect_error(name, ErrorKind::io, {name, "No such file", "check its name"});
 }
 
 TEST_F(VideoErrors, FolderWithoutFrames) {
