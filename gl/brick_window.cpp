@@ -101,7 +101,7 @@ void BrickTextures::update_border_layers(std::int64_t number, const bricks::Bric
     if (slot->box != layers.box()) return upload(number, layers);
     gl_->BindTexture(GL_TEXTURE_3D, slot->texture.id());
     for (const std::int64_t layer : {std::int64_t{0}, slot->layers - 1}) upload_part(*gl_, layers, layer, 1);
-    check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
+    check_gl(*gl_, fmt::format("uploading the border layers of brick {}", number));
 }
 
 void BrickTextures::keep_only(std::int64_t first, std::int64_t end) {

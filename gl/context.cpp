@@ -57,14 +57,14 @@ constexpr std::array errors = {
 
 void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user) {
     if (!gladLoadGLContextUserPtr(&gl_, load, user)) {
-        throw Error(ErrorCode::opengl_unavailable, fmt::format("{} gives no OpenGL 3.3 functions", get_proc_address));
+        throw Error(ErrorCode::opengl_unavailable, fmt::format("{} returns no OpenGL 3.3 functions", get_proc_address));
     }
     renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
     version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
 }
 
 void Context::listen(DriverMessages messages) {
-    if (!gl_.KHR_debug) throw Error(ErrorCode::backend, "the driver has no GL_KHR_debug, so it can't be heard");
+    if (!gl_.KHR_debug) throw Error(ErrorCode::backend, "the driver lacks GL_KHR_debug, so vvr can't log its messages");
     messages_ = std::move(messages);
     gl_.Enable(GL_DEBUG_OUTPUT);
     gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -92,7 +92,7 @@ std::unique_ptr<Context> open_context(const Choice<Backend>& chosen, int device,
     }
     throw_if_out_of_memory(fmt::format("no context from {}", tried));
     throw Error(ErrorCode::opengl_unavailable,
-                fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it",
+                fmt::format("no OpenGL context from backend {}{}; tried {}; run `vvr doctor` to see how to fix it",
                             chosen->name, device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
 
@@ -130,8 +130,8 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     }
     if (error == GL_OUT_OF_MEMORY) {
         throw Error(ErrorCode::out_of_memory,
-                    fmt::format("OpenGL ran out of memory while {}; try a smaller picture, smaller fields, or more "
-                                "frames per layer",
+                    fmt::format("OpenGL ran out of memory while {}; choose a smaller picture, smaller fields, or "
+                                "more frames per layer",
                                 doing),
                     {"size", "field-size", "step"});
     }
@@ -139,7 +139,7 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
         throw Error(
             ErrorCode::opengl_lost,
             fmt::format("OpenGL lost its context (GL_CONTEXT_LOST) while {}: the GPU or its driver was reset; try "
-                        "again, or draw with the backend software",
+                        "again, or use the backend 'software'",
                         doing),
             {"backend"});
     }
@@ -153,11 +153,11 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
 void throw_if_out_of_memory(std::string_view failure) {
     constexpr std::int64_t taken = 256'000'000;  // bytes: a driver, its compiler and a small picture
     if (is_memory_available(taken)) return;
-    throw Error(ErrorCode::out_of_memory,
-                fmt::format("out of memory for OpenGL: {}; allow the program more, or try a smaller picture or smaller "
-                            "fields",
-                            failure),
-                {"size", "field-size"});
+    throw Error(
+        ErrorCode::out_of_memory,
+        fmt::format("out of memory for OpenGL: {}; give vvr more memory, or choose a smaller picture or smaller fields",
+                    failure),
+        {"size", "field-size"});
 }
 
 Library::Library(const std::vector<std::string>& names) {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
+#include "core/base/text.h"
 #include "gl/context.h"
 
 namespace vvr::gl {
@@ -57,7 +58,7 @@ struct Device {
 
 std::vector<Device> list_devices(const Egl& egl) {
     if (egl.query_devices == nullptr || egl.query_device_string == nullptr || egl.get_platform_display == nullptr) {
-        throw Error(ErrorCode::opengl_unavailable, "this libEGL cannot list devices (no EGL_EXT_device_enumeration)");
+        throw Error(ErrorCode::opengl_unavailable, "libEGL cannot list devices: it lacks EGL_EXT_device_enumeration");
     }
     std::array<EGLDeviceEXT, 64> handles{};
     EGLint count = 0;
@@ -103,7 +104,7 @@ class EglContext final : public Context {
   private:
     void create(bool debug) {
         if (!has_word(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-            throw Error(ErrorCode::opengl_unavailable, "the driver has no EGL_KHR_surfaceless_context");
+            throw Error(ErrorCode::opengl_unavailable, "the driver lacks EGL_KHR_surfaceless_context");
         }
         if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
@@ -112,7 +113,7 @@ class EglContext final : public Context {
         EGLint configs = 0;
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &configs)) fail("eglChooseConfig");
         if (configs == 0)
-            throw Error(ErrorCode::opengl_unavailable, "eglChooseConfig: no configuration with desktop OpenGL");
+            throw Error(ErrorCode::opengl_unavailable, "eglChooseConfig found no configuration with desktop OpenGL");
 
         // The flags come last, so that drivers that don't know them see them only in debug contexts.
         const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
@@ -161,7 +162,7 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
     const std::vector<Device> devices = list_devices(Egl{});
     if (number >= static_cast<int>(devices.size())) {
         throw Error(ErrorCode::opengl_unavailable,
-                    fmt::format("asked for EGL device {} but there are only {}", number, devices.size()));
+                    fmt::format("there is no EGL device {}: found {}, counted from 0", number, devices.size()));
     }
     std::vector<std::string> tried;
     for (int i = 0; i < static_cast<int>(devices.size()); ++i) {
@@ -178,8 +179,9 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
         }
     }
     if (tried.empty()) {
-        throw Error(ErrorCode::opengl_unavailable, fmt::format("none of the {} EGL device(s) is a {}", devices.size(),
-                                                               software ? "software rasteriser" : "GPU"));
+        throw Error(ErrorCode::opengl_unavailable,
+                    fmt::format("no EGL device is a {} (found: {})", software ? "software rasteriser" : "GPU",
+                                counted(std::ssize(devices), "device")));
     }
     throw Error(ErrorCode::opengl_unavailable, fmt::format("{}", fmt::join(tried, "; ")));
 }

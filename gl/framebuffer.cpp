@@ -19,7 +19,7 @@ void check_samples(const GladGLContext& gl, int samples) {
     if (samples <= most) return;
     throw Error(
         ErrorCode::limit,
-        fmt::format("samples {}: this OpenGL has at most {} per pixel; choose {} or fewer", samples, most, most),
+        fmt::format("samples {}: this OpenGL supports at most {} per pixel; choose {} or fewer", samples, most, most),
         {"samples"});
 }
 
@@ -40,8 +40,9 @@ Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (size.width > largest || size.height > largest) {
         throw Error(ErrorCode::picture_too_large,
-                    fmt::format("a picture of {}x{} was asked for, this OpenGL draws at most {}x{}", size.width,
-                                size.height, largest, largest));
+                    fmt::format("a picture of {}x{} is larger than this OpenGL draws ({}x{}); choose a smaller picture",
+                                size.width, size.height, largest, largest),
+                    {"size"});
     }
     check_samples(gl, samples);
     drawn_ = make_drawn();
@@ -85,8 +86,8 @@ void Framebuffer::check_complete(int samples) const {
     check_gl(*gl_, fmt::format("making a framebuffer of {}x{} with {} samples", size_.width, size_.height, samples));
     const GLenum status = gl_->CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status == GL_FRAMEBUFFER_COMPLETE) return;
-    const std::string failure = fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
-                                            size_.width, size_.height, samples, status);
+    const std::string failure = fmt::format("a framebuffer of {}x{} with {} samples is incomplete ({:#x})", size_.width,
+                                            size_.height, samples, status);
     throw_if_out_of_memory(failure);
     throw Error(ErrorCode::backend, failure);
 }
@@ -170,7 +171,7 @@ PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
         const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
-            const std::string failure = fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})",
+            const std::string failure = fmt::format("a framebuffer for the pixel data of {}x{} is incomplete ({:#x})",
                                                     size.width, size.height, status);
             throw_if_out_of_memory(failure);
             throw Error(ErrorCode::backend, failure);

@@ -44,7 +44,7 @@ GlTexture make_smooth(const GladGLContext& gl, GLenum target, GLint wrap, const 
     upload_level(gl, target, 0, plane);
     GLint number = 0;
     for (const Plane<T>& level : image::mip_levels(plane)) upload_level(gl, target, ++number, level);
-    check_gl(gl, "uploading a texture with its levels");
+    check_gl(gl, "uploading a mipmapped texture");
     return texture;
 }
 

@@ -37,7 +37,7 @@ void compile(const GladGLContext& gl, GLuint shader, const std::string& name, st
     std::string files;
     for (std::size_t i = 0; i < chunks.size(); ++i) files += fmt::format(" {}001... {}", i + 1, chunks[i].file);
     check_done(shader, GL_COMPILE_STATUS, gl.GetShaderiv, gl.GetShaderInfoLog,
-               fmt::format("the driver does not compile {} (lines{})", name, files));
+               fmt::format("the driver cannot compile {} (lines{})", name, files));
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Program::Program(const GladGLContext& gl, const ProgramSource& source) : gl_(&gl
     gl.AttachShader(program_.id(), fragment_shader.id());
     gl.LinkProgram(program_.id());
     check_done(program_.id(), GL_LINK_STATUS, gl.GetProgramiv, gl.GetProgramInfoLog,
-               fmt::format("the driver does not link {}", name_));
+               fmt::format("the driver cannot link {}", name_));
     for (const auto* chunks : {&source.vertex, &source.fragment}) {
         std::istringstream words(shader_text(*chunks));
         for (std::string word, type, name; words >> word;) {
@@ -122,7 +122,7 @@ ProgramSource floor_program() {
 }
 
 ProgramSource resolve_program() {
-    return source("the joined samples", {"resolve.vert"}, {"resolve.frag"});
+    return source("the multisample resolve", {"resolve.vert"}, {"resolve.frag"});
 }
 
 ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, VolumeShading shading,

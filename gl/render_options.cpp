@@ -15,7 +15,7 @@ constexpr std::array colours{
 };
 
 constexpr std::array shadings{
-    VolumeShadingRow{VolumeShading::none, "none", "as mist: where most is, it is darkest", "shading_none.glsl"},
+    VolumeShadingRow{VolumeShading::none, "none", "as mist, darkest where it is densest", "shading_none.glsl"},
     VolumeShadingRow{VolumeShading::relief, "relief", "as solids with light and dark edges; takes about twice the time",
                      "shading_relief.glsl"},
 };

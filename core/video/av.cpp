@@ -33,7 +33,7 @@ int never_encode(AVCodecContext*, AVPacket*, int) {
 }
 
 Error out_of_memory() {
-    return {ErrorCode::out_of_memory, "out of memory for a video frame: try fewer threads", {"threads"}};
+    return {ErrorCode::out_of_memory, "out of memory for a video frame; use fewer threads", {"threads"}};
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
     if (buffer) context.reset(avio_alloc_context(buffer, buffer_size, 0, self, read, nullptr, seek));
     if (!context) {
         av_free(buffer);
-        throw Error(ErrorCode::out_of_memory, "out of memory for reading a video");
+        throw Error(ErrorCode::out_of_memory, "out of memory for opening a video; give vvr more memory");
     }
     return context;
 }

@@ -125,8 +125,9 @@ std::span<const ContainerRow> containers() {
 const ContainerRow& container_of(const std::filesystem::path& path) {
     const auto row = std::ranges::find(table, extension_of(path), &ContainerRow::name);
     if (row != table.end()) return *row;
-    throw Error(ErrorCode::output_format_unknown, fmt::format("cannot write '{}': the name of a clip ends in {}",
-                                                              path.string(), fmt::join(names_of(table), ", ")));
+    throw Error(ErrorCode::output_format_unknown,
+                fmt::format("cannot write '{}': unknown container; use a file name that ends in {}", path.string(),
+                            fmt::join(names_of(table), ", ")));
 }
 
 std::vector<const AVStream*> media_of(const AVFormatContext& clip) {
@@ -147,9 +148,9 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
         if (holds_all(row, clip)) others.push_back(row.name);
     }
     throw Error(ErrorCode::options_conflict,
-                fmt::format("cannot write '{}': {} can't hold {}; {}cut it exactly, which encodes the video anew",
+                fmt::format("cannot write '{}': {} can't hold {}; {}cut exactly, which re-encodes the video",
                             path.string(), container.name, name_of(**refused),
-                            others.empty() ? "" : fmt::format("choose {}, or ", fmt::join(others, ", "))),
+                            others.empty() ? "" : fmt::format("use {}, or ", fmt::join(others, ", "))),
                 {"exact"});
 }
 

@@ -40,7 +40,7 @@ bool stops_cleanly(AVCodecID codec) {
 }
 
 /// Whether the codec has frames that refer to other frames.
-bool leans_on_others(const Demuxer& demuxer) {
+bool has_inter_frames(const Demuxer& demuxer) {
     const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
@@ -48,7 +48,7 @@ bool leans_on_others(const Demuxer& demuxer) {
 /// \throws Error out_of_memory if `code` of libavcodec says so
 void require_memory(int code) {
     if (code != AVERROR(ENOMEM)) return;
-    throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video: try fewer threads", {"threads"});
+    throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video; use fewer threads", {"threads"});
 }
 
 bool is_damaged(const AVFrame& frame) {
@@ -61,12 +61,14 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec) {
-        throw Error(ErrorCode::codec_unsupported,
-                    fmt::format("'{}': this FFmpeg has no decoder for its video ({}); convert it to H.264 first", name,
-                                avcodec_get_name(parameters.codec_id)));
+        throw Error(
+            ErrorCode::codec_unsupported,
+            fmt::format("cannot decode '{}': this FFmpeg has no decoder for {}; convert the video to H.264 first", name,
+                        avcodec_get_name(parameters.codec_id)));
     }
     codec_.reset(avcodec_alloc_context3(codec));
-    if (!codec_) throw Error(ErrorCode::out_of_memory, "out of memory for a video decoder");
+    if (!codec_)
+        throw Error(ErrorCode::out_of_memory, "out of memory for a video decoder; use fewer threads", {"threads"});
     demuxer.log().attach(*codec_);
     int code = avcodec_parameters_to_context(codec_.get(), &parameters);
     codec_->pkt_timebase = demuxer.stream().time_base;
@@ -78,9 +80,11 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     errors_at_start_ = demuxer.log().errors();
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
     if (code < 0) {
-        throw Error(code == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::not_video,
-                    fmt::format("'{}': the decoder for its video ({}) does not start: {}", name, codec->name,
-                                demuxer.log().text(code)));
+        require_memory(code);
+        throw Error(
+            ErrorCode::not_video,
+            fmt::format("cannot decode '{}': the {} decoder failed to start: {}; convert the video to H.264 first",
+                        name, codec->name, demuxer.log().text(code)));
     }
 }
 
@@ -205,7 +209,7 @@ SeekPoint VideoReader::find(double time) const {
         ++packets;
     }
     // Some files mark every packet as a key frame, which is implausible for these codecs.
-    if (keys == packets && leans_on_others(demuxer)) return {};
+    if (keys == packets && has_inter_frames(demuxer)) return {};
     return {key_before, frames};
 }
 

@@ -64,20 +64,20 @@ constexpr int greatest_errno = 4096;  // libav's own codes are greater
 
 /// Whether the operating system fails to read the beginning of a file.
 bool has_read_error(const std::string& name) {
-    constexpr std::size_t looked_at = 1 << 24;
+    constexpr std::size_t probed = 1 << 24;
     std::ifstream file(name, std::ios::binary);
-    std::vector<char> bytes(looked_at);
+    std::vector<char> bytes(probed);
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return file.bad();
 }
 
 /// Whether libav detects a file as a playlist.
 bool is_playlist(const Input& input) {
-    constexpr std::size_t looked_at = 4096;
-    std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
+    constexpr std::size_t probed = 4096;
+    std::string begin(probed + AVPROBE_PADDING_SIZE, '\0');
     const std::string path = input.url.substr(std::min(input.url.size(), std::string_view("file:").size()));
-    const auto got = input.file ? ::pread(input.file->get(), begin.data(), looked_at, 0)
-                                : std::ifstream(path, std::ios::binary).read(begin.data(), looked_at).gcount();
+    const auto got = input.file ? ::pread(input.file->get(), begin.data(), probed, 0)
+                                : std::ifstream(path, std::ios::binary).read(begin.data(), probed).gcount();
     if (got <= 0) return false;
     const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
                            nullptr};
@@ -90,46 +90,49 @@ bool is_playlist(const Input& input) {
     // libav also uses system error codes for other errors: EIO for a damaged Matroska file, EBUSY for a picture that is
     // too large.
     if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
-        throw Error(
-            code_of_system_error(AVUNERROR(code)),
-            fmt::format("cannot read '{}': {}; check its name, its folder and the permissions", input.name, words));
+        throw Error(code_of_system_error(AVUNERROR(code)),
+                    fmt::format("cannot read '{}': {}; check its name and permissions", input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
-        throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
+        throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check the disk", input.name, words));
     }
     const bool of_the_system = AVUNERROR(code) > 0 && AVUNERROR(code) < greatest_errno && !log.has_text();
     throw Error(ErrorCode::not_video,
-                fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name,
+                fmt::format("'{}' is not a video that FFmpeg can read: {}; run `ffprobe` on it for details", input.name,
                             of_the_system ? "it is damaged, or its pictures are too large" : words));
 }
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
     if (is_local(input) && is_playlist(input)) {
-        throw Error(ErrorCode::playlist,
-                    fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
-                                "files, or their paths, one per line, in a list that ends in .txt",
-                                input.name));
+        throw Error(
+            ErrorCode::playlist,
+            fmt::format("'{}' is a playlist, not a video; give the folder of its files, or a .txt list with one "
+                        "path per line",
+                        input.name));
     }
     if (code == AVERROR(ENOMEM)) {
-        throw Error(ErrorCode::out_of_memory, fmt::format("'{}': out of memory while opening", input.name));
+        throw Error(ErrorCode::out_of_memory,
+                    fmt::format("out of memory while opening '{}'; give vvr more memory", input.name));
     }
     if (code == AVERROR(EMFILE) || code == AVERROR(ENFILE)) {
-        throw Error(ErrorCode::too_many_open_files,
-                    fmt::format("cannot read '{}': {}; allow more open files (ulimit -n)", input.name, words));
+        throw Error(
+            ErrorCode::too_many_open_files,
+            fmt::format("cannot read '{}': {}; raise the limit of open files (`ulimit -n`)", input.name, words));
     }
     if (code == AVERROR_EXIT) {
-        throw Error(ErrorCode::stream_timeout,
-                    fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
+        throw Error(
+            ErrorCode::stream_timeout,
+            fmt::format("cannot read '{}': no data arrived in time; check that the stream is running", input.name));
     }
     if (is_local(input)) throw_unreadable_file(input, log, code);
     // A device that is not a camera fails with ENOTTY.
     if (code != AVERROR_INVALIDDATA && code != AVERROR(ENOTTY))
         throw Error(ErrorCode::stream_unreachable,
                     fmt::format("cannot read '{}': {}; check the address", input.name, words));
-    throw Error(
-        ErrorCode::not_video,
-        fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name, words));
+    throw Error(ErrorCode::not_video,
+                fmt::format("'{}' is not a video that FFmpeg can read: {}; run `ffprobe` on it for details", input.name,
+                            words));
 }
 
 bool is_picture_format(std::string_view name) {
@@ -147,7 +150,7 @@ std::string streams_found(const AVFormatContext& format) {
     for (unsigned i = 0; i < format.nb_streams; ++i) {
         found += (found.empty() ? "" : ", ") + name_of(*format.streams[i]);
     }
-    return found.empty() ? "no stream at all" : found;
+    return found.empty() ? "no streams" : found;
 }
 
 /// Reads packets until the streams' parameters are known. Returns libav's error code.
@@ -197,8 +200,8 @@ void check_host(const Input& input, const AVFormatContext& format) {
     const std::string_view host = host_of(found);
     if (host.empty() || host == host_of(input.url)) return;
     throw Error(ErrorCode::stream_unreachable,
-                fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
-                            "give its address",
+                fmt::format("cannot read '{}': the server redirects to another host, '{}'; if you trust it, give its "
+                            "address",
                             input.name, host));
 }
 
@@ -225,7 +228,7 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
 
 int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
     AVFormatContext* opened = avformat_alloc_context();
-    if (!opened) throw Error(ErrorCode::out_of_memory, "out of memory for reading a video");
+    if (!opened) throw Error(ErrorCode::out_of_memory, "out of memory for opening a video; give vvr more memory");
     log_.attach(*opened, watchdog_.get());
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
@@ -252,26 +255,26 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
 void Demuxer::choose_stream(const Input& input, Kind kind) {
     if (kind == Kind::picture && !is_picture_format(format_->iformat->name)) {
         throw Error(ErrorCode::not_video,
-                    fmt::format("'{}' is not a picture but {}", input.name, format_->iformat->name));
+                    fmt::format("'{}' is not a picture: its format is {}", input.name, format_->iformat->name));
     }
 
     const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC) {
         throw Error(ErrorCode::no_video_stream,
-                    fmt::format("'{}' has no video: found {}; give a file with a video stream", input.name,
+                    fmt::format("'{}' has no video stream (found: {}); give a file that has one", input.name,
                                 streams_found(*format_)));
     }
     stream_ = format_->streams[chosen];
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorCode::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
+        throw Error(ErrorCode::not_video, fmt::format("'{}' is a text file; give a video file", input.name));
     }
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
-        throw Error(ErrorCode::picture_too_large,
-                    fmt::format("'{}' says its pictures are {}x{}: more than the {} megapixels that vvr decodes; "
-                                "scale it down first",
-                                input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
+        throw Error(
+            ErrorCode::picture_too_large,
+            fmt::format("'{}' has pictures of {}x{}, more than the limit of {} megapixels; scale the video down first",
+                        input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
     }
     for (unsigned i = 0; i < format_->nb_streams; ++i) {
         if (format_->streams[i] != stream_) format_->streams[i]->discard = AVDISCARD_ALL;
@@ -295,7 +298,8 @@ bool Demuxer::read_any(AVPacket& packet) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
         if (code == AVERROR_EOF || code == AVERROR_EXIT) return false;
-        if (code == AVERROR(ENOMEM)) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video");
+        if (code == AVERROR(ENOMEM))
+            throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
         if (code < 0) {
             ++damaged_;
             ++errors;

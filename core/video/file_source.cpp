@@ -20,10 +20,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     if (!first.image) {
         throw Error(
             ErrorCode::no_frame,
-            fmt::format(
-                "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
-                name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
-                reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
+            fmt::format("no frame of '{}' ({}) can be decoded: {} damaged packets, {}; run `ffprobe` on it for details",
+                        name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
+                        reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
     }
     const Demuxer& demuxer = reader_.demuxer();
     tick_ = av_q2d(demuxer.stream().time_base);
@@ -45,13 +44,12 @@ std::vector<std::string> FileSource::problems() const {
     std::vector<std::string> problems;
     const auto years = [](double seconds) { return seconds / (365.25 * 86'400); };
     if (implausible_length_ > 0) {
-        problems.push_back(fmt::format("'{}' says that it lasts {:.0f} years; its length is taken from its frames",
+        problems.push_back(fmt::format("'{}' has a duration of {:.0f} years in its header; vvr uses that of its frames",
                                        info_.name, years(implausible_length_)));
     }
     if (jump_ > 0) {
         problems.push_back(
-            fmt::format("'{}': its clock jumps by {:.0f} years from one frame to the next; times of what "
-                        "comes after that are not to be trusted",
+            fmt::format("'{}': timestamps jump by {:.0f} years between two frames; later times are unreliable",
                         info_.name, years(jump_)));
     }
     return problems;

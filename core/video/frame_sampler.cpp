@@ -29,7 +29,7 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
         const double at = begin + *time - first;
         if (!sampler_.wants(at)) continue;
         av::Ptr<AVPacket> copy(av_packet_clone(packet.get()));
-        if (!copy) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video");
+        if (!copy) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
         sampler_.keep(at, {files_.size() - 1, at, std::move(copy)});
     }
     return last < first ? begin : begin + last - first + demuxer.frame_duration();

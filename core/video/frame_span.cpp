@@ -35,8 +35,8 @@ double likely_end(const FrameSpan& span, const VideoInfo& info) {
 [[noreturn]] void refuse(std::string_view setting, std::string_view given, const Clock& clock, const VideoInfo& info) {
     const std::string end = info.duration > 0 ? fmt::format(" and ends at {}", on_clock(clock, info.duration)) : "";
     throw Error(ErrorCode::span_empty,
-                fmt::format("{}: there is nothing of {} in '{}', which begins at {}{} ({})", setting, given, info.name,
-                            on_clock(clock, 0), end, row_of(clock.source).words),
+                fmt::format("{}: {} is outside '{}', which begins at {}{} ({}); choose a time within it", setting,
+                            given, info.name, on_clock(clock, 0), end, row_of(clock.source).words),
                 {setting});
 }
 
@@ -66,11 +66,10 @@ const Clock& require_clock(const WallClock& clock, const VideoInfo& info, std::s
                            std::string_view given) {
     if (clock) return *clock;
     const std::string_view more =
-        info.created ? "; its container says when it was written, and --start-time container takes that" : "";
+        info.created ? "; --start-time container uses the creation time in its container" : "";
     throw Error(ErrorCode::time_of_day_unknown,
-                fmt::format("{} {}: nothing tells at which time of day '{}' was recorded; say when it begins with "
-                            "--start-time DATETIME, or how its name tells it with --names, or count from its "
-                            "beginning, as in 1h30m{}",
+                fmt::format("{} {}: the recording time of '{}' is unknown; set it with --start-time DATETIME, describe "
+                            "its file name with --names, or give the time since its start, such as 1h30m{}",
                             setting, given, info.name, more),
                 {setting, "start-time"});
 }
@@ -89,7 +88,8 @@ FrameSpan resolve(FrameSpan span, const WallClock& known, const VideoInfo& info)
         if (*span.end <= 0) refuse("end", asked->text, clock, info);
         if (*span.end <= span.start) {
             throw Error(ErrorCode::span_empty,
-                        fmt::format("end: {} is not after the start, {}", asked->text, on_clock(clock, span.start)),
+                        fmt::format("end: {} is not after the start, {}; choose a later end", asked->text,
+                                    on_clock(clock, span.start)),
                         {"end"});
         }
     }

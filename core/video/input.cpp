@@ -43,9 +43,9 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
         const int why = errno;
         throw Error(code_of_system_error(why),
                     fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
-                                why == ENOENT   ? "check the name and the folder it is in"
+                                why == ENOENT   ? "check its name"
                                 : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
-                                                : "check the permissions of the file and its folder"));
+                                                : "check its permissions and those of its folder"));
     }
     return std::make_shared<Descriptor>(fd);
 }
@@ -61,9 +61,8 @@ struct stat status_of(const Descriptor& file, const std::string& name) {
 
 void require_bytes(const Descriptor& file, const std::string& name) {
     if (status_of(file, name).st_size == 0) {
-        throw Error(ErrorCode::file_empty, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
-                                                       "was to write it",
-                                                       name));
+        throw Error(ErrorCode::file_empty,
+                    fmt::format("'{}' is empty (0 bytes); check the program that writes it", name));
     }
 }
 
@@ -72,20 +71,20 @@ std::string folder() {
     return asked && *asked ? asked : "/var/tmp";
 }
 
-Error failed(const std::string& name, const std::string& where, std::int64_t bytes, int why) {
+Error spool_error(const std::string& name, const std::string& where, std::int64_t bytes, int why) {
     const std::string next = why == ENOSPC || why == EDQUOT || why == EFBIG
-                                 ? "set TMPDIR to a folder with more room, or give the video as a file"
-                                 : "set TMPDIR to a folder that can be written, or give the video as a file";
-    return {code_of_system_error(why), fmt::format("cannot keep the stream '{}' in {} after {:.1f} MB: {}; {}", name,
+                                 ? "set TMPDIR to a folder with more space, or give a file"
+                                 : "set TMPDIR to a writable folder, or give a file";
+    return {code_of_system_error(why), fmt::format("cannot store the stream '{}' in {} after {:.1f} MB: {}; {}", name,
                                                    where, static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
 }
 
 std::shared_ptr<const Descriptor> make_unlinked(const std::string& name, const std::string& where) {
     std::string path = where + "/vvr-XXXXXX";
     const int fd = ::mkostemp(path.data(), O_CLOEXEC);
-    if (fd < 0) throw failed(name, where, 0, errno);
+    if (fd < 0) throw spool_error(name, where, 0, errno);
     auto file = std::make_shared<Descriptor>(fd);
-    if (::unlink(path.c_str()) != 0) throw failed(name, where, 0, errno);
+    if (::unlink(path.c_str()) != 0) throw spool_error(name, where, 0, errno);
     return file;
 }
 
@@ -120,7 +119,7 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
-            throw failed(name, where, total, why);
+            throw spool_error(name, where, total, why);
         }
         total += got;
     }
@@ -128,8 +127,7 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
 
 void require_redirected_stdin() {
     if (!::isatty(STDIN_FILENO)) return;
-    throw Error(ErrorCode::input_unsuitable,
-                "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+    throw Error(ErrorCode::input_unsuitable, "cannot read '-': stdin is a terminal; pipe or redirect a video into it");
 }
 
 Input open_stdin() {
@@ -174,10 +172,9 @@ Input open_input(const std::string& name) {
         return {name, std::string(file_protocol) + name.substr(slashes > 1 ? slashes - 1 : 0), nullptr};
     }
     if (S_ISCHR(mode) || S_ISBLK(mode)) {
-        throw Error(ErrorCode::not_a_file,
-                    fmt::format("'{}' is a device, which may have no end; give a file, or watch a camera "
-                                "with vvr watch",
-                                name));
+        throw Error(
+            ErrorCode::not_a_file,
+            fmt::format("'{}' is a device, which may never end; give a file, or read a camera with `vvr watch`", name));
     }
     Input spooled{name, {}, spool(*file, name)};
     require_bytes(*spooled.file, name);
@@ -187,7 +184,7 @@ Input open_input(const std::string& name) {
 Input open_file(const std::string& path) {
     Input input{path, {}, open_descriptor(path)};
     if (!S_ISREG(status_of(*input.file, path).st_mode)) {
-        throw Error(ErrorCode::not_a_file, fmt::format("cannot read '{}': not a regular file", path));
+        throw Error(ErrorCode::not_a_file, fmt::format("cannot read '{}': not a regular file; give a file", path));
     }
     return input;
 }
@@ -257,8 +254,8 @@ void load_devices(const std::string& name) {
     if (found == nullptr) {
         throw Error(
             ErrorCode::usage,
-            fmt::format("'{}' is a device, which takes {}, and it is not there: {}; install Debian's "
-                        "libavdevice{}, or pipe the camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
+            fmt::format("cannot read the device '{}': cannot load {}: {}; install Debian's libavdevice{}, or pipe the "
+                        "camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
                         name, library, ::dlerror(), LIBAVFORMAT_VERSION_MAJOR, name));
     }
     reinterpret_cast<void (*)()>(found)();
@@ -268,7 +265,7 @@ Input open_pipe(const std::string& name, int fd) {
     if (fd < 0) {
         const int why = errno;
         throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; check the name and its permissions", name, std::strerror(why)));
+                    fmt::format("cannot read '{}': {}; check its name and permissions", name, std::strerror(why)));
     }
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }
@@ -283,7 +280,8 @@ Input open_named_pipe(const std::string& name, const Watchdog& watchdog) {
         if (watchdog.expired()) {
             throw Error(
                 ErrorCode::stream_timeout,
-                fmt::format("cannot read '{}': nothing came through the pipe in time; start what writes to it", name),
+                fmt::format(
+                    "cannot read '{}': no data arrived in the pipe in time; start the program that writes to it", name),
                 {setting::patience.name});
         }
     }
@@ -306,7 +304,7 @@ Input open_any(const std::string& name, const Watchdog& watchdog) {
     if (S_ISREG(status.st_mode)) return open_input(name);
     if (S_ISDIR(status.st_mode)) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is a folder, not a stream; `vvr render` takes pictures", name));
+                    fmt::format("cannot watch '{}': it is a folder; use `vvr render` for a folder of pictures", name));
     }
     if (S_ISCHR(status.st_mode)) {
         load_devices(name);

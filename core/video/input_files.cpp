@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <system_error>
@@ -17,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/video/input.h"
 
 namespace vvr::video {
@@ -111,9 +113,8 @@ std::vector<std::string> expand_glob(const std::string& pattern) {
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;
         throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("'{}...': a pattern has {} bytes at most, as a path has, and this "
-                                "has {}",
-                                pattern.substr(0, shown), PATH_MAX - 1, pattern.size()));
+                    fmt::format("the pattern '{}...' has {} bytes, more than the limit of {}; use a shorter one",
+                                pattern.substr(0, shown), pattern.size(), PATH_MAX - 1));
     }
     glob_t found{};
     const std::unique_ptr<glob_t, void (*)(glob_t*)> owner(&found, &globfree);
@@ -130,8 +131,8 @@ constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
 
 [[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
     throw Error(ErrorCode::file_invalid,
-                fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
-                            "the folder of the list",
+                fmt::format("'{}', line {}: {}; each line of a list must be the path of a video file in the list's "
+                            "folder or below",
                             list, number, why));
 }
 
@@ -141,11 +142,15 @@ std::vector<std::string> files_of_list(const std::string& list) {
     std::error_code none;
     if (fs::file_size(list, none) > most_list_bytes) {
         throw Error(ErrorCode::file_too_large,
-                    fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
+                    fmt::format("cannot read '{}': a list of files may have at most {} MB; split it", list,
                                 most_list_bytes / 1024 / 1024));
     }
     std::ifstream text(list);
-    if (!text) throw Error(code_of_system_error(errno), fmt::format("cannot read '{}'; check its permissions", list));
+    if (!text) {
+        const int why = errno;
+        throw Error(code_of_system_error(why),
+                    fmt::format("cannot read '{}': {}; check its permissions", list, std::strerror(why)));
+    }
     const fs::path folder = fs::path(list).parent_path();
     const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
     std::vector<std::string> files;
@@ -153,15 +158,15 @@ std::vector<std::string> files_of_list(const std::string& list) {
     for (std::int64_t number = 1; std::getline(text, line); ++number) {
         if (line.ends_with('\r')) line.pop_back();
         if (line.empty() || line.starts_with('#')) continue;
-        if (!is_plain_path(line)) refuse_line(list, number, "its path leads out of the folder, or is none");
+        if (!is_plain_path(line)) refuse_line(list, number, "the path is not within the list's folder");
         const fs::path file = folder / line;
         const fs::path real = fs::canonical(file, none);
         if (none || !fs::is_regular_file(real, none)) {
-            refuse_line(list, number, fmt::format("there is no file '{}'", file.string()));
+            refuse_line(list, number, fmt::format("file '{}' not found", file.string()));
         }
         const fs::path below = real.lexically_relative(real_folder);
         if (below.empty() || *below.begin() == "..")
-            refuse_line(list, number, "it is a link that leads out of the folder");
+            refuse_line(list, number, "the link leads out of the list's folder");
         files.push_back(file.string());
     }
     return files;
@@ -208,10 +213,9 @@ std::vector<std::string> pictures_in(const std::string& folder) {
         throw Error(
             ErrorCode::not_video,
             fmt::format(
-                "'{}' is a folder without frames: {}; give a video file, or a folder of pictures (png, jpg, tif, ...)",
-                folder,
-                names.empty() ? std::string("it holds no file")
-                              : fmt::format("none of its {} file(s) is a picture", names.size())));
+                "the folder '{}' has no pictures or videos (found: {}); give a video file, or a folder of pictures "
+                "(png, jpg, tif, ...)",
+                folder, counted(std::ssize(names), "file")));
     }
     return pictures;
 }
@@ -226,8 +230,8 @@ struct NumberPattern {
 
 [[noreturn]] void throw_bad_pattern(const std::string& name) {
     throw Error(ErrorCode::name_pattern_invalid,
-                fmt::format("'{}': a pattern of pictures has one number in its file name, written %d or "
-                            "%05d, and %% for a percent sign",
+                fmt::format("'{}': a pattern of pictures must have exactly one number in its file name, as %d or %05d; "
+                            "write %% for a percent sign",
                             name));
 }
 
@@ -303,8 +307,9 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
         std::erase_if(files, [&](const std::string& match) { return !fs::is_regular_file(match, ignored); });
     }
     if (files.empty()) {
-        throw Error(ErrorCode::file_not_found,
-                    fmt::format("cannot read '{}': no file matches this pattern; check it and the folder", name));
+        throw Error(
+            ErrorCode::file_not_found,
+            fmt::format("cannot read '{}': no file matches this pattern; check the pattern and the folder", name));
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return natural_less(a, b); });
     return files;

@@ -91,9 +91,10 @@ void LiveSource::connect() {
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1);
     first_ = decoder_->next();
     if (!first_) {
-        throw Error(ErrorCode::no_frame,
-                    fmt::format("'{}' gives no frame that decodes: {} damaged packets, {}; `ffplay` on it may say more",
-                                input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
+        throw Error(
+            ErrorCode::no_frame,
+            fmt::format("no frame of '{}' can be decoded: {} damaged packets, {}; run `ffplay` on it for details",
+                        input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
     }
     orientation_ = orientation_of(demuxer_->stream());
     clock_.restart();
@@ -174,7 +175,8 @@ bool LiveSource::pause(const std::stop_token& stop, double seconds) {
 bool LiveSource::reconnect(const std::stop_token& stop) {
     if (!reconnects_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
-    options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_, demuxer_->log().text(AVERROR_EOF)));
+    options_.tell(fmt::format("lost the connection to '{}' after {:.0f} s: {}", input_.name, time_,
+                              demuxer_->log().text(AVERROR_EOF)));
     std::string reported;
     for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
         try {
@@ -186,7 +188,7 @@ bool LiveSource::reconnect(const std::stop_token& stop) {
             continue;
         }
         options_.tell(
-            fmt::format("'{}': connected again after {:.1f} s", input_.name, seconds_between(lost, Clock::now())));
+            fmt::format("reconnected to '{}' after {:.1f} s", input_.name, seconds_between(lost, Clock::now())));
         const std::lock_guard lock(mutex_);
         ++reconnections_;
         return true;
@@ -226,7 +228,7 @@ std::unique_ptr<DecodedFrame> LiveSource::next() {
 
 std::vector<Frame> LiveSource::sample(int) {
     throw Error(ErrorCode::options_conflict,
-                fmt::format("'{}': a stream that goes on has no median; take the reference running, first or a picture",
+                fmt::format("'{}': a live stream has no median; use the reference 'running', 'first' or a picture",
                             input_.name),
                 {"reference"});
 }

@@ -43,12 +43,13 @@ Size field_size_for(Size shown, Size asked) {
     if (asked == automatic) size = fit_into(shown, default_long_side);
     if (size.width < 1 || size.height < 1) {
         throw Error(ErrorCode::option_value_out_of_range,
-                    fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
+                    fmt::format("a field of {}x{} pixels is too small; both sides must be at least 1", size.width,
+                                size.height));
     }
     if (std::int64_t{size.width} * size.height > av::max_pixels) {
         throw Error(
             ErrorCode::picture_too_large,
-            fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
+            fmt::format("a field of {}x{} pixels is more than the limit of {} megapixels; choose smaller fields",
                         size.width, size.height, av::max_pixels / 1'000'000),
             {"field-size"});
     }
@@ -68,7 +69,7 @@ std::optional<std::string> videos_beside_pictures(const std::string& folder) {
     std::vector<std::string> videos = video_files_in(folder);
     if (videos.empty()) return std::nullopt;
     std::ranges::sort(videos, natural_less);
-    return fmt::format("'{}' holds pictures, which are drawn as one clip; {} in it {} ignored, '{}'{}", folder,
+    return fmt::format("'{}' has pictures, which vvr reads as one clip; {} in it {} ignored: '{}'{}", folder,
                        counted(std::ssize(videos), "video"), videos.size() == 1 ? "is" : "are", videos.front(),
                        videos.size() == 1 ? "" : " and others");
 }

@@ -40,7 +40,7 @@ std::uint32_t tag_for(const AVOutputFormat& format, const AVCodecParameters& cod
 }
 
 /// Whether packets of two streams can be joined in one stream.
-bool agree(const AVCodecParameters& a, const AVCodecParameters& b) {
+bool are_compatible(const AVCodecParameters& a, const AVCodecParameters& b) {
     return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height && a.sample_rate == b.sample_rate &&
            a.ch_layout.nb_channels == b.ch_layout.nb_channels && a.extradata_size == b.extradata_size &&
            (a.extradata_size == 0 ||
@@ -85,26 +85,26 @@ class Muxer {
     void begin(const Tags& tags) {
         for (const auto& [key, value] : tags) av_dict_set(&format_->metadata, key.c_str(), value.c_str(), 0);
         const int code = avformat_write_header(format_.get(), nullptr);
-        if (code < 0) fail("begin", code);
+        if (code < 0) fail("write the header of", code);
         begun_ = true;
     }
 
     /// Continues with the packets of another file.
     /// \param name name of the file, for messages
     /// \throws Error usage if its streams differ from those of the first file
-    void take(const AVFormatContext& from, const std::string& name) {
+    void begin_file(const AVFormatContext& from, const std::string& name) {
         const std::vector<const AVStream*> media = media_of(from);
         place_of_.assign(from.nb_streams, none);
         for (std::size_t i = 0; i < std::max(media.size(), streams_.size()); ++i) {
             const AVCodecParameters* const is = i < media.size() ? media[i]->codecpar : nullptr;
             const AVCodecParameters* const was = i < streams_.size() ? streams_[i].to->codecpar : nullptr;
-            if (!is || !was || !agree(*is, *was)) refuse(name, was, is);
+            if (!is || !was || !are_compatible(*is, *was)) refuse(name, was, is);
             place_of_[static_cast<std::size_t>(media[i]->index)] = i;
         }
     }
 
     /// Whether a stream of the file is copied. Streams that begin in the middle of a file are not.
-    bool takes(int stream) const {
+    bool copies(int stream) const {
         return std::cmp_less(stream, place_of_.size()) && place_of_[static_cast<std::size_t>(stream)] != none;
     }
 
@@ -129,13 +129,13 @@ class Muxer {
         packet.stream_index = place.to->index;
         packet.pos = -1;
         const int code = av_interleaved_write_frame(format_.get(), &packet);
-        if (code < 0) fail("write", code);
+        if (code < 0) fail("write to", code);
     }
 
     void close() {
         begun_ = false;
         const int code = av_write_trailer(format_.get());
-        if (code < 0) fail("end", code);
+        if (code < 0) fail("finish", code);
         writer_.flush();
     }
 
@@ -153,14 +153,15 @@ class Muxer {
         const bool settings = was && is && text(was) == text(is);
         throw Error(
             ErrorCode::input_unsuitable,
-            fmt::format("'{}' can't be joined to the file before it as it is: it has {}, and that has {}{}; cut "
-                        "it exactly, which encodes the video anew",
-                        name, text(is), text(was), settings ? " of other settings" : ""),
+            fmt::format(
+                "cannot join '{}' to the previous file without re-encoding: it has {}, the previous one has {}{}; "
+                "cut exactly, which re-encodes the video",
+                name, text(is), text(was), settings ? " with other settings" : ""),
             {"exact"});
     }
 
     void check(int code) const {
-        if (code < 0) fail("begin", code);
+        if (code < 0) fail("write", code);
     }
 
     [[noreturn]] void fail(const char* what, int code) const {
@@ -172,7 +173,7 @@ class Muxer {
     AVStream* add(const AVStream& from) {
         AVStream* const to = avformat_new_stream(format_.get(), nullptr);
         if (to == nullptr || avcodec_parameters_copy(to->codecpar, from.codecpar) < 0) {
-            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video");
+            throw Error(ErrorCode::out_of_memory, "out of memory for copying a video; give vvr more memory");
         }
         to->codecpar->codec_tag = tag_for(*format_->oformat, *from.codecpar);
         to->time_base = from.time_base;
@@ -182,8 +183,8 @@ class Muxer {
             to->time_base = av_inv_q(from.r_frame_rate);
         }
         to->avg_frame_rate = from.avg_frame_rate;
-        const bool told = from.sample_aspect_ratio.num > 0;
-        to->sample_aspect_ratio = told ? from.sample_aspect_ratio : from.codecpar->sample_aspect_ratio;
+        const bool has_aspect = from.sample_aspect_ratio.num > 0;
+        to->sample_aspect_ratio = has_aspect ? from.sample_aspect_ratio : from.codecpar->sample_aspect_ratio;
         to->codecpar->sample_aspect_ratio = to->sample_aspect_ratio;
         to->disposition = from.disposition;
         copy_tag(to->metadata, from.metadata, "language");
@@ -234,7 +235,7 @@ class PartCopy {
                 if (number > piece_.last && is_over(stamp)) break;
                 if (number < piece_.first || number > piece_.last || stamp < piece_.first_stamp) continue;
                 ++copied.packets;
-            } else if (!muxer.takes(packet->stream_index) || !lies_beside(stream, stamp, is_last)) {
+            } else if (!muxer.copies(packet->stream_index) || !is_in_range(stream, stamp, is_last)) {
                 continue;
             }
             muxer.add(*packet, stream, zero_of(stream), joined);
@@ -248,7 +249,7 @@ class PartCopy {
 
     /// Whether a packet of another stream is within the packet range. A range that ends with the file includes the
     /// rest.
-    bool lies_beside(const AVStream& stream, std::int64_t stamp, bool is_last) const {
+    bool is_in_range(const AVStream& stream, std::int64_t stamp, bool is_last) const {
         const auto is_before = [&](std::int64_t video_stamp) {
             return av_compare_ts(stamp, stream.time_base, video_stamp, video_.time_base) < 0;
         };
@@ -285,7 +286,7 @@ CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::
             muxer = std::make_unique<Muxer>(from, container, path, write_at);
             muxer->begin(tags);
         }
-        muxer->take(from, part.input.name);
+        muxer->begin_file(from, part.input.name);
         const bool is_last = &part == &parts.back();
         PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*muxer, &part != &parts.front(), is_last, copied,
                                                                       stopped);
@@ -330,7 +331,7 @@ std::unique_ptr<DecodedFrame> frame_from(FrameSource& source, double seconds) {
 }
 
 /// Whether the beginning of a part decodes to the same pictures from the copy as from the source file.
-bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const SourceOptions& options) {
+bool begins_identically(FileSource& copy, double begin, const CopyPart& part, const SourceOptions& options) {
     FileSource file(part.input, options);
     auto wanted = frame_from(file, part.piece.begin);
     auto found = frame_from(copy, begin);
@@ -348,11 +349,12 @@ bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const So
 void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
                 double rate, const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorCode::copy_impossible,
-                    fmt::format("'{}' would not show what '{}' does: {}; choose the ending of that file, or cut it "
-                                "exactly, which encodes the video anew",
-                                path.string(), parts.front().input.name, what),
-                    {"exact"});
+        throw Error(
+            ErrorCode::copy_impossible,
+            fmt::format("the copy '{}' would differ from '{}': {}; use the extension of the source file, or cut "
+                        "exactly, which re-encodes the video",
+                        path.string(), parts.front().input.name, what),
+            {"exact"});
     };
     const Input input = open_input(copy.string());
     SourceOptions options;
@@ -367,13 +369,13 @@ void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> par
         if (error.kind() != ErrorKind::not_video) throw;
     }
     if (packets && *packets != copied.packets) {
-        refuse(fmt::format("{} of {} frames can be read again", *packets, copied.packets));
+        refuse(fmt::format("{} of {} packets can be read back", *packets, copied.packets));
     }
-    if (!written) refuse("its frames don't decode there");
+    if (!written) refuse("its frames can't be decoded");
     const double zero = parts.front().begin + parts.front().piece.begin;
     for (const CopyPart& part : parts.first(std::min(parts.size(), checked_parts))) {
-        if (begins_alike(*written, part.begin + part.piece.begin - zero, part, options)) continue;
-        refuse(fmt::format("from {:.3f} s on, where a key frame should be, other pictures come out", part.piece.begin));
+        if (begins_identically(*written, part.begin + part.piece.begin - zero, part, options)) continue;
+        refuse(fmt::format("its pictures differ from {:.3f} s on", part.piece.begin));
     }
 }
 

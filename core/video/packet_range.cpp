@@ -28,7 +28,7 @@ struct VideoPacket {
 
 [[noreturn]] void throw_no_times(const Input& input, const std::string& what) {
     throw Error(ErrorCode::copy_impossible,
-                fmt::format("'{}' can't be copied: {}; cut it exactly instead, which decodes it", input.name, what),
+                fmt::format("cannot copy '{}': {}; cut exactly, which re-encodes the video", input.name, what),
                 {"exact"});
 }
 
@@ -36,9 +36,8 @@ struct VideoPacket {
 double origin_of(const Input& input, double rate) {
     VideoReader reader(input, rate, 1);
     if (!reader.next().image) {
-        throw Error(
-            ErrorCode::no_frame,
-            fmt::format("'{}' has video, but no frame of it decodes; `ffprobe` on it may say more", input.name));
+        throw Error(ErrorCode::no_frame,
+                    fmt::format("no frame of '{}' can be decoded; run `ffprobe` on it for details", input.name));
     }
     return reader.origin();
 }
@@ -72,14 +71,14 @@ class Scan {
   private:
     void add(const AVPacket& packet) {
         if (packet.pts == AV_NOPTS_VALUE && (packet.dts == AV_NOPTS_VALUE || demuxer_.stream().codecpar->video_delay)) {
-            throw_no_times(input_, "its packets do not say when they are shown");
+            throw_no_times(input_, "its packets have no presentation timestamps");
         }
         const std::int64_t stamp = packet.pts == AV_NOPTS_VALUE ? packet.dts : packet.pts;
         if (packet.dts != AV_NOPTS_VALUE) {
             const double dts = seconds(packet.dts);
             if (dts < last_dts_ - clock_was_set) {
-                throw_no_times(
-                    input_, fmt::format("its clock goes back by {:.1f} s after {:.1f} s", last_dts_ - dts, last_dts_));
+                throw_no_times(input_, fmt::format("its timestamps go back by {:.1f} s after {:.1f} s", last_dts_ - dts,
+                                                   last_dts_));
             }
             last_dts_ = std::max(last_dts_, dts);
             if (span_.end && dts > *span_.end) ++past_end_;
@@ -141,12 +140,12 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     const Scan scan(input, rate, span);
     const std::vector<VideoPacket>& packets = scan.packets();
     const std::vector<std::size_t> inside = packets_in(scan, span);
-    PacketRange piece;
+    PacketRange range;
     if (inside.empty()) {
-        piece.over = scan.end();
-        return piece;
+        range.over = scan.end();
+        return range;
     }
-    piece.frames = std::ssize(inside);
+    range.frames = std::ssize(inside);
 
     const std::size_t earliest = std::ranges::min(inside);
     const std::int64_t wanted = packets[inside.front()].stamp;
@@ -154,21 +153,21 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     for (std::size_t k = 0; k <= earliest; ++k) {
         if (packets[k].key && packets[k].stamp <= wanted) first = k;
     }
-    if (!first) throw_no_times(input, "there is no key frame before the piece");
+    if (!first) throw_no_times(input, "it has no key frame before the requested part");
     const std::size_t last = last_needed(packets, *first, std::ranges::max(inside));
 
-    piece.first = static_cast<std::int64_t>(*first);
-    piece.last = static_cast<std::int64_t>(last);
-    piece.first_stamp = piece.last_stamp = packets[*first].stamp;
+    range.first = static_cast<std::int64_t>(*first);
+    range.last = static_cast<std::int64_t>(last);
+    range.first_stamp = range.last_stamp = packets[*first].stamp;
     for (std::size_t k = *first; k <= last; ++k) {
-        piece.last_stamp = std::max(piece.last_stamp, packets[k].stamp);
-        piece.damaged += packets[k].damaged;
+        range.last_stamp = std::max(range.last_stamp, packets[k].stamp);
+        range.damaged += packets[k].damaged;
     }
-    piece.begin = scan.seconds(piece.first_stamp);
-    piece.end = scan.seconds(piece.last_stamp);
-    piece.wanted = scan.seconds(wanted);
-    piece.ends_early = scan.ends_early();
-    return piece;
+    range.begin = scan.seconds(range.first_stamp);
+    range.end = scan.seconds(range.last_stamp);
+    range.wanted = scan.seconds(wanted);
+    range.ends_early = scan.ends_early();
+    return range;
 }
 
 double length_of(const Input& input, double rate) {
@@ -201,7 +200,7 @@ double length_of(const Input& input, double rate) {
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
     const std::string end = last ? fmt::format("its last frame is at {:.3f} s; ", *last) : "";
     throw Error(ErrorCode::span_empty,
-                fmt::format("'{}' has no frame {}; {}choose another piece", name, text_of(span), end));
+                fmt::format("'{}' has no frame {}; {}choose another part", name, text_of(span), end));
 }
 
 }  // namespace vvr::video

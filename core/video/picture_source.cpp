@@ -73,8 +73,9 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
         }
     }
     if (info_.frames == 0) {
-        throw Error(ErrorCode::no_frame,
-                    fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, files_.size(), why));
+        throw Error(
+            ErrorCode::no_frame,
+            fmt::format("cannot decode any of the {} pictures of '{}'; the first error: {}", files_.size(), name, why));
     }
     field_size_ = field_size_for(info_.size, options.field_size);
 }

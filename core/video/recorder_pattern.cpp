@@ -41,7 +41,7 @@ constexpr std::array fields{
 };
 
 // Further fields for the patterns of known recorders. An expression with `%` or `{` consists of other fields.
-constexpr std::array own_words{
+constexpr std::array internal_fields{
     // A date. 03-04-2026 is not accepted, because day and month are ambiguous.
     FieldRow{"{date}", NameField::text, "%Y-%m-%d|%Y_%m_%d|%Y\\.%m\\.%d|%Y%m%d"},
     FieldRow{"{dated}", NameField::text, "{date}|%Y/%m/%d|%Y-%m/%d|%Y/%m-%d|%Y/%m/{date}|%Y/{date}|%Y/%Y-%m/{date}"},
@@ -77,8 +77,8 @@ constexpr std::size_t longest_path = 4096;
 
 [[noreturn]] void refuse(std::string_view pattern, std::string_view why) {
     throw Error(ErrorCode::name_pattern_invalid,
-                fmt::format("'{}' is no pattern of names: {}; for example "
-                            "'%Y-%m-%d/%H/{{camera}}/%M.%S' is Frigate's",
+                fmt::format("'{}' is not a pattern of file names: {}; an example is Frigate's "
+                            "'%Y-%m-%d/%H/{{camera}}/%M.%S'",
                             pattern, why),
                 {"names"});
 }
@@ -91,7 +91,7 @@ const FieldRow* row_at(const Rows& rows, std::string_view text) {
 }
 
 /// Builds a regular expression.
-struct Making {
+struct ExpressionBuilder {
     std::string expression{};
     std::vector<NameField> captures{};
 
@@ -118,33 +118,33 @@ struct Making {
     }
 
     static const FieldRow* row_of(std::string_view text) {
-        const FieldRow* own = row_at(own_words, text);
+        const FieldRow* own = row_at(internal_fields, text);
         return own != nullptr ? own : row_at(fields, text);
     }
 
     bool has(NameField field) const { return std::ranges::count(captures, field) > 0; }
 };
 
-Making make(std::string_view pattern, RecorderPattern::Words words) {
-    Making made;
+ExpressionBuilder make(std::string_view pattern, RecorderPattern::Words words) {
+    ExpressionBuilder builder;
     for (std::string_view rest = pattern; !rest.empty();) {
         const FieldRow* row =
-            words == RecorderPattern::Words::fields_and_own ? Making::row_of(rest) : row_at(fields, rest);
+            words == RecorderPattern::Words::fields_and_own ? ExpressionBuilder::row_of(rest) : row_at(fields, rest);
         if (row != nullptr) {
-            made.add(*row);
+            builder.add(*row);
             rest.remove_prefix(row->name.size());
             continue;
         }
         const bool percent = rest.starts_with("%%");
         if (!percent && (rest.front() == '%' || rest.front() == '{')) {
             const std::size_t end = rest.front() == '%' ? 2 : std::min(rest.find('}'), rest.size() - 1) + 1;
-            refuse(pattern, fmt::format("it has '{}', and fields are {}", rest.substr(0, end),
+            refuse(pattern, fmt::format("unknown field '{}' (known: {})", rest.substr(0, end),
                                         fmt::join(names_of(fields), " ")));
         }
-        made.expression += re2::RE2::QuoteMeta(rest.substr(0, 1));
+        builder.expression += re2::RE2::QuoteMeta(rest.substr(0, 1));
         rest.remove_prefix(percent ? 2 : 1);
     }
-    return made;
+    return builder;
 }
 
 std::int64_t number_in(std::string_view digits) {
@@ -193,10 +193,10 @@ std::optional<NamedTime> NameFields::time(bool utc) const {
 
 RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
     if (pattern.empty() || (words == Words::fields && pattern.size() > longest_pattern)) {
-        refuse(pattern, fmt::format("it has {} bytes where 1 to {} are possible", pattern.size(), longest_pattern));
+        refuse(pattern, fmt::format("it has {} bytes, not 1 to {}", pattern.size(), longest_pattern));
     }
-    Making made = make(pattern, words);
-    const auto has = [&](NameField field) { return made.has(field); };
+    ExpressionBuilder builder = make(pattern, words);
+    const auto has = [&](NameField field) { return builder.has(field); };
     const bool day =
         (has(NameField::year) || has(NameField::year_of_century)) && has(NameField::month) && has(NameField::day);
     const bool partly = day || has(NameField::hour) || has(NameField::month) || has(NameField::day);
@@ -208,10 +208,10 @@ RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
     re2::RE2::Options options(re2::RE2::Latin1);  // names are bytes
     options.set_log_errors(false);
     options.set_dot_nl(true);
-    auto expression = std::make_shared<re2::RE2>("(?:.*/)?" + made.expression, options);
-    if (!expression->ok()) refuse(pattern, fmt::format("it is too long a pattern ({})", expression->error()));
+    auto expression = std::make_shared<re2::RE2>("(?:.*/)?" + builder.expression, options);
+    if (!expression->ok()) refuse(pattern, fmt::format("it is too long ({})", expression->error()));
     expression_ = std::move(expression);
-    captures_ = std::move(made.captures);
+    captures_ = std::move(builder.captures);
 }
 
 std::optional<NameFields> RecorderPattern::read(std::string_view path) const {
@@ -228,13 +228,13 @@ std::optional<NameFields> RecorderPattern::read(std::string_view path) const {
     for (std::size_t i = 0; i < captures_.size(); ++i) {
         const re2::StringPiece& group = groups[i + 1];
         if (group.data() == nullptr) continue;
-        const std::string_view said(group.data(), group.size());
+        const std::string_view value_text(group.data(), group.size());
         if (captures_[i] == NameField::camera) {
-            if (name.camera.empty()) name.camera = said;
+            if (name.camera.empty()) name.camera = value_text;
             continue;
         }
         auto& value = name.values[static_cast<std::size_t>(captures_[i])];
-        const std::int64_t more = value_of(captures_[i], said);
+        const std::int64_t more = value_of(captures_[i], value_text);
         if (!value) {
             value = more;
         } else if (*value != more && captures_[i] != NameField::number) {

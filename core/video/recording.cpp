@@ -78,13 +78,14 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
     std::error_code none;
     if (name == "-" || is_url(name)) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is a stream, and only files can be one recording together", name));
+                    fmt::format("cannot join '{}' with other inputs: it is a stream, not a file; give it alone", name));
     }
     if (!fs::exists(name, none)) open_file(name);  // throws
-    throw Error(ErrorCode::input_unsuitable,
-                fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
-                            "the others; give video files, or folders of them",
-                            name));
+    throw Error(
+        ErrorCode::input_unsuitable,
+        fmt::format("cannot join '{}' with other inputs: it has no video files; give video files, or folders of "
+                    "them",
+                    name));
 }
 
 // ---- One camera
@@ -196,9 +197,8 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     std::string chosen = cameras.begin()->first;
     Files names;
     for (const auto& [camera, files] : cameras) {
-        names.push_back(camera.empty()
-                            ? fmt::format("one that no name tells ('{}')", shown_text(file_of(files.front())))
-                            : shown_text(camera));
+        names.push_back(camera.empty() ? fmt::format("unknown ('{}')", shown_text(file_of(files.front())))
+                                       : shown_text(camera));
         if (!chosen.empty()) continue;
         chosen = camera;
         own = files;
@@ -207,15 +207,16 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     for (const auto& [camera, files] : cameras) {
         if (camera != chosen) others.insert(others.end(), files.begin(), files.end());
     }
-    constexpr std::size_t told = 8;
-    const std::size_t rest = names.size() - std::min(names.size(), told);
+    constexpr std::size_t named = 8;
+    const std::size_t rest = names.size() - std::min(names.size(), named);
     names.resize(names.size() - rest);
-    throw Error(ErrorCode::recording_mixed,
-                fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
-                            "recording all the same",
-                            name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
-                            rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
-                {"join"});
+    throw Error(
+        ErrorCode::recording_mixed,
+        fmt::format("'{}' has files of {}: {}{}; give those of one camera, for example '{}', or join them as one "
+                    "recording",
+                    name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
+                    rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
+        {"join"});
 }
 
 bool are_alike(const ClipHeader& a, const ClipHeader& b) {
@@ -241,13 +242,14 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();
         if (are_alike(first.header, header)) continue;
-        throw Error(ErrorCode::recording_mixed,
-                    fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
-                                "are one recording; give one, or join them",
-                                first.segment->path, text_of(first.header), segment->path, text_of(header),
-                                first.segment->begin ? "no name tells of the second" : "no name tells of either",
-                                counted(std::ssize(recording.segments), "file")),
-                    {"join"});
+        throw Error(
+            ErrorCode::recording_mixed,
+            fmt::format("'{}' ({}) and '{}' ({}) seem unrelated: {} when it was recorded; give one of the {}, or "
+                        "join them as one recording",
+                        first.segment->path, text_of(first.header), segment->path, text_of(header),
+                        first.segment->begin ? "the name of the second does not say" : "no name says",
+                        counted(std::ssize(recording.segments), "file")),
+            {"join"});
     }
 }
 
@@ -255,15 +257,15 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
 
 /// The headers of files whose names have no time, preceded by that of one file whose name has a time.
 std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
-    std::vector<Segment*> looked_at;
-    const auto told = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
-    if (told != segments.end()) looked_at.push_back(&*told);
+    std::vector<Segment*> read;
+    const auto dated = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
+    if (dated != segments.end()) read.push_back(&*dated);
     for (Segment& segment : segments) {
-        if (!segment.begin) looked_at.push_back(&segment);
+        if (!segment.begin) read.push_back(&segment);
     }
     std::vector<SegmentHeader> headers;
-    if (told != segments.end() && looked_at.size() == 1) return headers;
-    for (Segment* const segment : looked_at) {
+    if (dated != segments.end() && read.size() == 1) return headers;
+    for (Segment* const segment : read) {
         try {
             headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
         } catch (const Error& error) {
@@ -308,16 +310,16 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         return true;
     };
     const std::string files = undated == std::ssize(recording.segments)
-                                  ? "its files' names do not tell"
-                                  : fmt::format("the names of {} do not tell", counted(undated, "file"));
+                                  ? "the names of its files do not say"
+                                  : fmt::format("the names of {} do not say", counted(undated, "file"));
     if (try_times(ClockSource::container, 0.4, [](const SegmentHeader& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, so each is placed by when its container says it was written; times of day "
-            "are not shown (--start-time container shows these)",
-            recording.name, files));
+        recording.warnings.push_back(
+            fmt::format("'{}': {} when it was recorded; vvr orders them by the creation times in their containers and "
+                        "shows no times of day (--start-time container shows these)",
+                        recording.name, files));
         return;
     }
     // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
@@ -325,16 +327,16 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             if (file.header.length <= 0) return std::nullopt;
             return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
-            "times of day are not shown (--start-time modified shows these)",
-            recording.name, files));
+        recording.warnings.push_back(
+            fmt::format("'{}': {} when it was recorded, nor do their containers; vvr orders them by their modification "
+                        "times and shows no times of day (--start-time modified shows these)",
+                        recording.name, files));
         return;
     }
-    recording.warnings.push_back(fmt::format(
-        "'{}': {} when it was recorded, and the times at which the files were written contradict each other; "
-        "they follow each other by their names",
-        recording.name, files));
+    recording.warnings.push_back(
+        fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
+                    "vvr orders them by their names",
+                    recording.name, files));
 }
 
 /// Sorts by start time. A file without one stays behind its predecessor by name.
@@ -376,12 +378,12 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
 }
 
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
-    RecorderName told = layouts.read(whole_path(path));
+    RecorderName name = layouts.read(whole_path(path));
     Segment segment{path};
-    segment.camera = std::move(told.camera);
-    segment.layout = std::move(told.layout);
-    if (told.begin) {
-        segment.begin = utc_of(*told.begin, std::llround(modified_at(path).value_or(0)));
+    segment.camera = std::move(name.camera);
+    segment.layout = std::move(name.layout);
+    if (name.begin) {
+        segment.begin = utc_of(*name.begin, std::llround(modified_at(path).value_or(0)));
         segment.begin_source = ClockSource::file_name;
     }
     return segment;
@@ -402,7 +404,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.empty()) {
         throw Error(ErrorCode::file_invalid,
-                    fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
+                    fmt::format("the list '{}' is empty; write the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};
     for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));

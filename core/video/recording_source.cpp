@@ -40,9 +40,9 @@ double on_clock(double begin, double time, double tick) {
 RecordingSource::RecordingSource(Recording recording, const SourceOptions& options)
     : recording_(std::move(recording)), options_(options) {
     if (!open_next()) {
-        throw Error(ErrorCode::not_video, fmt::format("none of the {} of '{}' can be read: {}",
+        throw Error(ErrorCode::not_video, fmt::format("cannot read any of the {} of '{}': {}",
                                                       counted(std::ssize(recording_.segments), "file"), recording_.name,
-                                                      problems_.empty() ? "there is none" : problems_.front()));
+                                                      problems_.empty() ? "it has no files" : problems_.front()));
     }
     const SegmentPlace first = info_.segments.front();
     info_ = segment_->info();
@@ -124,8 +124,7 @@ void RecordingSource::count_overlap() {
         return;
     }
     if (seconds > usual) {
-        problems_.push_back(
-            fmt::format("'{}' begins before the file before it ends; left out: {}", name, counted(frames, "frame")));
+        problems_.push_back(fmt::format("'{}' overlaps the previous file; {} omitted", name, counted(frames, "frame")));
         return;
     }
     trimmed_.files += 1;
@@ -136,9 +135,9 @@ void RecordingSource::count_overlap() {
 std::string text_of(const OmittedFrames& left_out) {
     const auto rest = left_out.files - std::ssize(left_out.first);
     return fmt::format(
-        "{} {} left out whole, as other files show the same time: '{}'{}; {}, {:.1f} s; are they of another camera, or "
-        "copies?",
-        counted(left_out.files, "file"), left_out.files == 1 ? "is" : "are", fmt::join(left_out.first, "', '"),
+        "{} {} omitted, because other files cover the same time: '{}'{}; {}, {:.1f} s; check whether they are copies, "
+        "or from another camera",
+        counted(left_out.files, "file"), left_out.files == 1 ? "was" : "were", fmt::join(left_out.first, "', '"),
         rest > 0 ? fmt::format(" and {} more", rest) : "", counted(left_out.frames, "frame"), left_out.seconds);
 }
 
@@ -146,11 +145,9 @@ std::vector<std::string> RecordingSource::problems() const {
     std::vector<std::string> problems;
     if (info_.left_out.files > 0) problems.push_back(text_of(info_.left_out));
     if (trimmed_.files > 0) {
-        problems.push_back(
-            fmt::format("{} {} before the file before ends, by 5 s or less; left out as shown already: "
-                        "{}, {:.1f} s in all",
-                        counted(trimmed_.files, "file"), trimmed_.files == 1 ? "begins" : "begin",
-                        counted(trimmed_.frames, "frame"), trimmed_.seconds));
+        problems.push_back(fmt::format("{} {} the previous file by at most 5 s; {} omitted, {:.1f} s in all",
+                                       counted(trimmed_.files, "file"), trimmed_.files == 1 ? "overlaps" : "overlap",
+                                       counted(trimmed_.frames, "frame"), trimmed_.seconds));
     }
     problems.insert(problems.end(), problems_.begin(), problems_.end());
     return problems;
@@ -164,7 +161,7 @@ void RecordingSource::close() {
         problems_.push_back(fmt::format("'{}' has {}", info.name, counted(damaged, "damaged packet")));
     } else if (segment_end_ + tolerance < info.duration) {
         problems_.push_back(
-            fmt::format("'{}' ends after {:.1f} s, and its header says {:.1f} s; it was not written whole", info.name,
+            fmt::format("'{}' ends after {:.1f} s, but its header says {:.1f} s; the file is incomplete", info.name,
                         segment_end_, info.duration));
     }
     for (std::string& problem : segment_->problems()) problems_.push_back(std::move(problem));
@@ -200,9 +197,10 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
 
 /// Reports that no file can be read any more.
 void RecordingSource::throw_gone() const {
-    throw Error(ErrorCode::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
-                                           recording_.name, counted(std::ssize(recording_.segments), "file"),
-                                           problems_.empty() ? "they hold no frame" : problems_.front()));
+    throw Error(ErrorCode::io,
+                fmt::format("cannot read any of the {} of '{}' again: {}; check that its folder still exists",
+                            counted(std::ssize(recording_.segments), "file"), recording_.name,
+                            problems_.empty() ? "they have no frames" : problems_.front()));
 }
 
 std::int64_t RecordingSource::damaged() const {

@@ -89,7 +89,8 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     context_.reset(sws_getContext(from.width, from.height, AV_PIX_FMT_GRAY8, to.width, to.height, AV_PIX_FMT_GRAY8,
                                   SWS_AREA | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr));
     if (!context_ || av_frame_get_buffer(scaled_.get(), 0) < 0) {
-        throw Error(ErrorCode::out_of_memory, "out of memory for scaling a picture");
+        throw Error(ErrorCode::out_of_memory, "out of memory for scaling a picture; choose smaller fields",
+                    {"field-size"});
     }
     sizes_ = std::pair(from, to);
 }
@@ -175,13 +176,15 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     to_->color_range = AVCOL_RANGE_JPEG;
     to_->colorspace = colour_space(from);
     if (av_frame_get_buffer(to_.get(), 0) < 0) {
-        throw Error(ErrorCode::out_of_memory,
-                    fmt::format("out of memory for a picture of {}x{}", from.width, from.height));
+        throw Error(
+            ErrorCode::out_of_memory,
+            fmt::format("out of memory for a picture of {}x{}; scale the video down first", from.width, from.height));
     }
     const auto format = static_cast<AVPixelFormat>(from.format);
     const bool full = is_full_range(from) || av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB;
     context_.reset(sws_alloc_context());
-    if (!context_) throw Error(ErrorCode::out_of_memory, "out of memory for converting a picture");
+    if (!context_)
+        throw Error(ErrorCode::out_of_memory, "out of memory for converting a picture; give vvr more memory");
     // The ranges must be set before the initialisation, where swscale chooses its special cases.
     const std::initializer_list<std::pair<const char*, int>> options{
         {"srcw", from.width},
@@ -197,7 +200,7 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     for (const auto& [name, value] : options) av_opt_set_int(context_.get(), name, value, 0);
     if (sws_init_context(context_.get(), nullptr, nullptr) < 0) {
         const char* name = av_get_pix_fmt_name(format);
-        throw Error(ErrorCode::not_video, fmt::format("pictures of pixel format {} and size {}x{} can't be converted; "
+        throw Error(ErrorCode::not_video, fmt::format("cannot convert pictures of pixel format {} and size {}x{}; "
                                                       "convert the video to yuv420p first",
                                                       name ? name : "unknown", from.width, from.height));
     }

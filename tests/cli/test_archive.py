@@ -682,7 +682,7 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
         0, "warning: 'in': the names of 2 clips do not tell when they were recorded, the first 'gate/a.avi'; each is taken to be of "
         "the day when it was last written", "3 clips drawn")
     report = json.loads(t.path("out/gate/2026-11-20.report.json").read_text())
-    check(any("is taken to end when the file was last written; times of day are not shown" in problem for problem in report["problems"]),
+    check(any("by their modification times" in problem for problem in report["problems"]),
           f"{report['problems']}")
     check(report["clock"] is None and report["input"]["recorded"] is None, f"{report['input']}")
     check(not any(re.search("[0-9]{2}:[0-9]{2}:[0-9]{2}", label["text"]) for label in report["labels"]), f"{report['labels']}")

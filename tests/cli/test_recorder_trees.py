@@ -163,7 +163,7 @@ def test_files_of_the_same_second_are_named(t):
         6, "8 files", "'d/2026-11-21_10-00-00_1.avi'", "3 more", "80 frames", "16.0 s", code="partial")
     report = json.loads(t.path("r.json").read_text(encoding="utf-8"))
     check(report["left_out"] == {"files": 8, "frames": 80, "seconds": 16}, f"{report['left_out']} {done}")
-    check(any("8 files are left out whole" in problem for problem in report["problems"]), f"{report['problems']}")
+    check(any("8 files were omitted" in problem for problem in report["problems"]), f"{report['problems']}")
     check(report["frames"]["used"] == 10, f"{report['frames']}")
     t.vvr("extract", "d", "-o", "data").expect(6, "8 files", code="partial")
     t.vvr("archive", ".", "-o", "out", "--settle", "0s", "--per", "day", "--match", "d/*.avi", "--size", "160x100", "--backend", "software").expect(
@@ -188,7 +188,7 @@ def test_unrelated_clips_are_refused(t):
     t.path("mixed").mkdir()
     t.ffmpeg("-i", "door.avi", "mixed/%d.png")
     os.link(t.path("door.avi"), t.path("mixed/clip.avi"))
-    t.vvr("render", "mixed", *look).expect(0, "'mixed' holds pictures, which are drawn as one clip; 1 video in it is ignored, 'mixed/clip.avi'")
+    t.vvr("render", "mixed", *look).expect(0, "warning: 'mixed'", "1 video in it was ignored: 'mixed/clip.avi'")
 
 
 def test_dry_run_shows_what_names_hide(t):

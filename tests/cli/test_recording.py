@@ -81,8 +81,8 @@ def test_recording_goes_on_past_damaged_files(t):
     data = t.path(names[2]).read_bytes()
     t.write(names[1], b"no video" * 100)
     t.write(names[2], data[: len(data) // 2])
-    done = t.render("day", *LOOK, "--report", "r.json").expect(0, f"warning: '{names[1]}' is not a video that libav knows",
-                                                                f"warning: '{names[2]}' ends after ", "and its header says 10.0 s", "in 400 layers")
+    done = t.render("day", *LOOK, "--report", "r.json").expect(0, f"warning: '{names[1]}' is not a video",
+                                                                f"warning: '{names[2]}' ends after ", "its header says 10.0 s", "in 400 layers")
     report = report_of(t)
     check(any(names[1] in problem for problem in report["problems"]), f"{report['problems']}")
     check(220 <= report["frames"]["used"] <= 260 and report["span"]["last"] == 39.9, f"{done}")
@@ -113,7 +113,7 @@ def test_recording_of_copies_leaves_nothing_out(t):
         t.path("copies").mkdir(exist_ok=True)
         t.path(name).rename(t.path("copies") / name)
         os.utime(t.path("copies") / name, (written, written))
-    t.render("copies", *LOOK, "--report", "r.json").expect(0, "300 frames", "they follow each other by their names")
+    t.render("copies", *LOOK, "--report", "r.json").expect(0, "300 frames", "vvr orders them by their names")
     segments = report_of(t)["segments"]
     check([(segment["file"][-5:], segment["first_frame"]) for segment in segments] == [("a.avi", 0), ("b.avi", 100), ("c.avi", 200)], f"{segments}")
 
@@ -123,7 +123,7 @@ def test_recording_says_what_overlaps(t):
     cut(t)
     t.ffmpeg("-ss", "10", "-t", "20", "-i", "whole.mkv", "-c:v", "mpeg4", "-q:v", "3", "day/2026-11-21/23/gate/59.52.mkv")
     done = t.render("day", *LOOK, "--report", "r.json").expect(6, "80 frames", "1 file", "5 s", "20 frames, 2.0 s", code="partial")
-    check(any("left out" in problem for problem in report_of(t)["problems"]), str(done))
+    check(any("omitted" in problem for problem in report_of(t)["problems"]), str(done))
 
 
 def test_recording_tells_which_file_an_event_is_in(t):
@@ -152,15 +152,15 @@ def test_recording_is_ordered_by_what_tells_the_time(t):
     # Names of no known layout, containers without a time: when they were written counts.
     for number, name in enumerate(names):
         os.utime(t.path(name), (1795300000 + 10 * (number + 1),) * 2)
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': its files' names do not tell when it was recorded, nor do containers", "400 frames")
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': the names of its files do not say", "by their modification times", "400 frames")
     report = report_of(t)
-    check(report["input"]["recorded"] is None and any("last written" in problem for problem in report["problems"]), f"{report['problems']}")
+    check(report["input"]["recorded"] is None and any("modification times" in problem for problem in report["problems"]), f"{report['problems']}")
     t.render("plain", *LOOK, "--start-time", "modified", "--report", "r.json").expect(0)
     check(report_of(t)["clock"]["source"] == "modified" and report_of(t)["input"]["recorded_by"] == "modified", "asked for")
     # All written at once: by their names.
     for name in names:
         os.utime(t.path(name), (1795300000,) * 2)
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "they follow each other by their names", "400 frames in 400 layers")
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "vvr orders them by their names", "400 frames in 400 layers")
     check([segment["file"] for segment in report_of(t)["segments"]] == names, "not in order")
     t.render("plain", *LOOK, "--names", "%d-%H.%M.%S").expect(1, "%Y, %m, %d and %H", code="name-pattern-invalid")
     # What containers tell comes before when they were written.
@@ -171,7 +171,7 @@ def test_recording_is_ordered_by_what_tells_the_time(t):
     check([segment["file"] for segment in report_of(t)["segments"]] == list(reversed(names)), "containers tell the order")
     report = report_of(t)
     check(report["input"]["recorded"] is None and report["input"]["written"] == "2026-11-21 08:00:00", "but not the clock")
-    check(any("each is placed by when its container says it was written" in problem for problem in report["problems"]), f"{report['problems']}")
+    check(any("by the creation times in their containers" in problem for problem in report["problems"]), f"{report['problems']}")
 
 
 def test_recording_that_cannot_be(t):

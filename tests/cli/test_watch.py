@@ -222,7 +222,7 @@ def test_watch_draws_the_last_seconds_before_an_outage(t):
         time.sleep(1)
     time.sleep(5)
     with Server(t, url + "?listen=1", begin=16):
-        watch.wait_for("connected again", 20)
+        watch.wait_for("reconnected to", 20)
         watch.wait_for("brick 1,", 10)
         time.sleep(3)
     said = watch.end()
@@ -245,11 +245,11 @@ def test_watch_shows_gaps(t):
     for begin in (8, 16):
         time.sleep(1.5)
         with Server(t, url + "?listen=1", begin=begin):
-            watch.wait_for(f"connected again", 20)
+            watch.wait_for(f"reconnected to", 20)
             time.sleep(3.5)
     said = watch.end()
     now = figures(said)
-    check(now["reconnections"] >= 2 and said.count("lost after") >= 2, said)
+    check(now["reconnections"] >= 2 and said.count("lost the connection") >= 2, said)
     numbers = sorted(int(name.split(".")[1]) for name in t.files() if name.startswith("out."))
     check(len(numbers) == now["pictures"] and numbers[-1] > len(numbers), f"bricks without a frame have pictures: {numbers}")
     check(red_pixels(t, f"out.{numbers[-1]}.png") > 40, f"no hatching in out.{numbers[-1]}.png")

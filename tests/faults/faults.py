@@ -53,7 +53,7 @@ SCENES = (
     Scene("png", (*RENDER, "out.png", "--report", "out.json", *SMALL), ("out.png", "out.json")),
     Scene("exr", (*RENDER, "out.exr", "--report", "out.json", *SMALL), ("out.exr", "out.json")),
     Scene("html", (*RENDER, "out.png", "--page", "out.html", "--report", "out.json", *SMALL), ("out.png", "out.html", "out.json")),
-    Scene("extract", ("extract", "{in}/clip.avi", "-o", "data", "--threads", "2"), ()),
+    Scene("extract", ("extract", "{in}/keys.avi", "-o", "data", "--threads", "2"), ()),
     Scene("archive", ("archive", "{in}/clips", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
     Scene("worker", ("archive", "{in}/one", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software",
                      "--sandbox", "off"), (), "worker"),
@@ -75,6 +75,7 @@ def make_inputs(folder):
                         *codec, folder / name], check=True, stdin=subprocess.DEVNULL)
 
     ffmpeg(1, ("-c:v", "mpeg4", "-g", "5"), "clip.avi")
+    ffmpeg(4, ("-c:v", "mpeg4", "-g", "1"), "keys.avi")  # enough key frames for the empty scene: each is decoded alone
     ffmpeg(2, ("-c:v", "libx264", "-preset", "ultrafast", "-g", "10", "-bf", "0"), "cam.ts")
     day = ("20261120_080000.avi", "20261120_080001.avi")
     for name in ("clips/a.avi", "clips/b.avi", "one/a.avi", *(f"{folder}/{name}" for folder in ("day", "days/gate", "days/hall") for name in day)):

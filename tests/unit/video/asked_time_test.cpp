@@ -133,30 +133,30 @@ std::string refusal(const video::FrameSpan& span, const WallClock& clock, const 
 
 TEST(RequestedTime, NeedsAClock) {
     const video::RequestedTime two{7200, false, "@02:00"};
-    EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, night()),
-                 "start @02:00: nothing tells at which time of day 'gate' was recorded; say when it begins with "
-                 "--start-time DATETIME, or how its name tells it with --names, or count from its beginning");
+    EXPECT_PRED2(
+        contains, refusal(asked(two), std::nullopt, night()),
+        "start @02:00: the recording time of 'gate' is unknown; set it with --start-time DATETIME, describe its "
+        "file name with --names, or give the time since its start");
     video::VideoInfo written = night();
     written.created = evening;
-    EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, written), "--start-time container takes that");
+    EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, written), "--start-time container uses the creation time");
     EXPECT_PRED2(contains, refusal(asked({}, {}, video::DayPart{0, 60, "00:00-00:01"}), std::nullopt, night()),
-                 "between 00:00-00:01: nothing tells");
+                 "between 00:00-00:01: the recording time");
 }
 
 TEST(RequestedTime, HasToBeInTheClip) {
     const Clock clock = clock_of(evening);
     EXPECT_PRED2(contains, refusal(asked(video::RequestedTime{12 * 3600, false, "@12:00"}), clock, night()),
-                 "start: there is nothing of @12:00 in 'gate', which begins at 2026-11-21 20:00:00 and ends at "
+                 "start: @12:00 is outside 'gate', which begins at 2026-11-21 20:00:00 and ends at "
                  "2026-11-22 08:00:00 (by file name)");
     const video::RequestedTime before{evening - 60, true, "2026-11-21 19:59"};
-    EXPECT_PRED2(contains, refusal(asked({}, before), clock, night()),
-                 "end: there is nothing of 2026-11-21 19:59 in 'gate'");
+    EXPECT_PRED2(contains, refusal(asked({}, before), clock, night()), "end: 2026-11-21 19:59 is outside 'gate'");
     const video::RequestedTime later{evening + 7200, true, "2026-11-21 22:00"};
     const video::RequestedTime sooner{evening + 3600, true, "2026-11-21 21:00"};
     EXPECT_PRED2(contains, refusal(asked(later, sooner), clock, night()),
                  "end: 2026-11-21 21:00 is not after the start, 2026-11-21 22:00:00");
     EXPECT_PRED2(contains, refusal(asked({}, {}, video::DayPart{12 * 3600, 13 * 3600, "12:00-13:00"}), clock, night()),
-                 "between: there is nothing of 12:00-13:00 in 'gate'");
+                 "between: 12:00-13:00 is outside 'gate'");
 }
 
 }  // namespace

@@ -2,9 +2,15 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <gtest/gtest.h>
 
+extern "C" {
+#include <libavutil/mem.h>
+}
+
+#include "core/base/error.h"
 #include "core/video/input_files.h"
 #include "core/video/packet_range.h"
 #include "tests/unit/video/clips.h"
@@ -254,6 +260,29 @@ TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
         EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
     }
     EXPECT_EQ(read_all(*source).front().index, 0);
+}
+
+/// Lets libav allocate no larger block while it exists.
+class LibavLimit {
+  public:
+    explicit LibavLimit(std::size_t bytes) { av_max_alloc(bytes); }
+    ~LibavLimit() { av_max_alloc(std::numeric_limits<int>::max()); }
+    LibavLimit(const LibavLimit&) = delete;
+    LibavLimit& operator=(const LibavLimit&) = delete;
+};
+
+TEST(Sample, ReportsThatMemoryEndedWhileItDecodesAKeyFrame) {
+    const TempFolder folder;
+    const auto clip = folder / "clip.avi";
+    ffmpeg("-f lavfi -i testsrc2=size=640x480:rate=10:duration=2 -c:v mjpeg " + quoted(clip));
+    const auto source = video::open_source(clip);
+    const LibavLimit limit(200'000);  // bytes: more than libavformat needs, and less than a frame
+    try {
+        source->sample(8);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::out_of_memory) << error.what();
+    }
 }
 
 TEST(Sample, DoesNotTrustTheHeadersDuration) {
