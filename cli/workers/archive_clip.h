@@ -11,7 +11,7 @@
 #include "cli/workers/worker.h"
 #include "core/archive/clips.h"
 #include "core/archive/lock_file.h"
-#include "core/archive/verdict.h"
+#include "core/archive/need.h"
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"
 

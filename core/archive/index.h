@@ -18,7 +18,7 @@ namespace vvr::archive {
 std::string make_index(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names = video::RecorderNames(),
                        const std::set<std::string>& gone = {});
 
-/// From the name of each file of events to its text.
+/// The text of each day's file of events, by file name.
 using DayFiles = std::map<std::string, std::string>;
 
 /// Makes one file per day with the events of all clips, "index.2026-11-21.js". The index loads those that it needs.

@@ -43,8 +43,7 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
-/// The name that a claim's file contains; nothing if vvr did not write it, because then the file's own name doesn't
-/// match.
+/// The name that a lock's file contains. Nothing if vvr did not write it: then the file's own name doesn't match.
 std::optional<std::string> name_in(int file, const fs::path& path) {
     std::array<char, longest_name + 1> bytes{};  // one more than possible, to detect longer ones
     const ssize_t length = ::pread(file, bytes.data(), bytes.size(), 0);
@@ -83,13 +82,13 @@ std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& 
             continue;
         }
         struct stat status {};
-        // A program that takes a claim first writes the name into it.
+        // A program that takes a lock first writes the name into it.
         const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
-        LockFile claim(path, file, left_behind);
+        LockFile lock(path, file, left_behind);
         if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
             refuse(path, errno);
         }
-        return claim;
+        return lock;
     }
 }
 
@@ -103,7 +102,7 @@ LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std
     const fs::path path = file_for(folder, name);
     const auto end = std::chrono::steady_clock::now() + patience;
     for (;;) {
-        if (auto claim = take(path, name)) return std::move(*claim);
+        if (auto lock = take(path, name)) return std::move(*lock);
         if (std::chrono::steady_clock::now() >= end) {
             throw Error(
                 ErrorCode::file_locked,
@@ -126,7 +125,7 @@ std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::pa
     if (open < 0) return std::nullopt;
     std::optional<std::string> name;
     if (lock_file(open, false) == 0 && is_same_file(open, file)) name = name_in(open, file);
-    // A foreign file stays unchanged: so no claim may exist yet that would remove it.
+    // A foreign file stays unchanged: so no LockFile may exist yet, because it would remove it.
     if (!name) {
         ::close(open);
         return std::nullopt;

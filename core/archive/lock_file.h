@@ -13,21 +13,21 @@ namespace vvr::archive {
 /// locks do.
 class LockFile {
   public:
-    /// Takes the claim; nothing if another program has it.
+    /// Takes the lock; nothing if another program holds it.
     /// \throws Error io
     static std::optional<LockFile> try_take(const std::filesystem::path& folder, const std::string& name);
 
-    /// Waits for the claim. A signal ends the wait, as it ends the program.
-    /// \throws Error io, also if another program has it for longer than `patience`
+    /// Waits for the lock. A signal ends the program, and so the wait.
+    /// \throws Error io, also if another program holds it for longer than `patience`
     static LockFile wait_for(const std::filesystem::path& folder, const std::string& name,
                              std::chrono::milliseconds patience = std::chrono::minutes(5));
 
-    /// Takes over the claim of a killed program.
-    /// \returns the claim and the name it is for. Nothing if another program has it, or if the file is no claim: not a
-    ///        regular file, or without the plain name from which its own name is made. Such a file is left alone.
+    /// Takes over the lock of a killed program.
+    /// \returns the lock and the name that it protects. Nothing if another program holds it, or if vvr did not make the
+    ///        file: it is not a regular file, or its content does not give its name. Such a file stays unchanged.
     static std::optional<std::pair<LockFile, std::string>> take_over(const std::filesystem::path& file);
 
-    /// Whether `file` has the name of a claim's hidden file.
+    /// Whether `file` has the name of a lock's hidden file.
     static bool is_lock_file(const std::filesystem::path& file);
 
     LockFile(LockFile&& other) noexcept;
@@ -39,7 +39,7 @@ class LockFile {
     /// Whether its previous owner was killed. Then there may be unfinished files.
     bool is_stale() const { return stale_; }
 
-    /// The lock's file descriptor. A child process that inherits it holds the claim for its own life.
+    /// The lock's file descriptor. A child process that inherits it holds the lock for its own life.
     int descriptor() const { return file_; }
 
   private:

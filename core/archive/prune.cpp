@@ -82,7 +82,7 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         if (entry->is_directory(none)) {
             if (hidden || fs::equivalent(path, in, none)) entry.disable_recursion_pending();
         } else if (LockFile::is_lock_file(path)) {
-            outputs.claims.push_back(path);
+            outputs.locks.push_back(path);
         } else if (!hidden && path.extension() == sidecar_extension) {
             const std::string name = path.lexically_relative(out).string();
             std::string problem;
@@ -118,9 +118,9 @@ std::vector<std::string> written_names(const std::string& file_name) {
 }
 
 void tidy(const fs::path& out, const Outputs& outputs) {
-    if (outputs.claims.empty()) return;
+    if (outputs.locks.empty()) return;
     const std::set<fs::path> owned = files_with_owners(out, outputs);
-    for (const fs::path& file : outputs.claims) {
+    for (const fs::path& file : outputs.locks) {
         const auto left = LockFile::take_over(file);
         if (!left) continue;
         const fs::path folder = file.parent_path();

@@ -13,9 +13,9 @@ namespace vvr::archive {
 
 /// The files in an archive's folder of pictures that belong to the archive.
 struct Outputs {
-    std::vector<Sidecar> sidecars;              ///< by path
-    std::vector<ScanProblem> problems;          ///< unreadable files with a sidecar's name; paths below the folder
-    std::vector<std::filesystem::path> claims;  ///< claim files of running or killed programs
+    std::vector<Sidecar> sidecars;             ///< by path
+    std::vector<ScanProblem> problems;         ///< unreadable files with a sidecar's name; paths below the folder
+    std::vector<std::filesystem::path> locks;  ///< lock files of running or killed programs
 };
 
 /// Lists the files of an archive.
@@ -23,7 +23,7 @@ struct Outputs {
 /// \throws Error io
 Outputs list_outputs(const std::filesystem::path& out, const std::filesystem::path& in);
 
-/// Removes files and claims of killed programs that no later run would finish. Neither the index nor files of other
+/// Removes files and locks of killed programs that no later run would finish. Neither the index nor files of other
 /// clips are removed.
 void tidy(const std::filesystem::path& out, const Outputs& outputs);
 

@@ -37,8 +37,9 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     const std::string name = path.filename().string();
     // std::regex recurses for each character.
     if (name.size() > NAME_MAX) {
-        throw Error(ErrorCode::name_pattern_invalid, fmt::format("the file name '{}...' has {} bytes; use at most {}",
-                                                                 name.substr(0, 40), name.size(), NAME_MAX));
+        throw Error(ErrorCode::name_pattern_invalid,
+                    fmt::format("the file name '{}...' has {} bytes; use at most {} bytes", name.substr(0, 40),
+                                name.size(), NAME_MAX));
     }
     std::smatch match;
     if (!std::regex_search(name, match, field())) return;

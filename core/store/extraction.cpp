@@ -106,10 +106,9 @@ void check_data_folder(const fs::path& folder) {
                     fmt::format("cannot write to '{}': it is not a folder; choose another name", folder.string()));
     }
     if (!fs::is_empty(folder) && !is_replaceable(folder)) {
-        throw Error(
-            ErrorCode::folder_not_empty,
-            fmt::format("cannot write to '{}': the folder has files of other programs; choose a new or empty folder",
-                        folder.string()));
+        throw Error(ErrorCode::folder_not_empty, fmt::format("cannot write to '{}': the folder has files that `vvr "
+                                                             "extract` did not write; choose a new or empty folder",
+                                                             folder.string()));
     }
     image::check_file_path(folder / stored::manifest);
 }
@@ -215,7 +214,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
     if (a.colour != b.colour) return "only one has the frames' pictures";
     if (!same_clip(a.clip, b.clip)) return "they are of different clips";
     if (a.flow_every != b.flow_every)
-        return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
+        return fmt::format("they have the flow of every {} and every {} frames", a.flow_every, b.flow_every);
     for (const Settings* settings : {&a.settings, &b.settings}) {
         for (const auto& [option, value] : *settings) {
             const std::string one = value_of(a.settings, option);
@@ -224,8 +223,8 @@ std::string difference(const Manifest& a, const Manifest& b) {
         }
     }
     if (b.frames.front().index != a.frames.back().index + 1) {
-        return fmt::format("the first ends with frame {}, the second begins with frame {}; give the parts in order",
-                           a.frames.back().index, b.frames.front().index);
+        return fmt::format("the first ends with frame {}, the second begins with frame {}", a.frames.back().index,
+                           b.frames.front().index);
     }
     return "";
 }

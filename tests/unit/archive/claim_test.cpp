@@ -134,7 +134,7 @@ TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
     EXPECT_TRUE(fs::exists(out() / "x.jpg"));
     EXPECT_TRUE(fs::exists(out() / "index.html"));
     EXPECT_TRUE(archive::read_sidecar(out(), "x.report")) << "where the report of x would be";
-    EXPECT_TRUE(archive::list_outputs(out(), in()).claims.empty());
+    EXPECT_TRUE(archive::list_outputs(out(), in()).locks.empty());
 }
 
 TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {

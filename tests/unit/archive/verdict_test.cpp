@@ -1,5 +1,3 @@
-#include "core/archive/verdict.h"
-
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/archive/clips.h"
+#include "core/archive/need.h"
 #include "core/archive/output_files.h"
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"

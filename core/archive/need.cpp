@@ -1,4 +1,4 @@
-#include "core/archive/verdict.h"
+#include "core/archive/need.h"
 
 #include <algorithm>
 #include <array>
