@@ -45,9 +45,10 @@ std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer) {
-    constexpr std::size_t told = 5;  // problems logged at most; a failing disk may cause thousands
+    constexpr std::size_t most_logged = 5;  // problems logged at most; a failing disk may cause thousands
     for (const std::string& warning : warnings) observer.warn(warning);
-    const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
+    const std::size_t shown =
+        problems.size() == most_logged + 1 ? problems.size() : std::min(most_logged, problems.size());
     for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
     if (shown == problems.size()) return;
     observer.warn(fmt::format("{} besides could not be read whole; the report names them",

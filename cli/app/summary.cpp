@@ -43,8 +43,8 @@ std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation
 
 }  // namespace
 
-std::string result_text(const Drawn& drawn) {
-    const auto& [plan, seen, composed, run] = drawn;
+std::string result_text(const RunContext& context) {
+    const auto& [plan, seen, composed, run] = context;
     const std::filesystem::path& path = plan.job.output.path;
     const std::string name = path.empty() ? seen.info.name : path.string();
     const std::string frames = counted(seen.summary.frames, "frame");
@@ -72,8 +72,8 @@ std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     return advice;
 }
 
-void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer) {
-    const auto& [plan, seen, composed, run] = drawn;
+void log_warnings(const RunContext& context, const std::vector<std::string>& advice, Observer& observer) {
+    const auto& [plan, seen, composed, run] = context;
     const std::string& name = seen.info.name;
     const Size field = plan.clip.field_size;
     const fields::FieldSummary& summary = seen.summary;
@@ -98,19 +98,19 @@ void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Ob
         observer.warn(
             "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
     }
-    if (composed.still && summary.frames < 2) {
+    if (composed.nothing_moves && summary.frames < 2) {
         observer.warn(fmt::format("'{}': there is one frame, so nothing can move, and the volume is empty", name));
-    } else if (composed.still) {
+    } else if (composed.nothing_moves) {
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
                       {"threshold"});
     }
     for (const std::string& text : advice) observer.warn(text);
-    if (!composed.squeezed.empty()) {
+    if (!composed.compressed_idle.empty()) {
         double idle = 0;
-        for (const bricks::CompressedIdle& stretch : composed.squeezed) idle += stretch.seconds;
+        for (const bricks::CompressedIdle& stretch : composed.compressed_idle) idle += stretch.seconds;
         observer.info(
             fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                        labels::format_duration(idle), counted(std::ssize(composed.squeezed), "place")));
+                        labels::format_duration(idle), counted(std::ssize(composed.compressed_idle), "place")));
     } else if (seen.volume.step() > 1 && !seen.volume.is_nonuniform()) {
         observer.info(fmt::format("{} share a layer, as the clip is longer than the window",
                                   counted(seen.volume.step(), "frame")));

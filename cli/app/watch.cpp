@@ -107,12 +107,12 @@ class LivePictures {
           files_(plan.job.output, observer) {}
 
     void add(FinishedPicture&& finished) {
-        const Drawn& drawn = finished.drawn;
-        const Observation& seen = drawn.seen;
-        const image::Metadata record = record_of(drawn);
+        const RunContext& context = finished.context;
+        const Observation& seen = context.seen;
+        const image::Metadata record = record_of(context);
         if (is_page(plan_.job.output.path)) {
-            files_.add_page(page_text(drawn, std::move(finished.picture), record,
-                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(drawn)));
+            files_.add_page(page_text(context, std::move(finished.picture), record,
+                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(context)));
         } else {
             files_.add(finished.number, std::move(finished.picture), record);
         }
@@ -138,13 +138,13 @@ class LivePictures {
     }
 
   private:
-    page::LiveState state_of(const Drawn& drawn) const {
+    page::LiveState state_of(const RunContext& context) const {
         page::LiveState state;
-        state.text = is_learning(drawn.seen) ? "learning the empty scene" : "watching";
+        state.text = is_learning(context.seen) ? "learning the empty scene" : "watching";
         if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
         state.written = std::time(nullptr);
-        const std::int64_t newest = drawn.composed.bricks.back().count * drawn.seen.volume.step();
-        state.brick_seconds = static_cast<double>(newest) / drawn.seen.info.rate;
+        const std::int64_t newest = context.composed.bricks.back().count * context.seen.volume.step();
+        state.brick_seconds = static_cast<double>(newest) / context.seen.info.rate;
         return state;
     }
 

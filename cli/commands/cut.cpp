@@ -254,7 +254,7 @@ void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPl
 }
 
 /// Logs the gaps, which the piece keeps.
-void tell_gaps(const PieceJob& piece, app::Observer& observer) {
+void warn_of_gaps(const PieceJob& piece, app::Observer& observer) {
     double shown = piece.span.start;
     for (const FootagePart& part : piece.parts) {
         if (part.file.begin > shown + little) {
@@ -285,12 +285,12 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     piece.parts = parts_in(selection.places, selection.span);
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
-    piece.tells_early_end = !job.event;
+    piece.warns_of_early_end = !job.event;
     if (piece.parts.empty()) video::throw_empty(piece.name, piece.span, selection.places.back().end);
     set_clock(job, footage, selection.places.front(), piece);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);
-    tell_gaps(piece, observer);
+    warn_of_gaps(piece, observer);
     return job.exact ? encode_piece(piece, observer, stop) : copy_piece(piece, observer, stop);
 }
 

@@ -117,7 +117,7 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
 /// \param last time of the piece's last frame
 /// \param length of that frame
 void warn_of_end(const PieceJob& job, double last, double length, app::Observer& observer) {
-    if (!job.tells_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
+    if (!job.warns_of_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
     if (!job.span.end && !job.span.stop) return;
     observer.warn(fmt::format("'{}' ends at {:.3f} s, before the piece was to end", job.name, last));
 }

@@ -199,12 +199,12 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
 
 /// Runs a step that follows the drawing. An error about one file is logged, so that the next step still runs.
 /// \returns whether the step succeeded
-bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
+bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
     try {
         step();
         return true;
     } catch (const Error& error) {
-        if (!is_of_one_file(error)) throw;
+        if (!affects_one_file(error)) throw;
         cli::log_error(log, error.code(), error.what());
         return false;
     }
@@ -248,8 +248,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     }
     // Write the index even if pruning failed.
     const bool pruned =
-        !options.prune || goes_well(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
-    const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, environment); });
+        !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
+    const bool indexed = options.no_index || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     if (!pruned || !indexed) return cli::ExitStatus::io;

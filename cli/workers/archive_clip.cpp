@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr int killed = 128;  // plus the signal number, as in a shell
 
 std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
-    const std::string words = words_of(end);
+    const std::string words = error_text_of(end);
     if (end.timed_out) {
         return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
     }
@@ -78,7 +78,7 @@ int disk_full_reason(const fs::path& folder) {
 void throw_if_system_fault(const std::string& clip, const fs::path& folder, const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
-        const std::string words = words_of(end);
+        const std::string words = error_text_of(end);
         throw Error(ErrorCode::worker_start_failed,
                     fmt::format("the worker for '{}' could not be started{}", clip,
                                 words.empty() ? "; is vvr's own file still there?" : ": " + words));
@@ -125,7 +125,7 @@ ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
     if (end.status > killed) return ErrorCode::worker_killed;
-    const auto told = end.told.code ? end.told.code : mark_of_code(one_line(end.said)).code;
+    const auto told = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
     if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
     return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
 }
@@ -140,7 +140,7 @@ void remove_files(const fs::path& out, const std::string& clip, const std::vecto
 
 }  // namespace
 
-bool could_not_draw(const WorkerResult& end) {
+bool opengl_failed(const WorkerResult& end) {
     return end.status == static_cast<int>(cli::ExitStatus::backend);
 }
 
@@ -151,17 +151,18 @@ std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
                                     job.sandbox->around({}, job.out));
 }
 
-std::string words_of(const WorkerResult& end) {
-    if (!end.told.text.empty()) return end.told.text;
+std::string error_text_of(const WorkerResult& end) {
+    if (!end.message.text.empty()) return end.message.text;
     // The process may not have become vvr yet, or a library may have ended it. Keep all lines of the last error.
     constexpr std::string_view own = "vvr: ";
-    std::size_t begin = end.said.starts_with(own) ? 0 : std::string::npos;
-    if (const auto later = end.said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
-    std::string words = one_line(begin == std::string::npos ? end.said : end.said.substr(begin + own.size()));
+    std::size_t begin = end.stderr_end.starts_with(own) ? 0 : std::string::npos;
+    if (const auto later = end.stderr_end.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
+    std::string words =
+        one_line(begin == std::string::npos ? end.stderr_end : end.stderr_end.substr(begin + own.size()));
     return words.substr(0, mark_of_code(words).begin);
 }
 
-bool is_of_one_file(const Error& error) {
+bool affects_one_file(const Error& error) {
     return error.kind() == ErrorKind::io && error.code() != ErrorCode::disk_full;
 }
 
@@ -237,12 +238,12 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     archive::check_own_place(archive::sidecar_path(job.out, path));
     for (const archive::OutputKind kind : job.rules.files)
         archive::check_own_place(archive::output_path(job.out, path, kind));
-    ClipTask turn(job, std::move(*clip), std::move(before), std::move(*claim));
-    fs::create_directory(turn.staging(), error);
+    ClipTask task(job, std::move(*clip), std::move(before), std::move(*claim));
+    fs::create_directory(task.staging(), error);
     if (error) {
-        throw_no_folder(turn.staging(), error);
+        throw_no_folder(task.staging(), error);
     }
-    return turn;
+    return task;
 }
 
 std::unique_ptr<Worker> ClipTask::start() const {
@@ -289,7 +290,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     sidecar.status = end.status;
     if (is_not_whole(end)) {
         sidecar.code = code_of(end);
-        sidecar.reason = words_of(end);
+        sidecar.reason = error_text_of(end);
     }
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
     for (const archive::OutputKind kind : sidecar.files) {

@@ -65,7 +65,7 @@ inline constexpr int not_begun_status = 127;
 
 /// In a worker: gives up the system calls that only startup needs, and tells the parent that the worker has begun. The
 /// parent can then tell a worker that never began from one that a clip crashed.
-/// \returns the descriptor for tell_parent; nothing if this process is not a worker
+/// \returns the descriptor for send_to_parent; nothing if this process is not a worker
 std::optional<int> begin_worker();
 
 /// In a worker: reads the plan from stdin.
@@ -73,6 +73,6 @@ std::optional<int> begin_worker();
 WorkerPlan read_plan();
 
 /// In a worker that ends: sends its message.
-void tell_parent(int parent, WorkerMessage message);
+void send_to_parent(int parent, WorkerMessage message);
 
 }  // namespace vvr::workers
