@@ -120,9 +120,10 @@ class LivePictures {
         const auto came = stream_.arrival(seen.end().frame);
         const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
         if (came) latency_.add(took);
-        observer_.info(fmt::format(
-            "'{}': brick {}, {}, {:.2f} s after its last frame", name_.at(finished.number).string(), finished.number,
-            labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
+        observer_.info(
+            fmt::format("'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
+                        finished.number,
+                        labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
     }
 
     std::int64_t count() const { return count_; }
@@ -130,8 +131,7 @@ class LivePictures {
     /// A summary of the stream in one line.
     std::string summary(const Observation& seen) const {
         return fmt::format(
-            "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
-            "dropped, {}, {}",
+            "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} dropped, {}, {}",
             stream_.info().name, counted(count_, "picture"), counted(seen.summary.frames, "frame"), seen.end().seconds,
             latency_.median(), latency_.longest(), counted(stream_.dropped(), "frame"),
             counted(stream_.reconnections(), "reconnection"), counted(seen.summary.damaged, "damaged packet"));
@@ -189,7 +189,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     std::error_code none;
     const bool is_file = fs::is_regular_file(name, none);
     if (is_file && !grows(name)) {
-        observer.warn(fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", name));
+        observer.warn(fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
     }
     OpenedFields opened;
     opened.span = job.fields.span;

@@ -175,7 +175,8 @@ void Writer::write(FinishedPicture&& finished) {
     files_.add_thumbnail(picture);
     page::Moments moments = watched_ == nullptr ? page::Moments{} : watched_->take();
     if (!moments.problem.empty()) {
-        observer_.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
+        observer_.warn(fmt::format("the page has stills but no video preview, because FFmpeg could not encode one: {}",
+                                   moments.problem));
     }
     const std::optional<ShownEvents>& shown = finished.context.seen.events;
     const std::span<const events::Event> events =

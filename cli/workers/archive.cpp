@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
     const video::RecorderName name = names.read(clip);
     const std::string camera = names.camera_of(clip);
-    std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
+    std::string text = camera.empty() ? "camera unknown" : "camera " + shown_text(archive::text_of_path(camera));
     if (!name.begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
     const std::int64_t utc = video::utc_of(*name.begin);
     return fmt::format("{}, {} {} ({})", text, labels::format_clock(utc + local_offset(utc)),
@@ -88,7 +88,7 @@ void make_folder(const fs::path& out) {
     fs::create_directories(out, error);
     if (error) {
         throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
+                    fmt::format("cannot create the folder '{}': {}; choose another -o", out.string(), error.message()));
     }
     // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
     // the drawing.
@@ -135,8 +135,8 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
         {count(planned, archive::Need::nothing), "done before"},
         {count(planned, archive::Need::given_up), "failed too often (--tries)"},
         {count(planned, archive::Need::still_written) + found.waiting, "still being written (--settle)"},
-        {count(planned, archive::Need::later), "with more clips by now (--redraw)"},
-        {outcome.elsewhere, "left to another run or gone"}};
+        {count(planned, archive::Need::later), "waiting to be redrawn with more clips (--redraw)"},
+        {outcome.elsewhere, "drawn by another run or deleted"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
         if (clips == 0) continue;
@@ -153,9 +153,9 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
     if (first == clips.end()) return;
     const auto all = std::ranges::count_if(clips, is_ahead);
     log.warn(
-        "{} written in the future, by the time of the file, such as '{}'; a clock is wrong: that of the camera, of "
-        "the server or of this machine",
-        all == 1 ? "1 clip was" : fmt::format("{} clips were", all), (job.in / first->path).string());
+        "{} a modification time in the future, such as '{}'; check the clocks of the camera, the server and this "
+        "machine",
+        all == 1 ? "1 clip has" : fmt::format("{} clips have", all), (job.in / first->path).string());
 }
 
 void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
@@ -163,8 +163,9 @@ void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& 
     const auto first = std::ranges::find_if(clips, undated);
     if (first == clips.end()) return;
     log.warn(
-        "'{}': the names of {} do not tell when they were recorded, the first '{}'; each is taken to be of the day "
-        "when it was last written, which need not be the day it shows; --names can tell",
+        "'{}': {} have no recording time in the name, for example '{}'; each is assigned to the day when the file was "
+        "last "
+        "modified, which may be wrong; describe the names with --names",
         job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 
@@ -224,7 +225,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     const archive::ClipNames clips(options.match, options.exclude);
     const Survey found = survey(options, clips, job, environment.log);
     if (found.clips == 0) {
-        environment.log.warn("no clips below '{}' (looked for {})", job.in.string(), clips.wanted());
+        environment.log.warn("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
     }
     if (options.dry_run) {
         print_plan(found.planned, job);
@@ -242,7 +243,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);
         environment.log.log(job.sandbox->is_whole() ? spdlog::level::info : spdlog::level::warn, "{}",
                             job.sandbox->summary());
-        environment.log.debug("{} at a time, {} each, {} MB each", counted(shares.workers, "clip"),
+        environment.log.debug("{} at a time, each with {} and {} MB", counted(shares.workers, "clip"),
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
         outcome = draw_clips(job, work, shares.workers, environment);
     }

@@ -36,22 +36,23 @@ constexpr int killed = 128;  // plus the signal number, as in a shell
 std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
     const std::string words = error_text_of(end);
     if (end.timed_out) {
-        return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
+        return fmt::format("it took longer than the limit of {} s (--timeout)", limits.time.count());
     }
     if (end.wrote_too_much) {
-        return fmt::format("it wrote more than the {} MB that a worker may write", limits.written / 1'000'000);
+        return fmt::format("it wrote more than the limit of {} MB for a worker", limits.written / 1'000'000);
     }
     if (end.status > killed) {
         const int signal = end.status - killed;
         return fmt::format(
-            "the worker was ended by signal {} ({}), for a bug or for more memory than --max-memory "
-            "allows, {} MB{}{}",
+            "the worker was ended by signal {} ({}), because of a bug or of the limit on its memory, {} MB "
+            "(--max-memory){}{}",
             signal, ::strsignal(signal), limits.memory / 1'000'000, words.empty() ? "" : ": ", words);
     }
     if (end.status == static_cast<int>(cli::ExitStatus::limit)) {
-        return fmt::format("{}; --max-memory gives a worker {} MB", words, limits.memory / 1'000'000);
+        return fmt::format("{}; the limit for a worker is {} MB (--max-memory)", words, limits.memory / 1'000'000);
     }
-    return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
+    return words.empty() ? fmt::format("the worker ended with status {} and without an error message", end.status)
+                         : words;
 }
 
 /// Free bytes without which the next clip would fail too.
@@ -79,14 +80,15 @@ void throw_if_system_fault(const std::string& clip, const fs::path& folder, cons
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
         const std::string words = error_text_of(end);
-        throw Error(ErrorCode::worker_start_failed,
-                    fmt::format("the worker for '{}' could not be started{}", clip,
-                                words.empty() ? "; is vvr's own file still there?" : ": " + words));
+        throw Error(
+            ErrorCode::worker_start_failed,
+            fmt::format("cannot start the worker for '{}'{}", clip,
+                        words.empty() ? "; check that the file of the program vvr still exists" : ": " + words));
     }
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = disk_full_reason(folder);
     if (code_of_system_error(error) != ErrorCode::disk_full) return;
-    throw Error(ErrorCode::disk_full, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
+    throw Error(ErrorCode::disk_full, fmt::format("cannot write to '{}': {}; free some space or choose another folder",
                                                   folder.string(), std::generic_category().message(error)));
 }
 
@@ -206,7 +208,7 @@ namespace {
 
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
     throw Error(code_of_system_error(error.value()),
-                fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in the way",
+                fmt::format("cannot create the folder '{}': {}; choose another -o, or remove what is in its place",
                             folder.string(), error.message()));
 }
 
@@ -296,9 +298,8 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
         if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
-        throw Error(ErrorCode::worker_result_invalid,
-                    fmt::format("the worker said that all is done, and there is no '{}'",
-                                archive::output_path("", clip_.path, kind).string()));
+        throw Error(ErrorCode::worker_result_invalid, fmt::format("the worker reported success but did not write '{}'",
+                                                                  archive::output_path("", clip_.path, kind).string()));
     }
     return sidecar;
 }
@@ -349,8 +350,8 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
     } catch (const Error& error) {
         sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, error.what(), end.seconds);
     } catch (const std::bad_alloc&) {
-        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid,
-                          "its report is too large for the memory there is", end.seconds);
+        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, "its report is too large to fit in memory",
+                          end.seconds);
     }
     const auto held = signals.hold();
     if (sidecar.state == archive::Sidecar::State::done) {
@@ -360,8 +361,7 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             fs::rename(staged(kind), place, error);
             if (error) {
                 throw Error(code_of_system_error(error.value()),
-                            fmt::format("cannot write '{}': {}; choose another folder or fix its "
-                                        "permissions",
+                            fmt::format("cannot write '{}': {}; choose another folder or fix its permissions",
                                         place.string(), error.message()));
             }
         }

@@ -36,7 +36,7 @@ class ClipTally {
         if (sidecar.state == archive::Sidecar::State::failed) {
             fail(sidecar.clip.path, sidecar.code.value_or(ErrorCode::bug),
                  fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
-                             sidecar.shows ? "; the picture that is there stays" : ""));
+                             sidecar.shows ? "; the older picture is kept" : ""));
             return;
         }
         ++outcome_.drawn;
@@ -60,7 +60,8 @@ class ClipTally {
 
     void skip(const std::string& clip) {
         ++outcome_.elsewhere;
-        log_.debug("{} {}: another run has it, or it has gone", next(), archive::text_of_path(clip));
+        log_.debug("{} {}: skipped, because another run draws it or it was deleted", next(),
+                   archive::text_of_path(clip));
     }
 
     const ArchiveOutcome& outcome() const { return outcome_; }
@@ -212,8 +213,8 @@ class Drawing {
         const std::vector<Drawn> undecided = std::exchange(undecided_, {});
         if (end.status != 0) {
             const std::string words = error_text_of(end);
-            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip could be drawn, so this run ends here: {}",
-                                                                   words.empty() ? "OpenGL doesn't start" : words));
+            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip can be drawn, so this run ends: {}",
+                                                                   words.empty() ? "OpenGL does not start" : words));
         }
         can_draw_ = true;
         for (const Drawn& drawn : undecided) finish(drawn);
@@ -248,7 +249,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
     if (claim.is_stale()) image::remove_leftovers(job.out, files);
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {
-        environment.log.warn("'{}': {}; it is left alone, and the index has nothing of it",
+        environment.log.warn("'{}': {}; it is left unchanged and is missing from the index",
                              (job.out / problem.path).string(), problem.reason);
     }
     archive::tidy(job.out, outputs);
@@ -296,7 +297,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
             archive::remove_outputs(job.out, sidecar);
-            environment.log.info("{}: the clip has gone, and its picture with it", name);
+            environment.log.info("{}: the clip was deleted, so its picture was removed", name);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
             cli::log_error(environment.log, error.code(), error.what());
@@ -304,14 +305,14 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
     }
     for (const std::string& folder : away) {
         environment.log.warn(
-            "'{}' is empty or not there, so its pictures stay: it may be a disk that is not mounted; if its clips are "
-            "gone for good, remove the pictures yourself",
+            "'{}' is empty or missing, so its pictures are kept: its disk may not be mounted; if the clips were "
+            "deleted, remove the pictures yourself",
             (job.in / folder).string());
     }
     if (unknown > 0) {
         environment.log.warn(
-            "{} drawn by an older vvr, which did not note the clips, so they stay; if those are gone "
-            "for good, remove the pictures yourself",
+            "{} drawn by an older vvr, which did not record the clips, so the pictures are kept; if the clips were "
+            "deleted, remove the pictures yourself",
             unknown == 1 ? "1 day was" : fmt::format("{} days were", unknown));
     }
     return removed;

@@ -282,7 +282,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
     : most_(most), signals_(signals), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
     if (wake_ < 0) {
         throw Error(ErrorCode::worker_start_failed,
-                    fmt::format("cannot wait for workers: {}; allow the program more open files",
+                    fmt::format("cannot wait for workers: {}; raise the limit of open files (ulimit -n)",
                                 std::generic_category().message(errno)));
     }
     signals_.set_exit_hook([this] {

@@ -59,8 +59,7 @@ inline constexpr std::string_view worker_variable = "VVR_WORKER";
 std::string worker_value(int parent, bool confined);
 
 /// Written to stderr when the sandbox fails: by begin_worker, or by the child process before exec.
-inline constexpr std::string_view no_sandbox_text =
-    "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
+inline constexpr std::string_view no_sandbox_text = "vvr: the system denied a worker its sandbox; try --sandbox off\n";
 inline constexpr int not_begun_status = 127;
 
 /// In a worker: gives up the system calls that only startup needs, and tells the parent that the worker has begun. The
