@@ -147,7 +147,7 @@ std::vector<labels::LegendEntry> legend_of(const Plan& plan) {
     return entries;
 }
 
-/// Tells gaps between the requested parts from losses of signal.
+/// Distinguishes gaps between the requested parts from losses of signal.
 std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
     std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     if (span.parts.empty()) return gaps;
@@ -218,7 +218,7 @@ class Annotator {
         if (plan_.shows(Part::ruler)) {
             labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_,
                                sheet_, rgba(plan_.job.look.theme.fast), lettering_);
-            // Before the ticks: it is most important where the clock leaps.
+            // Before the ticks: they matter most where the time axis jumps.
             labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
                                  pale_, lettering_);
         }

@@ -28,7 +28,7 @@ struct Composition {
     std::int64_t layers = 0;                ///< layers that fill the whole of t_C
     int textures = 1;                       ///< number of pieces held in textures at the same time
     std::vector<glm::vec4> palette;         ///< colours of voxels that belong to an object or a time
-    scene::Scene scene;                     ///< geometry around and in the volume; `show` takes it away
+    scene::Scene scene;                     ///< geometry in and around the volume; `show` moves it out
     std::size_t arrows = 0;                 ///< of the scene
     bool frames_missing = false;            ///< some frames to be shown have no picture
     bool boxes = false;                     ///< Fig. 5: show boxes around the volume and its visible part

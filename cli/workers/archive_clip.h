@@ -31,7 +31,7 @@ struct ArchiveJob {
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 };
 
-/// One clip in work. It holds the lock of the clip's files.
+/// A clip that is being drawn. It holds the lock of the clip's files.
 class ClipTask {
   public:
     /// Nothing if another program has the clip, if it is already done, or if it no longer exists.
