@@ -37,7 +37,7 @@ std::vector<video::Segment> list_clips(const app::InputOptions& options) {
 
 /// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
 std::string text_of(const video::Segment& clip) {
-    const std::string camera = clip.camera.empty() ? "camera unknown" : "camera " + shown_text(clip.camera);
+    const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
     const std::string_view by = row_of(clip.begin_source).words;
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
     const bool named = clip.begin_source == ClockSource::file_name;

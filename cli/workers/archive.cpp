@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
     const video::RecorderName name = names.read(clip);
     const std::string camera = names.camera_of(clip);
-    std::string text = camera.empty() ? "camera unknown" : "camera " + shown_text(archive::text_of_path(camera));
+    std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
     if (!name.begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
     const std::int64_t utc = video::utc_of(*name.begin);
     return fmt::format("{}, {} {} ({})", text, labels::format_clock(utc + local_offset(utc)),
