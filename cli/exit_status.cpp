@@ -69,7 +69,7 @@ std::string with_flags(const std::string& text, const RelatedSettings& about) {
 namespace {
 
 constexpr std::string_view out_of_memory =
-    "out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)";
+    "out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the memory needed)";
 
 /// The handler for std::terminate. Exceptions thrown while libraries are loaded or unloaded can't be caught.
 [[noreturn]] void end_program() {

@@ -104,14 +104,14 @@ const char* code_of(const spdlog::details::log_msg& message) {
 }
 
 /// The message, made safe for terminals and logs: names in it are untrusted. The code's name follows.
-class SaidText : public spdlog::custom_flag_formatter {
+class SafeText : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
         std::string text = payload_of(message);
         if (const char* const code = code_of(message)) text += fmt::format(" [{}]", code);
         out.append(text.data(), text.data() + text.size());
     }
-    std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<SaidText>(); }
+    std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<SafeText>(); }
 };
 
 /// A JSON object with time (UTC), level and message.
@@ -133,7 +133,7 @@ class JsonLines : public spdlog::formatter {
 
 std::unique_ptr<spdlog::formatter> text_lines(bool timed) {
     auto lines = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
-    lines->add_flag<WarningFlag>('*').add_flag<SaidText>('?');
+    lines->add_flag<WarningFlag>('*').add_flag<SafeText>('?');
     lines->set_pattern(timed ? "%Y-%m-%dT%H:%M:%SZ vvr: %*%?" : "vvr: %*%?");
     return lines;
 }

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
         if (parent) return vvr::commands::run_plan(vvr::workers::read_plan(), environment);
         return vvr::commands::run_command(std::vector<std::string>(argv + 1, argv + argc), environment);
     });
-    if (parent) vvr::workers::tell_parent(*parent, {outcome.code, outcome.text, warnings()});
+    if (parent) vvr::workers::send_to_parent(*parent, {outcome.code, outcome.text, warnings()});
     // Don't run the exit handlers: a library that failed to load for lack of memory leaves the loader locked.
     if (outcome.status == vvr::cli::ExitStatus::limit) ::_exit(static_cast<int>(outcome.status));
     return static_cast<int>(outcome.status);

@@ -147,7 +147,7 @@ std::vector<labels::LegendEntry> legend_of(const Plan& plan) {
     return entries;
 }
 
-/// Tells gaps between the requested parts from losses of signal.
+/// Distinguishes gaps between the requested parts from losses of signal.
 std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
     std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     if (span.parts.empty()) return gaps;
@@ -182,7 +182,7 @@ class Annotator {
         add_title_and_legend();
         if (sheet_.text == 0) return std::move(lettering_);
         add_ruler();
-        if (composed_.still) add_stillness();
+        if (composed_.nothing_moves) add_nothing_moves();
         if (plan_.shows(Part::explanation)) add_explanation();
         if (plan_.shows(Part::ends)) {
             add_end("first frame", *seen_.first, seen_.begin.seconds, sheet_.first, false);
@@ -208,7 +208,7 @@ class Annotator {
             fmt::format("{}, {}", counted(frames, "frame"),
                         labels::format_interval_and_zone(seen_.begin.seconds, seen_.end().seconds, plan_.clock));
         double idle = 0;
-        for (const bricks::CompressedIdle& stretch : composed_.squeezed) idle += stretch.seconds;
+        for (const bricks::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
         if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_duration(idle));
         return text;
     }
@@ -218,7 +218,7 @@ class Annotator {
         if (plan_.shows(Part::ruler)) {
             labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_,
                                sheet_, rgba(plan_.job.look.theme.fast), lettering_);
-            // Before the ticks: it is most important where the clock leaps.
+            // Before the ticks: they matter most where the time axis jumps.
             labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
                                  pale_, lettering_);
         }
@@ -226,7 +226,7 @@ class Annotator {
     }
 
     /// Writes into the middle of an empty volume, which would otherwise look like an error.
-    void add_stillness() {
+    void add_nothing_moves() {
         const PixelBox& box = sheet_.volume;
         lettering_.add(labels::make_centred_label("nothing moves", sheet_.text * 2, (box.left + box.right) / 2.0,
                                                   (box.top + box.bottom) / 2.0, pale_),
@@ -236,8 +236,8 @@ class Annotator {
     void add_explanation() {
         // Only the default layout is an arc.
         const bool is_arc = plan_.job.layout == space::layouts().front();
-        const bool varies =
-            !composed_.squeezed.empty() || (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
+        const bool varies = !composed_.compressed_idle.empty() ||
+                            (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
         const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
                                              varies ? ", with room where something moves" : "");
         const std::array<std::string, 3> texts{
@@ -280,8 +280,8 @@ class Annotator {
             glance::label_stays(objects, trails, sheet_, background_, lettering_);
         }
         if (plan_.shows(Part::strip)) {
-            glance::label_strip(objects, seen_.findings, seen_.begin.seconds, seen_.end().seconds, composed_.still,
-                                sheet_, {ink_, pale_, lines_, background_}, lettering_);
+            glance::label_strip(objects, seen_.findings, seen_.begin.seconds, seen_.end().seconds,
+                                composed_.nothing_moves, sheet_, {ink_, pale_, lines_, background_}, lettering_);
         }
     }
 

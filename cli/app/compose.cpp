@@ -173,8 +173,8 @@ Composition compose(const Plan& plan, const Observation& seen) {
     Composition composed;
     composed.framing = plan.framing();
     composed.bricks = cut(plan, seen);
-    composed.squeezed = bricks::compressed_stretches(seen.volume);
-    composed.still = nothing_visible(seen.volume, plan.transfer);
+    composed.compressed_idle = bricks::compressed_stretches(seen.volume);
+    composed.nothing_moves = nothing_visible(seen.volume, plan.transfer);
     composed.objects = objects_of(plan, seen);
     composed.ticks = ticks_of(plan, composed.framing, seen.volume);
     cut_into_pieces(plan, seen, composed);

@@ -18,22 +18,22 @@ namespace vvr::app {
 /// What to draw beside the voxels of the volume, and where.
 struct Composition {
     Framing framing;
-    std::vector<bricks::Brick> bricks;             ///< of the volume, in layers
-    std::vector<bricks::CompressedIdle> squeezed;  ///< where time gets less room than average
-    bool still = false;                            ///< nothing of the volume is visible
-    glance::Objects objects;                       ///< that the picture shows
-    std::vector<labels::TimeTick> ticks;           ///< of the ruler; empty if it isn't shown
-    std::vector<bricks::Brick> pieces;             ///< the parts in which the volume is drawn; empty if it isn't shown
-    std::int64_t first_piece = 0;                  ///< number of the first piece, counted from the start of the clip
-    std::int64_t layers = 0;                       ///< layers that fill the whole of t_C
-    int textures = 1;                              ///< number of pieces held in textures at the same time
-    std::vector<glm::vec4> palette;                ///< colours of voxels that belong to an object or a time
-    scene::Scene scene;                            ///< geometry around and in the volume; `show` takes it away
-    std::size_t arrows = 0;                        ///< of the scene
-    bool frames_missing = false;                   ///< some frames to be shown have no picture
-    bool boxes = false;                            ///< Fig. 5: show boxes around the volume and its visible part
-    std::optional<space::Camera> slices{};         ///< Fig. 5: the camera whose slices are shown
-    labels::Lettering lettering;                   ///< flat text over the picture
+    std::vector<bricks::Brick> bricks;                    ///< of the volume, in layers
+    std::vector<bricks::CompressedIdle> compressed_idle;  ///< where time gets less room than average
+    bool nothing_moves = false;                           ///< nothing of the volume is visible
+    glance::Objects objects;                              ///< that the picture shows
+    std::vector<labels::TimeTick> ticks;                  ///< of the ruler; empty if it isn't shown
+    std::vector<bricks::Brick> pieces;      ///< the parts in which the volume is drawn; empty if it isn't shown
+    std::int64_t first_piece = 0;           ///< number of the first piece, counted from the start of the clip
+    std::int64_t layers = 0;                ///< layers that fill the whole of t_C
+    int textures = 1;                       ///< number of pieces held in textures at the same time
+    std::vector<glm::vec4> palette;         ///< colours of voxels that belong to an object or a time
+    scene::Scene scene;                     ///< geometry in and around the volume; `show` moves it out
+    std::size_t arrows = 0;                 ///< of the scene
+    bool frames_missing = false;            ///< some frames to be shown have no picture
+    bool boxes = false;                     ///< Fig. 5: show boxes around the volume and its visible part
+    std::optional<space::Camera> slices{};  ///< Fig. 5: the camera whose slices are shown
+    labels::Lettering lettering;            ///< flat text over the picture
 };
 
 }  // namespace vvr::app

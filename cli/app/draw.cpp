@@ -13,7 +13,7 @@ namespace {
 
 /// A clip in which a point moves. As in most clips, its size is no power of two: Mesa compiles different shaders for
 /// those.
-Observation rehearsal(const Plan& plan) {
+Observation warm_up_observation(const Plan& plan) {
     constexpr Size size{6, 6};
     constexpr int frames = 5;
     Observation seen{bricks::Volume(size, {.capacity = frames, .keep_owners = plan.colours_objects()})};
@@ -67,7 +67,7 @@ void make_renderer(const Plan& plan, std::int64_t tile_samples, Drawing& drawing
 }
 
 void warm_up(const Plan& plan, const Drawing& drawing) {
-    const Observation seen = rehearsal(plan);
+    const Observation seen = warm_up_observation(plan);
     Composition composed;
     composed.framing = plan.framing();
     gl::BrickWindow window(drawing.context->gl(), *plan.layout, seen.volume.layers(), 1);

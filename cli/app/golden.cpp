@@ -48,10 +48,12 @@ void remove_candidate(const fs::path& golden) {
     try {
         image::replace_file(candidate, bytes);
     } catch (const Error& error) {
-        throw Error(code, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
+        throw Error(code, fmt::format("{}; the new picture could not be saved beside it: {}", what, error.what()));
     }
-    throw Error(code, fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()),
-                {"bless"});
+    throw Error(
+        code,
+        fmt::format("{}; look at '{}', and if it is correct, make it the golden picture", what, candidate.string()),
+        {"bless"});
 }
 
 /// The settings that both pictures record with different values, as text; empty = none.
@@ -61,7 +63,7 @@ std::string settings_that_differ(const image::Metadata& before, const image::Met
     for (const auto& [name, value] : now) {
         const std::string was = image::value_of(before, name);
         if (was.empty() || was == value || name == "renderer" || name == "font") continue;
-        differ.push_back(fmt::format("{} was {}, is {}", name, was, value));
+        differ.push_back(fmt::format("{} was {}, now {}", name, was, value));
     }
     const std::size_t shown = std::min(most, differ.size());
     std::string text = fmt::format("{}", fmt::join(std::span(differ).first(shown), "; "));
@@ -72,17 +74,16 @@ std::string settings_that_differ(const image::Metadata& before, const image::Met
 /// Logs other possible causes of a difference: the renderer, the font, or a setting.
 void show_other_differences(const fs::path& golden, const image::Metadata& golden_settings,
                             const image::Metadata& metadata, Observer& observer) {
-    constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
-                                                                          {"font", "lettered in"}};
-    for (const auto& [name, how] : suspects) {
+    for (const std::string_view name : {"renderer", "font"}) {
         const std::string before = image::value_of(golden_settings, name);
         const std::string now = image::value_of(metadata, name);
         if (before.empty() || before == now) continue;
-        observer.info(fmt::format("'{}' was {} {}, this {}", golden.string(), how, before,
-                                  now.empty() ? "is not" : fmt::format("{} {}", how.substr(how.find(' ') + 1), now)));
+        observer.info(fmt::format("'{}' has the {} {}, the new picture {}", golden.string(), name, before,
+                                  now.empty() ? "has none" : now));
     }
     const std::string settings = settings_that_differ(golden_settings, metadata);
-    if (!settings.empty()) observer.info(fmt::format("'{}' has other settings: {}", golden.string(), settings));
+    if (!settings.empty())
+        observer.info(fmt::format("'{}' was drawn with other settings: {}", golden.string(), settings));
 }
 
 }  // namespace
@@ -106,12 +107,12 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
     if (options.bless) {
         image::replace_file(golden, bytes);
         remove_candidate(golden);
-        observer.info(fmt::format("'{}': blessed", golden.string()));
+        observer.info(fmt::format("'{}': replaced by the new picture", golden.string()));
         return;
     }
     if (!fs::exists(golden)) {
-        fail(ErrorCode::reference_missing,
-             fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
+        fail(ErrorCode::reference_missing, fmt::format("golden picture '{}' does not exist", golden.string()), golden,
+             bytes);
     }
     const image::Samples expected = image::without_pixel_data(image::read_samples(golden));
     const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
@@ -120,7 +121,7 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
     show_other_differences(golden, used_settings(image::settings_of(expected)), metadata, observer);
     if (comparison.verdict == image::Verdict::same) {
         remove_candidate(golden);
-        observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
+        observer.info(fmt::format("'{}': matches; {:.4f} % of the pixels differ, the worst patch by {:.4f}",
                                   golden.string(), comparison.percent, comparison.patch));
         return;
     }

@@ -45,19 +45,20 @@ std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer) {
-    constexpr std::size_t told = 5;  // problems logged at most; a failing disk may cause thousands
+    constexpr std::size_t most_logged = 5;  // problems logged at most; a failing disk may cause thousands
     for (const std::string& warning : warnings) observer.warn(warning);
-    const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
+    const std::size_t shown =
+        problems.size() == most_logged + 1 ? problems.size() : std::min(most_logged, problems.size());
     for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
     if (shown == problems.size()) return;
-    observer.warn(fmt::format("{} besides could not be read whole; the report names them",
+    observer.warn(fmt::format("another {} could not be read completely; the report lists all of them (--report)",
                               counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
 }
 
 void require_whole(const video::VideoInfo& info) {
     if (info.left_out.files == 0) return;
     throw Error(ErrorCode::partial,
-                fmt::format("'{}' is not in the result as a whole: {}", info.name, video::text_of(info.left_out)));
+                fmt::format("the result does not cover all of '{}': {}", info.name, video::text_of(info.left_out)));
 }
 
 namespace {
@@ -75,7 +76,7 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
         const auto found = std::ranges::find(extracted, name, &image::Metadata::value_type::first);
         std::string had = found == extracted.end() ? "none" : found->second;
         if (value == had) continue;
-        list += fmt::format("{}{} {} (not {})", list.empty() ? "" : ", ", name, value, had);
+        list += fmt::format("{}{} {} (extracted: {})", list.empty() ? "" : ", ", name, value, had);
         others.emplace_back(name, std::move(had));
     }
     if (others.empty()) return;
@@ -85,16 +86,17 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     const char* const command = of_seeds ? "seeds" : "extract";
     if (others.size() == 1) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it",
+                    fmt::format("{} {}: '{}' was extracted with {}; remove this setting, or run `vvr {}` again with it",
                                 others.front().first, image::value_of(job.given, others.front().first), folder,
                                 others.front().second, command),
                     {others.front().first});
     }
     const std::string preset = image::value_of(job.settings, "preset");
-    throw Error(ErrorCode::extraction_unsuitable,
-                fmt::format("'{}' was extracted with other settings than are asked for: {}; leave these out, or run "
-                            "`vvr {}{}` with them",
-                            folder, list, command, preset.empty() ? "" : fmt::format(" --preset {}", preset)));
+    throw Error(
+        ErrorCode::extraction_unsuitable,
+        fmt::format(
+            "'{}' was extracted with other settings: {}; remove these settings, or run `vvr {}{}` again with them",
+            folder, list, command, preset.empty() ? "" : fmt::format(" --preset {}", preset)));
 }
 
 OpenedFields open_extracted(const RenderJob& job) {
@@ -102,17 +104,19 @@ OpenedFields open_extracted(const RenderJob& job) {
     if (second != nullptr) {
         throw Error(
             ErrorCode::extraction_unsuitable,
-            fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
-                        "colour",
-                        second->name, job.input.names.front()),
+            fmt::format(
+                "color {}: '{}' stores the values of one filter only; render the clip itself, or choose another color",
+                second->name, job.input.names.front()),
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
     if (job.fields.span.asked != video::RequestedSpan{}) {
-        throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
-                                folders.front()),
-                    {setting::start.name, setting::end.name, setting::between.name});
+        throw Error(
+            ErrorCode::extraction_unsuitable,
+            fmt::format(
+                "'{}' is an extraction, and only all of it can be drawn; extract the wanted part of the clip instead",
+                folders.front()),
+            {setting::start.name, setting::end.name, setting::between.name});
     }
     auto source = std::make_unique<store::StoredFields>(folders);
     image::Metadata settings = used_settings(source->settings());
@@ -140,8 +144,10 @@ ClipFacts OpenedFields::facts() const {
 
 void require_frames(std::int64_t frames, const video::VideoInfo& info) {
     if (frames > 0) return;
-    throw Error(ErrorCode::no_frame,
-                fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", info.name));
+    throw Error(
+        ErrorCode::no_frame,
+        fmt::format("no frame of '{}' can be read any more; check whether it was changed or removed during the run",
+                    info.name));
 }
 
 fields::FieldOptions field_options_of(const RenderJob& job) {
@@ -161,7 +167,7 @@ bool wants_colour(const RenderJob& job) {
 void require_input(const InputOptions& options) {
     if (options.names.empty()) {
         throw Error(ErrorCode::input_missing,
-                    "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
+                    "no INPUT given; name video files, a folder of videos or pictures, or - for stdin");
     }
 }
 
@@ -169,7 +175,7 @@ const std::string& only_input(const InputOptions& options) {
     require_input(options);
     if (options.names.size() > 1) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
+                    fmt::format("only one INPUT is accepted; remove '{}'", options.names[1]));
     }
     return options.names.front();
 }
@@ -209,16 +215,14 @@ void check_has_end(const video::VideoInfo& info, Observer& observer) {
     // With these protocols, a finite file may have no known length.
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
     if (std::ranges::find(of_files, protocol) == of_files.end()) {
-        throw Error(
-            ErrorCode::input_unsuitable,
-            fmt::format("'{}' is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS "
-                        "-t 60 -c copy piece.mkv` records a piece that can be drawn",
-                        info.name));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is a live stream without an end; draw it with `vvr watch`, or record a part of "
+                                "it first: ffmpeg -i ADDRESS -t 60 -c copy part.mkv",
+                                info.name));
     }
-    observer.warn(
-        fmt::format("'{}' does not say how long it is, and is read to its end; if it is live, it has none, and "
-                    "`vvr watch` draws it",
-                    info.name));
+    observer.warn(fmt::format(
+        "'{}' does not state its length, and is read to its end; if it is a live stream, use `vvr watch` instead",
+        info.name));
 }
 
 OpenedFields open_fields(const RenderJob& job) {

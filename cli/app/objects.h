@@ -18,7 +18,7 @@
 namespace vvr::app {
 
 /// The events that a picture, a page and a report show.
-struct ToldEvents {
+struct ShownEvents {
     std::vector<events::Event> events;
     std::vector<std::size_t> numbers;  ///< the numbers shown to people
     std::vector<int> colours;          ///< from `colours_of`
@@ -26,7 +26,7 @@ struct ToldEvents {
 
 /// The events of a clip that overlap the time from `begin` to `end`, cut to that time. An event's number is its index
 /// among all events plus 1.
-ToldEvents told_in(std::span<const events::Event> events, double begin, double end);
+ShownEvents events_between(std::span<const events::Event> events, double begin, double end);
 
 /// For a clip that has ended: an object has the colour and number of its event.
 bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);

@@ -70,21 +70,21 @@ void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) 
         seen.identify = objects_of(events, seen.volume);
     }
     take_stills_from_scene(events, seen.scene, seen.crops);
-    seen.events = told_in(events, seen.begin.seconds, seen.last->pts);
+    seen.events = events_between(events, seen.begin.seconds, seen.last->pts);
 }
 
 Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t step, Observer& observer) {
     const std::int64_t expected = plan.clip.expected_frames;
     const std::int64_t capacity = plan.job.bricks.max_layers;
     fields::FieldNeeds needs = needs_of(plan, source, expected > 0 ? expected : step * capacity);
-    Gathering gathering(plan, {.capacity = capacity, .step = step}, needs);
-    needs.scene = gathering.scene_sink();
+    ObservationBuilder builder(plan, {.capacity = capacity, .step = step}, needs);
+    needs.scene = builder.scene_sink();
     fields::MotionDetector motion;
-    Observation& seen = gathering.seen;
+    Observation& seen = builder.seen;
     const int keyframes = plan.job.look.keyframes;
     seen.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
         fill_gap(*seen.last, field, seen.volume);
-        gathering.add(frame, field, plan.nonuniform && motion(field));
+        builder.add(frame, field, plan.nonuniform && motion(field));
         const std::int64_t number = seen.volume.frames() - 1;
         if (number == 0) {
             seen.first = frame;
@@ -101,7 +101,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     seen.volume.settle();
     seen.info = source.info();
     seen.scene = scene_of(seen);
-    if (gathering.finder) conclude(plan, *gathering.finder, seen);
+    if (builder.finder) conclude(plan, *builder.finder, seen);
     return std::move(seen);
 }
 
@@ -115,14 +115,14 @@ constexpr float moving = 0.6F;
 
 }  // namespace
 
-VolumePaint::VolumePaint(const Plan& plan) : plan_(plan) {
+VoxelColours::VoxelColours(const Plan& plan) : plan_(plan) {
     if (plan.second == nullptr) return;
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
         of_value_[value] = scene::bgr_of(glm::vec3(plan.second_transfer.at(static_cast<double>(value))));
     }
 }
 
-Bgr VolumePaint::colour_of_flow(float u, float v) const {
+Bgr VoxelColours::colour_of_flow(float u, float v) const {
     const scene::Theme& theme = plan_.job.look.theme;
     const float speed = std::hypot(u, v);
     if (plan_.colour->of_direction) {
@@ -135,7 +135,7 @@ Bgr VolumePaint::colour_of_flow(float u, float v) const {
         glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
 }
 
-const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const fields::Field& field) {
+const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fields::Field& field) {
     if (plan_.colour->drawn != gl::VolumeColour::own) return painted_;
     if (plan_.colour->needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
@@ -151,22 +151,23 @@ const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const field
     return painted_;
 }
 
-Gathering::Gathering(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
+ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
       keeps_crops_(plan.products.portraits || plan.shows(Part::portraits)),
-      paint_(plan) {
+      voxel_colours_(plan) {
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
                                                                   .labels = plan.colours_objects()});
 }
 
-fields::SceneSink Gathering::scene_sink() {
+fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
         if (finder) finder->set_scene(scene);
     };
 }
 
-const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const fields::Field& field, bool moves) {
+const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field,
+                                                   bool moves) {
     if (finder) {
         events::TrackedFrame tracked =
             finder->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
@@ -175,7 +176,7 @@ const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const
             if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
         }
     }
-    seen.volume.add(field, paint_(*frame, field), labels_.runs, moves);
+    seen.volume.add(field, voxel_colours_(*frame, field), labels_.runs, moves);
     return labels_;
 }
 

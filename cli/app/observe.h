@@ -35,7 +35,7 @@ struct Observation {
     video::SharedFrame last = first;                                    ///< at the end of the volume
     std::vector<KeyFrame> keyframes{};                                  ///< between these
     std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
-    std::optional<ToldEvents> events{};                 ///< none = not searched for
+    std::optional<ShownEvents> events{};                ///< none = not searched for
     events::Findings findings{};                        ///< all that was found besides the chosen events
     bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
     glance::Crops crops{};                              ///< pictures of the objects
@@ -53,10 +53,10 @@ Observation observe(const Plan& plan, fields::FieldSource& source, Observer& obs
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
 
 /// Computes the colours of a frame's voxels, if the volume stores colours.
-class VolumePaint {
+class VoxelColours {
   public:
     /// \param plan must outlive this object
-    explicit VolumePaint(const Plan& plan);
+    explicit VoxelColours(const Plan& plan);
 
     /// Empty if voxels have no colours of their own. Valid until the next call.
     const Plane<Bgr>& operator()(const video::Frame& frame, const fields::Field& field);
@@ -70,10 +70,10 @@ class VolumePaint {
 };
 
 /// Builds an observation from frames and their fields.
-class Gathering {
+class ObservationBuilder {
   public:
     /// \param room size of the volume; the plan decides what it stores
-    Gathering(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs);
+    ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs);
 
     /// \param moves whether anything moves in the frame; used if layers have unequal lengths
     /// \returns the objects of its pixels
@@ -87,7 +87,7 @@ class Gathering {
 
   private:
     bool keeps_crops_;
-    VolumePaint paint_;
+    VoxelColours voxel_colours_;
     events::FrameLabels labels_;  ///< of the last field
 };
 

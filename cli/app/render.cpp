@@ -87,13 +87,13 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
         make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);
     });
     Composition composed;
-    bool all_still = true;
+    bool never_moves = true;
     bool frames_missing = false;
     Window window(plan, source, [&](const Observation& seen, std::int64_t brick) {
         run.stages.end("fields");
         composed = compose(plan, seen);
         run.stages.end("scene");
-        all_still = all_still && composed.still;
+        never_moves = never_moves && composed.nothing_moves;
         frames_missing = frames_missing || composed.frames_missing;
         thread.run([&](Drawing& drawing) { show(plan, composed, seen, drawing); });
         for (int i = 0; i < plan.products.pictures; ++i) {
@@ -115,12 +115,12 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
         });
     Observation seen = window.finish(source, std::move(summary));
     run.stages.end("fields");
-    composed.still = all_still;
+    composed.nothing_moves = never_moves;
     composed.frames_missing = frames_missing;
     return {std::move(seen), std::move(composed), std::move(run)};
 }
 
-RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken) {
+RenderSummary render(const RenderJob& job, Observer& observer, const PictureCallback& on_picture) {
     validate(job);
     image::choose_font(job.look.font);
     const auto begin = std::chrono::steady_clock::now();
@@ -128,9 +128,9 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureTake
     check_golden_picture(job.output.golden);
     OpenedFields fields = open_fields(job);
     check_has_end(fields.source->info(), observer);
-    const Plan plan = make_plan(job, fields.facts(), taken ? Purpose::caller : Purpose::files);
+    const Plan plan = make_plan(job, fields.facts(), on_picture ? Purpose::caller : Purpose::files);
     if (!fields.day_times.empty()) observer.info(fields.day_times);
-    Writer writer(files, watch(job.output, fields), taken, observer);
+    Writer writer(files, watch(job.output, fields), on_picture, observer);
     check_memory(plan.extent);
 
     const auto run = plan.products.series ? render_series : render_clip;

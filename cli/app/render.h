@@ -16,9 +16,9 @@ struct RenderSummary {
 };
 
 /// Runs a whole job: plan, observe, compose, draw, write.
-/// \param taken called for each picture before it is written, even if no file is wanted; may be empty
+/// \param on_picture called for each picture before it is written, even if no file is wanted; may be empty
 /// \throws Error of every kind; `differs` after everything has been written
-RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken = {});
+RenderSummary render(const RenderJob& job, Observer& observer, const PictureCallback& on_picture = {});
 
 /// The result of a run.
 struct Outcome {

@@ -87,9 +87,9 @@ Json json_of(const Moment& moment, const Place& place) {
     return json;
 }
 
-Json json_of(const std::vector<bricks::CompressedIdle>& squeezed) {
+Json json_of(const std::vector<bricks::CompressedIdle>& compressed) {
     Json json = Json::array();
-    for (const bricks::CompressedIdle& stretch : squeezed) {
+    for (const bricks::CompressedIdle& stretch : compressed) {
         json.push_back({{"first", rounded(stretch.begin)},
                         {"seconds", rounded(stretch.seconds)},
                         {"room", rounded(stretch.t_end - stretch.t_begin)}});
@@ -213,9 +213,9 @@ std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::Vid
 }
 
 /// The settings used, and the font if there is text: the system's default font if none was chosen.
-image::Metadata settings_and_font(const Drawn& drawn) {
-    image::Metadata settings = used_settings(drawn.plan.job.settings);
-    const labels::Lettering& lettering = drawn.composed.lettering;
+image::Metadata settings_and_font(const RunContext& context) {
+    image::Metadata settings = used_settings(context.plan.job.settings);
+    const labels::Lettering& lettering = context.composed.lettering;
     const bool text = !lettering.labels.empty() || !lettering.badges.empty();
     if (text) image::put(settings, setting::font.name, image::font_name());
     return settings;
@@ -247,8 +247,8 @@ Json json_of(const WallClock& clock, double first, double last) {
 
 }  // namespace
 
-std::string format_report(const Drawn& drawn, const std::vector<std::string>& advice, double seconds) {
-    const auto& [plan, seen, composed, run] = drawn;
+std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds) {
+    const auto& [plan, seen, composed, run] = context;
     const video::VideoInfo& info = seen.info;
     const double first = seen.begin.seconds;
     const double last = seen.end().seconds;
@@ -265,8 +265,8 @@ std::string format_report(const Drawn& drawn, const std::vector<std::string>& ad
           {"frames_per_layer", seen.volume.step()},
           {"bricks", composed.bricks.size()},
           {"arrows", composed.arrows},
-          {"still", composed.still},
-          {"squeezed", json_of(composed.squeezed)}}},
+          {"still", composed.nothing_moves},
+          {"squeezed", json_of(composed.compressed_idle)}}},
     };
     json["clock"] = json_of(plan.clock, first, last);
     json["segments"] = Json();
@@ -279,7 +279,7 @@ std::string format_report(const Drawn& drawn, const std::vector<std::string>& ad
     json["left_out"] = {
         {"files", info.left_out.files}, {"frames", info.left_out.frames}, {"seconds", rounded(info.left_out.seconds)}};
     json["settings"] = Json::object();
-    for (const auto& [name, value] : settings_and_font(drawn)) json["settings"][name] = value;
+    for (const auto& [name, value] : settings_and_font(context)) json["settings"][name] = value;
     json["renderer"] = {{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
     json["labels"] = Json::array();
     for (const labels::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
@@ -302,10 +302,10 @@ std::string format_report(const Drawn& drawn, const std::vector<std::string>& ad
     return json_text(json, 2) + "\n";
 }
 
-image::Metadata record_of(const Drawn& drawn) {
-    const auto& [plan, seen, composed, run] = drawn;
+image::Metadata record_of(const RunContext& context) {
+    const auto& [plan, seen, composed, run] = context;
     const bricks::Volume& volume = seen.volume;
-    image::Metadata record = settings_and_font(drawn);
+    image::Metadata record = settings_and_font(context);
     record.emplace_back("frames", fmt::to_string(volume.frames() - volume.missing()));
     if (plan.products.series) {
         // The damage is only known at the end of the clip.

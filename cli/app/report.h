@@ -55,7 +55,7 @@ struct RunFacts {
 };
 
 /// All facts about a run that reports and pages use.
-struct Drawn {
+struct RunContext {
     const Plan& plan;
     const Observation& seen;
     const Composition& composed;
@@ -65,9 +65,9 @@ struct Drawn {
 /// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.
 /// \param advice from advice_on
 /// \param seconds duration of the run
-std::string format_report(const Drawn& drawn, const std::vector<std::string>& advice, double seconds);
+std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds);
 
 /// The metadata of a picture's file: the settings, and their results for this clip.
-image::Metadata record_of(const Drawn& drawn);
+image::Metadata record_of(const RunContext& context);
 
 }  // namespace vvr::app

@@ -34,17 +34,17 @@ std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation
     const double y = static_cast<double>(seen.info.size.height) / field.height;
     const PixelBox& box = scraps->box;
     return fmt::format(
-        "'{}': {} of {} events are small and keep to one place, most of them in {:.0f}x{:.0f} pixels at {:.0f},{:.0f}; "
-        "if they tell you nothing, choose where to look with --roi; this makes a page to draw it on: vvr inspect '{}' "
-        "--frame {:.1f}s -o roi.html",
+        "'{}': {} of {} events are small and stay in one place, most of them within {:.0f}x{:.0f} pixels at "
+        "{:.0f},{:.0f}; if they are irrelevant, choose a region with --roi; this page helps to draw it: vvr inspect "
+        "'{}' --frame {:.1f}s -o roi.html",
         seen.info.name, scraps->count, events.size(), box.width() * x, box.height() * y, box.left * x, box.top * y,
         seen.info.name, scraps->at.seconds);
 }
 
 }  // namespace
 
-std::string result_text(const Drawn& drawn) {
-    const auto& [plan, seen, composed, run] = drawn;
+std::string result_text(const RunContext& context) {
+    const auto& [plan, seen, composed, run] = context;
     const std::filesystem::path& path = plan.job.output.path;
     const std::string name = path.empty() ? seen.info.name : path.string();
     const std::string frames = counted(seen.summary.frames, "frame");
@@ -72,8 +72,8 @@ std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     return advice;
 }
 
-void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer) {
-    const auto& [plan, seen, composed, run] = drawn;
+void log_warnings(const RunContext& context, const std::vector<std::string>& advice, Observer& observer) {
+    const auto& [plan, seen, composed, run] = context;
     const std::string& name = seen.info.name;
     const Size field = plan.clip.field_size;
     const fields::FieldSummary& summary = seen.summary;
@@ -81,38 +81,36 @@ void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Ob
     observer.debug(fmt::format("backend {}: {}", run.backend, run.renderer));
     observer.debug(fmt::format("fields {}x{}, {} arrows", field.width, field.height, composed.arrows));
     if (summary.damaged > 0) {
-        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
+        observer.warn(fmt::format("'{}': {}; the picture shows the {} that could be decoded", name,
                                   counted(summary.damaged, "damaged packet"), counted(summary.frames, "frame")));
     }
     if (composed.frames_missing) {
-        observer.warn(
-            fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
+        observer.warn(fmt::format(
+            "'{}' stores only the first and the last picture of the clip, so no other frames are shown", name));
     }
     if (!plan.products.series && std::ssize(seen.keyframes) < plan.job.look.keyframes) {
         observer.warn(
-            fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
-                        "is shorter",
+            fmt::format("'{}': only {} of {} are shown, because its header states no length, or too great a length",
                         name, seen.keyframes.size(), counted(plan.job.look.keyframes, "key frame")));
     }
     if (composed.lettering.font_missing) {
-        observer.warn(
-            "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
+        observer.warn("fontconfig found no font, so the picture has no text; install one, such as fonts-dejavu-core");
     }
-    if (composed.still && summary.frames < 2) {
-        observer.warn(fmt::format("'{}': there is one frame, so nothing can move, and the volume is empty", name));
-    } else if (composed.still) {
-        observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
+    if (composed.nothing_moves && summary.frames < 2) {
+        observer.warn(fmt::format("'{}' has only one frame, so nothing can move and the volume is empty", name));
+    } else if (composed.nothing_moves) {
+        observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold may show more", name),
                       {"threshold"});
     }
     for (const std::string& text : advice) observer.warn(text);
-    if (!composed.squeezed.empty()) {
+    if (!composed.compressed_idle.empty()) {
         double idle = 0;
-        for (const bricks::CompressedIdle& stretch : composed.squeezed) idle += stretch.seconds;
-        observer.info(
-            fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                        labels::format_duration(idle), counted(std::ssize(composed.squeezed), "place")));
+        for (const bricks::CompressedIdle& stretch : composed.compressed_idle) idle += stretch.seconds;
+        observer.info(fmt::format("{} without motion are compressed on the time axis, in {}",
+                                  labels::format_duration(idle),
+                                  counted(std::ssize(composed.compressed_idle), "place")));
     } else if (seen.volume.step() > 1 && !seen.volume.is_nonuniform()) {
-        observer.info(fmt::format("{} share a layer, as the clip is longer than the window",
+        observer.info(fmt::format("each layer merges {}, because the clip has more frames than the volume has layers",
                                   counted(seen.volume.step(), "frame")));
     }
 }

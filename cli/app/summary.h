@@ -10,7 +10,7 @@
 namespace vvr::app {
 
 /// The result of a run in one line.
-std::string result_text(const Drawn& drawn);
+std::string result_text(const RunContext& context);
 
 /// A summary of the events in one line: "3 events; the longest from 14.0 s to 52.5 s". Uses wall-clock times if known.
 std::string events_summary(const std::vector<events::Event>& events, const WallClock& clock);
@@ -20,6 +20,6 @@ std::vector<std::string> advice_on(const Plan& plan, const Observation& seen);
 
 /// Logs all possible problems of the input or the picture.
 /// \param advice from advice_on
-void log_warnings(const Drawn& drawn, const std::vector<std::string>& advice, Observer& observer);
+void log_warnings(const RunContext& context, const std::vector<std::string>& advice, Observer& observer);
 
 }  // namespace vvr::app

@@ -107,12 +107,12 @@ class LivePictures {
           files_(plan.job.output, observer) {}
 
     void add(FinishedPicture&& finished) {
-        const Drawn& drawn = finished.drawn;
-        const Observation& seen = drawn.seen;
-        const image::Metadata record = record_of(drawn);
+        const RunContext& context = finished.context;
+        const Observation& seen = context.seen;
+        const image::Metadata record = record_of(context);
         if (is_page(plan_.job.output.path)) {
-            files_.add_page(page_text(drawn, std::move(finished.picture), record,
-                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(drawn)));
+            files_.add_page(page_text(context, std::move(finished.picture), record,
+                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(context)));
         } else {
             files_.add(finished.number, std::move(finished.picture), record);
         }
@@ -120,9 +120,10 @@ class LivePictures {
         const auto came = stream_.arrival(seen.end().frame);
         const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
         if (came) latency_.add(took);
-        observer_.info(fmt::format(
-            "'{}': brick {}, {}, {:.2f} s after its last frame", name_.at(finished.number).string(), finished.number,
-            labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
+        observer_.info(
+            fmt::format("'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
+                        finished.number,
+                        labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
     }
 
     std::int64_t count() const { return count_; }
@@ -130,21 +131,20 @@ class LivePictures {
     /// A summary of the stream in one line.
     std::string summary(const Observation& seen) const {
         return fmt::format(
-            "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
-            "dropped, {}, {}",
+            "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} dropped, {}, {}",
             stream_.info().name, counted(count_, "picture"), counted(seen.summary.frames, "frame"), seen.end().seconds,
             latency_.median(), latency_.longest(), counted(stream_.dropped(), "frame"),
             counted(stream_.reconnections(), "reconnection"), counted(seen.summary.damaged, "damaged packet"));
     }
 
   private:
-    page::LiveState state_of(const Drawn& drawn) const {
+    page::LiveState state_of(const RunContext& context) const {
         page::LiveState state;
-        state.text = is_learning(drawn.seen) ? "learning the empty scene" : "watching";
+        state.text = is_learning(context.seen) ? "learning the empty scene" : "watching";
         if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
         state.written = std::time(nullptr);
-        const std::int64_t newest = drawn.composed.bricks.back().count * drawn.seen.volume.step();
-        state.brick_seconds = static_cast<double>(newest) / drawn.seen.info.rate;
+        const std::int64_t newest = context.composed.bricks.back().count * context.seen.volume.step();
+        state.brick_seconds = static_cast<double>(newest) / context.seen.info.rate;
         return state;
     }
 
@@ -189,7 +189,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     std::error_code none;
     const bool is_file = fs::is_regular_file(name, none);
     if (is_file && !grows(name)) {
-        observer.warn(fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", name));
+        observer.warn(fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
     }
     OpenedFields opened;
     opened.span = job.fields.span;

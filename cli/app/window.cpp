@@ -9,15 +9,15 @@ namespace vvr::app {
 Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink full)
     : plan_(plan),
       needs_(needs_of(plan, source, plan.window.frames())),
-      gathering_(plan,
-                 {.capacity = std::max<std::int64_t>(2, plan.window.layers()),
-                  .step = plan.window.step,
-                  .span = plan.window.layers()},
-                 needs_),
-      seen_(gathering_.seen),
+      builder_(plan,
+               {.capacity = std::max<std::int64_t>(2, plan.window.layers()),
+                .step = plan.window.step,
+                .span = plan.window.layers()},
+               needs_),
+      seen_(builder_.seen),
       full_(std::move(full)) {
     seen_.info = source.info();
-    needs_.scene = gathering_.scene_sink();
+    needs_.scene = builder_.scene_sink();
     if (plan.colours_objects()) seen_.identify = objects_.identify();
 }
 
@@ -25,7 +25,7 @@ void Window::add(const video::SharedFrame& frame, const fields::Field& field) {
     if (begin_) fill_gap(field);
     if (!begin_) begin_ = {field.index, field.pts};
     if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
-    const events::FrameLabels& labels = gathering_.add(frame, field);
+    const events::FrameLabels& labels = builder_.add(frame, field);
     if (plan_.colours_objects()) objects_.see(labels);
     if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
     keep_key_frame(frame);
@@ -38,10 +38,10 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
     if (plan_.products.events) {
-        seen_.findings = gathering_.finder->finish();
+        seen_.findings = builder_.finder->finish();
         const std::vector<events::Event> events =
             events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
-        seen_.events = told_in(events, seen_.begin.seconds, seen_.last->pts);
+        seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
     }
     seen_.summary = std::move(summary);
     seen_.info = source.info();              // only now complete for a recording of several files
@@ -96,7 +96,7 @@ void Window::complete_newest(Draw wanted) {
     seen_.first_brick = newest_ - std::ssize(first_of_bricks_) + 1;
     objects_.decide(seen_.begin.frame);
     if (wanted == Draw::yes) {
-        if (gathering_.finder) look_at_events();
+        if (builder_.finder) look_at_events();
         full_(seen_, newest_);
     }
     ++newest_;
@@ -106,22 +106,22 @@ void Window::complete_newest(Draw wanted) {
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
     constexpr double link_seconds = 60;  // a person who returns within this time may be the same object
-    if (!plan_.products.events) gathering_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
-    events::EventFinder until_now = *gathering_.finder;
+    if (!plan_.products.events) builder_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
+    events::EventFinder until_now = *builder_.finder;
     seen_.findings = until_now.finish();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
-    ToldEvents told = told_in(events, seen_.begin.seconds, seen_.last->pts);
-    for (std::size_t k = 0; k < told.events.size(); ++k) {
-        const std::vector<std::size_t>& tracks = told.events[k].tracks;
+    ShownEvents shown = events_between(events, seen_.begin.seconds, seen_.last->pts);
+    for (std::size_t k = 0; k < shown.events.size(); ++k) {
+        const std::vector<std::size_t>& tracks = shown.events[k].tracks;
         // Once shown, an object keeps its number. Its colour is that of its voxels.
-        told.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
+        shown.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
         for (const std::size_t track : tracks) {
-            told.colours[k] = objects_.colour_of(track).value_or(told.colours[k]);
-            objects_.give_number(track, told.numbers[k]);
+            shown.colours[k] = objects_.colour_of(track).value_or(shown.colours[k]);
+            objects_.give_number(track, shown.numbers[k]);
         }
     }
-    seen_.events = std::move(told);
+    seen_.events = std::move(shown);
     seen_.scene = video::picture_of(*seen_.first);
 }
 

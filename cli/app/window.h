@@ -38,7 +38,7 @@ class Window {
 
     const Plan& plan_;
     fields::FieldNeeds needs_;
-    Gathering gathering_;
+    ObservationBuilder builder_;
     Observation& seen_;
     FullSink full_;
     LiveObjects objects_;

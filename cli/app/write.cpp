@@ -125,9 +125,9 @@ std::string cut_extension(const std::string& file, double rate) {
 
 }  // namespace
 
-std::string page_text(const Drawn& drawn, image::Picture picture, const image::Metadata& settings,
+std::string page_text(const RunContext& context, image::Picture picture, const image::Metadata& settings,
                       page::Moments moments, const std::optional<page::LiveState>& live) {
-    const auto& [plan, seen, composed, run] = drawn;
+    const auto& [plan, seen, composed, run] = context;
     const RenderJob& job = plan.job;
     std::error_code none;
     const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
@@ -166,39 +166,40 @@ std::string page_text(const Drawn& drawn, image::Picture picture, const image::M
 }
 
 void Writer::write(FinishedPicture&& finished) {
-    const Plan& plan = finished.drawn.plan;
+    const Plan& plan = finished.context.plan;
     const OutputOptions& output = plan.job.output;
     image::Picture& picture = finished.picture;
-    const image::Metadata record = record_of(finished.drawn);
-    if (taken_) taken_(picture, record);
+    const image::Metadata record = record_of(finished.context);
+    if (on_picture_) on_picture_(picture, record);
     if (!output.golden.path.empty()) last_ = {picture.pixels};
     files_.add_thumbnail(picture);
     page::Moments moments = watched_ == nullptr ? page::Moments{} : watched_->take();
     if (!moments.problem.empty()) {
-        observer_.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
+        observer_.warn(fmt::format("the page has stills but no video preview, because FFmpeg could not encode one: {}",
+                                   moments.problem));
     }
-    const std::optional<ToldEvents>& told = finished.drawn.seen.events;
+    const std::optional<ShownEvents>& shown = finished.context.seen.events;
     const std::span<const events::Event> events =
-        told ? std::span<const events::Event>(told->events) : std::span<const events::Event>();
+        shown ? std::span<const events::Event>(shown->events) : std::span<const events::Event>();
     files_.add_still(page::best_still(moments.stills, events, plan.clip.field_size));
     if (page_of(output).empty()) {
         files_.add(finished.number, std::move(picture), record);
         return;
     }
     if (!is_page(output.path)) files_.add(finished.number, picture, record);
-    files_.add_page(page_text(finished.drawn, std::move(picture), record, std::move(moments)));
+    files_.add_page(page_text(finished.context, std::move(picture), record, std::move(moments)));
 }
 
-void Writer::finish(const Drawn& drawn, double seconds) {
-    const OutputOptions& output = drawn.plan.job.output;
-    const std::vector<std::string> advice = advice_on(drawn.plan, drawn.seen);
-    log_warnings(drawn, advice, observer_);
+void Writer::finish(const RunContext& context, double seconds) {
+    const OutputOptions& output = context.plan.job.output;
+    const std::vector<std::string> advice = advice_on(context.plan, context.seen);
+    log_warnings(context, advice, observer_);
     files_.close();
-    observer_.info(fmt::format("{}, {:.1f} s", result_text(drawn), seconds));
-    if (drawn.plan.products.events && drawn.seen.events)
-        observer_.info(events_summary(drawn.seen.events->events, drawn.plan.clock));
+    observer_.info(fmt::format("{}, {:.1f} s", result_text(context), seconds));
+    if (context.plan.products.events && context.seen.events)
+        observer_.info(events_summary(context.seen.events->events, context.plan.clock));
     if (!output.report.empty()) {
-        const std::string text = format_report(drawn, advice, seconds);
+        const std::string text = format_report(context, advice, seconds);
         const auto bytes = std::as_bytes(std::span(text));
         const auto held = observer_.guard();
         if (is_standard_output(output.report)) {
@@ -207,7 +208,7 @@ void Writer::finish(const Drawn& drawn, double seconds) {
             image::replace_file(output.report, bytes);
         }
     }
-    if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(drawn), observer_);
+    if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(context), observer_);
 }
 
 }  // namespace vvr::app

@@ -19,7 +19,7 @@ namespace vvr::app {
 struct FinishedPicture {
     int number = 0;  ///< from 0; in a series, the number of its brick
     image::Picture picture;
-    Drawn drawn;
+    RunContext context;
 };
 
 /// Called for each picture of a run, in order.
@@ -58,31 +58,31 @@ class PictureOutput {
 /// The text of a page with one picture.
 /// \param settings of the picture
 /// \param live for a stream
-std::string page_text(const Drawn& drawn, image::Picture picture, const image::Metadata& settings,
+std::string page_text(const RunContext& context, image::Picture picture, const image::Metadata& settings,
                       page::Moments moments, const std::optional<page::LiveState>& live = {});
 
 /// Called for each picture of a run, with the metadata of its file.
-using PictureTaker = std::function<void(const image::Picture& picture, const image::Metadata& record)>;
+using PictureCallback = std::function<void(const image::Picture& picture, const image::Metadata& record)>;
 
 /// Writes the outputs of a run: pictures and their companions, a report, and the comparison with a golden picture.
 class Writer {
   public:
     /// \param watched collects what a page or a still shows; null = neither is wanted
-    /// \param taken called with each picture before it is written; may be empty
-    Writer(PictureOutput& files, page::WatchedFields* watched, const PictureTaker& taken, Observer& observer)
-        : files_(files), watched_(watched), taken_(taken), observer_(observer) {}
+    /// \param on_picture called with each picture before it is written; may be empty
+    Writer(PictureOutput& files, page::WatchedFields* watched, const PictureCallback& on_picture, Observer& observer)
+        : files_(files), watched_(watched), on_picture_(on_picture), observer_(observer) {}
 
     void write(FinishedPicture&& picture);
 
     /// Call it after the last picture.
     /// \param seconds duration of the run
     /// \throws Error differs after everything has been written
-    void finish(const Drawn& drawn, double seconds);
+    void finish(const RunContext& context, double seconds);
 
   private:
     PictureOutput& files_;
     page::WatchedFields* watched_;
-    const PictureTaker& taken_;
+    const PictureCallback& on_picture_;
     Observer& observer_;
     image::Picture last_;  ///< for the comparison with the golden picture
 };

@@ -72,11 +72,12 @@ const CommandRow& find_command(const std::string& name) {
     const auto row = std::ranges::find(command_rows, name, &CommandRow::name);
     if (row == command_rows.end()) {
         if (looks_like_input(name)) {
-            throw Error(ErrorCode::command_unknown,
-                        fmt::format("there is no command '{0}'; to draw it: vvr render '{0}' -o picture.png", name));
+            throw Error(
+                ErrorCode::command_unknown,
+                fmt::format("unknown command '{0}'; to draw that input: vvr render '{0}' -o picture.png", name));
         }
-        throw Error(ErrorCode::command_unknown, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
-                                                            did_you_mean(name, names_of(command_rows))));
+        throw Error(ErrorCode::command_unknown, fmt::format("unknown command '{}'{}; `vvr --help` lists the commands",
+                                                            name, did_you_mean(name, names_of(command_rows))));
     }
     return *row;
 }
@@ -90,8 +91,9 @@ cli::ExitStatus run_plan(const workers::WorkerPlan& plan, const cli::Environment
 
 cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment) {
     if (arguments.empty()) {
-        throw Error(ErrorCode::command_unknown, fmt::format("no command; there are {}: `vvr --help` says what they do",
-                                                            fmt::join(names_of(command_rows), ", ")));
+        throw Error(ErrorCode::command_unknown,
+                    fmt::format("no command given; choose one of {}; `vvr --help` describes them",
+                                fmt::join(names_of(command_rows), ", ")));
     }
     const std::string& name = arguments.front();
     if (name == "--help" || name == "-h" || name == "help") {

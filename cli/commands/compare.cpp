@@ -80,7 +80,7 @@ class Compare final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (names_.size() != 2) {
             throw Error(ErrorCode::input_unsuitable,
-                        fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names_.size()));
+                        fmt::format("compare needs exactly two pictures, not {}; use: vvr compare A B", names_.size()));
         }
         options::check(options_);
         const image::Samples a = image::without_pixel_data(image::read_samples(names_[0]));

@@ -100,12 +100,11 @@ class Config final : public Command {
         const options::ConfigChoice& choice = line.config();
         if (names_.size() > 1)
             throw Error(ErrorCode::input_unsuitable,
-                        fmt::format("'{}' is one argument too many; `vvr config` takes one COMMAND", names_[1]));
+                        fmt::format("`vvr config` accepts only one COMMAND; remove '{}'", names_[1]));
         std::string text = file_line(choice);
         if (names_.empty() && !preset_.empty()) {
-            throw Error(
-                ErrorCode::option_needs_another,
-                fmt::format("--preset: name the COMMAND of which you ask: vvr config render --preset {}", preset_));
+            throw Error(ErrorCode::option_needs_another,
+                        fmt::format("--preset needs a COMMAND, for example: vvr config render --preset {}", preset_));
         }
         if (names_.empty()) {
             if (!choice.file.empty()) text += settings_of_all(choice);

@@ -59,8 +59,8 @@ void check_not_input(const fs::path& path, const fs::path& input, std::string_vi
     std::error_code none;
     if (!fs::equivalent(path, input, none)) return;
     throw Error(ErrorCode::output_replaces_input,
-                fmt::format("'{}' is the {} itself, '{}'; give the piece a name of its own", path.string(), what,
-                            input.string()));
+                fmt::format("output '{}' is the same file as the {} '{}'; choose another name for the piece",
+                            path.string(), what, input.string()));
 }
 
 /// Rounds a time to milliseconds.
@@ -80,10 +80,9 @@ const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>&
     const auto count = std::ssize(events);
     if (*job.event >= 1 && *job.event <= count) return events[static_cast<std::size_t>(*job.event - 1)];
     const std::string what = count == 0   ? "has no events"
-                             : count == 1 ? "has 1 event; choose that"
+                             : count == 1 ? "has 1 event; choose 1"
                                           : fmt::format("has {} events; choose 1 to {}", count, count);
-    throw Error(ErrorCode::event_unknown, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
-                {"event"});
+    throw Error(ErrorCode::event_unknown, fmt::format("event {}: '{}' {}", *job.event, where, what), {"event"});
 }
 
 video::FrameSpan span_of(const EventTimes& event, double margin) {
@@ -100,7 +99,7 @@ Selection find_event(const CutJob& job, const Footage& footage, app::Observer& o
     if (!filter.traits.shows_object) {
         throw Error(
             ErrorCode::options_conflict,
-            fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter.name),
+            fmt::format("filter {} does not mark objects, so there are no events; choose another filter", filter.name),
             {"filter"});
     }
     const app::OpenedFields fields = app::open_fields(job.search);
@@ -154,7 +153,8 @@ CutJob in_seconds(CutJob job, const Footage& footage, app::Observer& observer) {
     if (job.asked.start) {
         job.from = seconds(*job.asked.start, "from", 0);
         if (job.from->value < 0) {
-            observer.warn(fmt::format("'{}' begins at {}, after the piece was to begin", info.name, known->iso(0)));
+            observer.warn(fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name,
+                                      known->iso(0)));
             job.from->value = 0;
         }
     }
@@ -168,13 +168,14 @@ void check_unit(const CutJob& job, const Footage& footage, const app::Time& time
     if (job.margin > 0) {
         throw Error(
             ErrorCode::options_conflict,
-            fmt::format("margin is in seconds, and {} {} is a frame; give a time such as 12.5s", option, time.value),
+            fmt::format("margin needs times in seconds, but {} {:.0f}f is a frame number; give a time such as 12.5s",
+                        option, time.value),
             {"margin"});
     }
     if (footage.is_single) return;
     throw Error(ErrorCode::option_value,
-                fmt::format("{} {} is a frame, and the frames of a recording of several files are not counted without "
-                            "decoding it; give a time such as 12.5s",
+                fmt::format("{} {:.0f}f is a frame number, which is unknown in a recording of several files until it "
+                            "is decoded; give a time such as 12.5s",
                             option, time.value),
                 {option});
 }
@@ -191,13 +192,14 @@ video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
         if (job.to->unit == app::Time::Unit::seconds) span.end = job.to->value + job.margin;
         if (job.to->unit == app::Time::Unit::frames) span.stop = static_cast<std::int64_t>(job.to->value);
     }
-    const double least = job.to ? job.to->value : 0;
     const bool same_unit = job.to && (!job.from || job.from->unit == job.to->unit);
-    if (same_unit && least <= (job.from ? job.from->value : 0)) {
-        throw Error(ErrorCode::span_empty,
-                    fmt::format("the piece is empty: it ends at {}{} and does not begin before that", least,
-                                job.to->unit == app::Time::Unit::seconds ? " s" : ", a frame,"),
-                    {"from", "to"});
+    if (same_unit && job.to->value <= (job.from ? job.from->value : 0)) {
+        const bool in_seconds = job.to->unit == app::Time::Unit::seconds;
+        throw Error(
+            ErrorCode::span_empty,
+            fmt::format("the piece is empty: its end, {}, is not after its start; choose a later end",
+                        in_seconds ? fmt::format("{} s", job.to->value) : fmt::format("frame {}", job.to->value)),
+            {"from", "to"});
     }
     return span;
 }
@@ -222,7 +224,7 @@ fs::path named(const CutJob& job, const Selection& selection, const FootagePart&
     const std::string_view ending = job.exact ? exact_extension() : video::extension_for(input, job.search.input.rate);
     if (ending.empty()) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
+                    fmt::format("no container supports all streams of '{}'; encode the piece instead of copying it",
                                 first.file.path),
                     {"exact"});
     }
@@ -254,12 +256,12 @@ void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPl
 }
 
 /// Logs the gaps, which the piece keeps.
-void tell_gaps(const PieceJob& piece, app::Observer& observer) {
+void warn_of_gaps(const PieceJob& piece, app::Observer& observer) {
     double shown = piece.span.start;
     for (const FootagePart& part : piece.parts) {
         if (part.file.begin > shown + little) {
-            observer.warn(
-                fmt::format("'{}' has nothing from {:.3f} s to {:.3f} s", piece.name, shown, part.file.begin));
+            observer.warn(fmt::format("'{}' has no frames from {:.3f} s to {:.3f} s; the piece keeps this gap",
+                                      piece.name, shown, part.file.begin));
         }
         shown = std::max(shown, part.file.end);
     }
@@ -285,12 +287,12 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     piece.parts = parts_in(selection.places, selection.span);
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
-    piece.tells_early_end = !job.event;
+    piece.warns_of_early_end = !job.event;
     if (piece.parts.empty()) video::throw_empty(piece.name, piece.span, selection.places.back().end);
     set_clock(job, footage, selection.places.front(), piece);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);
-    tell_gaps(piece, observer);
+    warn_of_gaps(piece, observer);
     return job.exact ? encode_piece(piece, observer, stop) : copy_piece(piece, observer, stop);
 }
 
@@ -354,9 +356,10 @@ class Cut final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
         if (job_.path.empty())
-            throw Error(ErrorCode::output_missing, "no output: say where the piece goes with -o FILE");
+            throw Error(ErrorCode::output_missing, "no output given; name the file for the piece with -o FILE");
         if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
-            throw Error(ErrorCode::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
+            throw Error(ErrorCode::usage,
+                        "no piece chosen; choose one with --event N, or with --from TIME and --to TIME");
         }
         cli::Console console(environment);
         const std::stop_source stop;

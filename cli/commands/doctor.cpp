@@ -90,7 +90,7 @@ std::string as_text(const std::vector<gl::BackendReport>& reports) {
                                      font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
     const auto drawn = drawn_with(reports);
     text += fmt::format("draws with     {}\n", drawn == reports.end()
-                                                   ? "nothing: no backend works; below is how to fix it"
+                                                   ? "nothing: no backend works; see below how to fix it"
                                                    : fmt::format("{}: {}", drawn->name, drawn->renderer));
     // List working backends first: without a GPU, a failing GPU backend is not a problem.
     std::vector<gl::BackendReport> sorted = reports;
@@ -121,7 +121,7 @@ class Doctor final : public Command {
             return cli::ExitStatus::done;
         }
         throw Error(ErrorCode::opengl_unavailable,
-                    "no backend works, so vvr can draw nothing here; the commands above fix it");
+                    "no OpenGL backend works, so vvr cannot draw; the commands above fix that");
     }
 
   private:

@@ -39,15 +39,15 @@ struct ExtractJob {
 void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     if (!job.part) return;
     if (job.fields.span != video::FrameSpan{}) {
-        throw Error(ErrorCode::options_conflict, "part says where to begin and to end; leave out the start and the end",
+        throw Error(ErrorCode::options_conflict, "part selects the frames already; remove the start and the end",
                     {"part", setting::start.name, setting::end.name});
     }
     const auto [part, count] = *job.part;
     if (clip.frames < count) {
         throw Error(
             ErrorCode::option_value_out_of_range,
-            fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part, count,
-                        clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
+            fmt::format("part {}/{}: '{}' has {}; choose fewer parts, or give the start and the end", part, count,
+                        clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "no length in its header"),
             {"part", setting::start.name, setting::end.name});
     }
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
@@ -72,8 +72,8 @@ void extract(ExtractJob job, app::Observer& observer) {
     job.fields.span = app::resolve_span(job.fields.span, job.start_time, clip->info(), day_times);
     if (!job.fields.span.parts.empty()) {
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("between: '{}' has {} of it, and an extraction is of one stretch; give --start and "
-                                "--end as well, with dates",
+                    fmt::format("between: '{}' has {} of that time of day, but an extraction needs exactly one; add "
+                                "--start and --end with dates",
                                 clip->info().name, counted(std::ssize(job.fields.span.parts), "part")),
                     {setting::between.name});
     }
@@ -105,8 +105,8 @@ void extract(ExtractJob job, app::Observer& observer) {
     }
     app::report_warnings(warnings, summary.problems, observer);
     if (summary.damaged > 0) {
-        observer.warn(
-            fmt::format("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet")));
+        observer.warn(fmt::format("'{}': {} could not be decoded", clip->info().name,
+                                  counted(summary.damaged, "damaged packet")));
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     observer.info(fmt::format("'{}': {} of {}x{}, {:.1f} s", job.folder.string(), counted(summary.frames, "frame"),
@@ -147,7 +147,7 @@ class Extract final : public Command {
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (job_.folder.empty())
-            throw Error(ErrorCode::output_missing, "no output: say where the files go with -o DIR");
+            throw Error(ErrorCode::output_missing, "no output given; name the folder for the files with -o DIR");
         app::require_input(job_.input);
         job_.settings = options::shown(line.values(std::array{options::Group::input, options::Group::fields}));
         cli::Console console(environment);

@@ -27,10 +27,10 @@ namespace {
 using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
-    throw Error(
-        ErrorCode::input_unsuitable,
-        fmt::format("report '{}' {}; make one with: vvr render CLIP --report report.json", report.string(), what),
-        {"report"});
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("report '{}' {}; create a report with: vvr render CLIP --report report.json",
+                            report.string(), what),
+                {"report"});
 }
 
 ReportedFile file_of(const Json& json, const std::string& path, double begin, double end) {
@@ -58,9 +58,9 @@ std::vector<ReportedFile> files_of(const Json& report) {
 ReportedEvents read_events(const std::filesystem::path& report) {
     const Json json = parse_json(read_file(report.string()));
     if (!json.is_object() || !json.contains("report") || !json.contains("events")) {
-        refuse(report, "is no report of `vvr render`");
+        refuse(report, "is not a report of `vvr render`");
     }
-    if (!json["events"].is_array()) refuse(report, "tells of no events, as they were not searched for");
+    if (!json["events"].is_array()) refuse(report, "has no list of events, because that run did not search for any");
     try {
         ReportedEvents events{files_of(json), {}};
         for (const Json& event : json["events"]) {
@@ -68,10 +68,12 @@ ReportedEvents read_events(const std::filesystem::path& report) {
                 {event.at("first").at("seconds").get<double>(), event.at("last").at("seconds").get<double>()});
         }
         if (events.files.empty())
-            refuse(report, "does not tell its files' sizes and digests: an older vvr made it, or it is about no file");
+            refuse(
+                report,
+                "lacks the sizes and digests of its files, because an older vvr wrote it or its input was not a file");
         return events;
     } catch (const Json::exception&) {
-        refuse(report, "is not as `vvr render` writes it");
+        refuse(report, "is not in the format of `vvr render`");
     }
 }
 
@@ -85,17 +87,17 @@ constexpr double slack = 0.0005;  // seconds; times are rounded
 void check_single(const std::string& name) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
+                    fmt::format("cannot cut '{}', which is {}; name video files, or a folder of them", name, what));
     };
     std::error_code none;
-    if (name == "-") refuse("stdin, which can't be cut");
-    if (store::is_data_folder(name)) refuse("what `vvr extract` wrote, and has no video in it");
+    if (name == "-") refuse("stdin and not a file");
+    if (store::is_data_folder(name)) refuse("an extraction without the video");
     if (fs::is_regular_file(name, none)) return;
     const auto is_picture = [](const auto& entry) { return video::is_picture_name(entry.path().filename().string()); };
     const fs::directory_iterator folder(name, none);
     if (!none && std::ranges::none_of(folder, is_picture)) refuse("a folder without video files");
-    if (video::list_pictures(name)) refuse("a sequence of pictures, not a clip");
-    if (video::is_url(name)) refuse("an address; save it to a file first");
+    if (video::list_pictures(name)) refuse("a sequence of pictures, not a video");
+    if (video::is_url(name)) refuse("a URL and not yet a file");
     if (fs::exists(name, none)) refuse("not a regular file");
     video::open_file(name);  // throws if it can't be read
 }
@@ -123,8 +125,8 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
                                 const std::vector<std::string>& missing, const Footage& footage) {
     const bool is_one = needed.size() == 1;
     throw Error(ErrorCode::input_unsuitable,
-                fmt::format("event {} of report '{}' lies in '{}'; by size and digest {} not among what was given, "
-                            "'{}': give {}, or a report of what was given",
+                fmt::format("event {} of report '{}' is in '{}'; by size and digest, {} not part of the input '{}'; "
+                            "give {}, or a report about this input",
                             event, report, fmt::join(needed, "', '"),
                             is_one ? "that file is" : fmt::format("'{}' is", fmt::join(missing, "', '")),
                             footage.recording.name, is_one ? "that file" : "all of these files"),

@@ -69,10 +69,11 @@ std::string as_text(const fields::FieldSource& source, const app::Extent& extent
         line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));
     }
     if (info.created) {
-        line("written", fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
-                                    recording_time_is_known(info)
-                                        ? ""
-                                        : "; that need not be when it was recorded (--start-time container takes it)"));
+        line("written",
+             fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
+                         recording_time_is_known(info)
+                             ? ""
+                             : "; it may have been recorded at another time (--start-time container uses this one)"));
     }
     for (const std::string& warning : warnings) line("note", warning);
     text += "a render of it\n";

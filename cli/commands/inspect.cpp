@@ -69,7 +69,7 @@ Moment find_frame(video::FrameSource& clip, const app::Time& time) {
         by_number ? time.value <= static_cast<double>(found.frame) : time.value <= found.seconds || time.value < end;
     if (past || shown) return found;
     throw Error(ErrorCode::option_value_out_of_range,
-                fmt::format("frame: '{}' has {}, the last at {:.3f} s; choose an earlier one", clip.info().name,
+                fmt::format("frame: '{}' has {}, the last one at {:.3f} s; choose an earlier frame", clip.info().name,
                             counted(found.frame + 1, "frame"), found.seconds),
                 {"frame"});
 }
@@ -225,15 +225,19 @@ Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {
     while (const auto frame = clip.next()) {
         if (frame->index >= moment.frame) return video::picture_of(scale(*frame));
     }
-    throw Error(ErrorCode::no_frame, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
-                                                 clip.info().name, moment.frame));
+    throw Error(
+        ErrorCode::no_frame,
+        fmt::format("'{}': frame {} can no longer be decoded; check whether the file was changed during the run",
+                    clip.info().name, moment.frame));
 }
 
 /// Regions as polygons. A mask picture can't be edited on a page, so it is left out with a warning.
 std::string polygons_of(std::string_view setting, const std::string& area, app::Observer& observer) {
     std::string list = fields::polygon_list(setting, area);
     if (area.empty() || !list.empty()) return list;
-    observer.warn(fmt::format("{} '{}' is a picture, so the page begins without it", setting, area), {setting});
+    observer.warn(
+        fmt::format("{} '{}' is a picture, which the page can't edit; the page begins without it", setting, area),
+        {setting});
     return {};
 }
 
@@ -264,8 +268,8 @@ void write_region_editor(const InspectJob& job, app::Observer& observer) {
     const std::string text = page::make_region_editor(content);
     const auto held = observer.guard();
     image::replace_file(job.path, std::as_bytes(std::span(text)));
-    observer.info(fmt::format("'{}': draw regions on frame {} at {:.3f} s, and copy the option for them{}",
-                              job.path.string(), found.frame, found.seconds, about_choice(job)));
+    observer.info(fmt::format("'{}': a page to draw regions on frame {} at {:.3f} s{}", job.path.string(), found.frame,
+                              found.seconds, about_choice(job)));
 }
 
 /// Draws Fig. 4 for a frame: its difference object, flow and seeds side by side. A page gets only the frame, for
@@ -290,10 +294,8 @@ void inspect(const InspectJob& job, app::Observer& observer) {
     app::report_warnings(warnings, summary.problems, observer);
     const std::string name = job.path.string();
     if (!inspection.captions) {
-        observer.warn(
-            fmt::format("fontconfig finds no font, so '{}' has no captions; install one, for example "
-                        "fonts-dejavu-core",
-                        name));
+        observer.warn(fmt::format(
+            "fontconfig found no font, so '{}' has no captions; install one, such as fonts-dejavu-core", name));
     }
     const auto held = observer.guard();
     image::write_picture(job.path, inspection.picture);
@@ -330,7 +332,7 @@ class Inspect final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         app::require_input(job_.input);
         if (job_.path.empty())
-            throw Error(ErrorCode::output_missing, "no output: say where the picture goes with -o FILE");
+            throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
         if (app::is_page(job_.path)) {
             image::check_file_path(job_.path);
         } else {

@@ -55,7 +55,8 @@ class Render final : public Command {
         if (std::filesystem::exists(last, none)) return;
         throw Error(
             ErrorCode::output_missing,
-            fmt::format("no output, and there is no input '{0}'; if that is where the picture goes: -o '{0}'", last));
+            fmt::format("no output given, and the input '{0}' does not exist; if it is the output, write -o '{0}'",
+                        last));
     }
 
     app::RenderJob job_;

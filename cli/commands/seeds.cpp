@@ -50,7 +50,7 @@ class SeedFolder {
         if (!error && fs::is_directory(folder_) && fs::is_empty(folder_, error) && !error) return;
         throw Error(error ? code_of_system_error(error.value()) : ErrorCode::folder_not_empty,
                     fmt::format("cannot write seeds to '{}': {}; choose a new or an empty folder", folder_.string(),
-                                error ? error.message() : "it holds files"),
+                                error ? error.message() : "it contains files"),
                     {"output"});
     }
     ~SeedFolder() {
@@ -88,9 +88,11 @@ std::int64_t frame_of(const fs::path& file) {
     std::int64_t frame = 0;
     const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), frame);
     if (error == std::errc() && digits < name.size()) return frame;
-    throw Error(ErrorCode::input_unsuitable,
-                fmt::format("'{}': the name of a flow ends in the number of its frame, such as frame000012.flo",
-                            file.string()));
+    throw Error(
+        ErrorCode::input_unsuitable,
+        fmt::format(
+            "'{}': the file name does not end with a frame number; rename the file, for example to frame000012.flo",
+            file.string()));
 }
 
 /// These files have flow only; objects are unknown.
@@ -101,21 +103,22 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
         if (entry.path().extension() != ".flo") continue;
         const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
         if (is_new) continue;
-        throw Error(ErrorCode::file_invalid, fmt::format("'{}': frame {} has a flow already, '{}'",
-                                                         entry.path().string(), known->first, known->second.string()));
+        throw Error(ErrorCode::file_invalid,
+                    fmt::format("'{}' has the flow of frame {}, as has '{}'; remove one of them", entry.path().string(),
+                                known->first, known->second.string()));
     }
     if (files.empty()) {
         const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
-                                       : std::string("is no extraction and holds no .flo file");
-        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::file_not_found,
-                    fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
-                                job.flow.string(), what));
+                                       : std::string("is not an extraction and has no .flo files");
+        throw Error(
+            error ? code_of_system_error(error.value()) : ErrorCode::file_not_found,
+            fmt::format("'{}' {}; name a folder of `vvr extract`, or one with .flo files", job.flow.string(), what));
     }
     const bool magnitude = job.seeds.order == fields::seed_orders().front();
     if (job.seeds.area->object_alone || !magnitude) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
-                                "seed-order magnitude, or name an extraction",
+                    fmt::format("'{}' has only flow and no objects; choose seed-area field and seed-order magnitude, "
+                                "or name an extraction",
                                 job.flow.string()),
                     {setting::seed_area.name, setting::seed_order.name});
     }
@@ -134,8 +137,8 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
         filter != fields.settings().end() && Choice<fields::FilterRow>(filter->second)->traits.shows_object;
     if (!marks && job.seeds.area->object_alone) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
-                                "choose seed-area field",
+                    fmt::format("'{}' was extracted with a filter that does not mark objects, so seeds can't be "
+                                "limited to them; choose seed-area field",
                                 job.flow.string()),
                     {setting::seed_area.name});
     }
@@ -185,9 +188,9 @@ class Seeds final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (flows_.size() != 1)
             throw Error(flows_.empty() ? ErrorCode::input_missing : ErrorCode::input_unsuitable,
-                        "seeds need one FLOW: the folder of an extraction, or of .flo files");
+                        "seeds needs exactly one FLOW; name the folder of an extraction, or one with .flo files");
         if (job_.folder.empty())
-            throw Error(ErrorCode::output_missing, "no output: say where the lists go with -o DIR");
+            throw Error(ErrorCode::output_missing, "no output given; name the folder for the lists with -o DIR");
         job_.flow = flows_.front();
         cli::Console console(environment);
         write_seeds(job_, console);

@@ -52,9 +52,9 @@ class Watch final : public Command {
             const bool learns = reference != nullptr && reference->adapts;
             throw Error(ErrorCode::not_video,
                         fmt::format("'{}' ended before the first picture: {}", watch.name(),
-                                    learns ? "its first two seconds only show what the empty scene is; watch it for "
-                                             "longer, or take --reference first or a picture"
-                                           : "watch it for longer, or take a shorter --brick"));
+                                    learns ? "its first two seconds only served to learn the empty scene; watch it for "
+                                             "longer, or choose --reference first or a picture"
+                                           : "watch it for longer, or choose a shorter --brick"));
         }
         return cli::ExitStatus::done;
     }

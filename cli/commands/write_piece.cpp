@@ -59,8 +59,7 @@ const Encoding& encoding_for(const fs::path& path) {
         if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
     }
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': an exact piece can't be a {}, or its encoder is not installed; choose "
-                            "{}",
+                fmt::format("cannot write '{}': no installed encoder supports an exact piece as {}; choose {}",
                             path.string(), container.name, fmt::join(others, ", ")),
                 {"exact"});
 }
@@ -117,9 +116,9 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
 /// \param last time of the piece's last frame
 /// \param length of that frame
 void warn_of_end(const PieceJob& job, double last, double length, app::Observer& observer) {
-    if (!job.tells_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
+    if (!job.warns_of_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
     if (!job.span.end && !job.span.stop) return;
-    observer.warn(fmt::format("'{}' ends at {:.3f} s, before the piece was to end", job.name, last));
+    observer.warn(fmt::format("'{}' ends at {:.3f} s, earlier than the requested end of the piece", job.name, last));
 }
 
 // ---- A copy
@@ -130,8 +129,8 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
     for (const FootagePart& part : job.parts) {
         if (part.overlaps) {
             throw Error(ErrorCode::input_unsuitable,
-                        fmt::format("'{}' begins before the file before it ends, so a copy would show some time twice; "
-                                    "cut it exactly, which encodes the video anew",
+                        fmt::format("'{}' overlaps the file before it, so a copy would repeat some frames; encode the "
+                                    "piece instead of copying it",
                                     part.file.path),
                         {"exact"});
         }
@@ -182,18 +181,17 @@ bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_to
     for (const video::CopyPart& part : parts) damaged += part.piece.damaged;
     if (damaged > 0) {
         observer.warn(
-            fmt::format("'{}': {} of the piece copied as they are", job.name, counted(damaged, "damaged packet")));
+            fmt::format("'{}': {} copied unchanged into the piece", job.name, counted(damaged, "damaged packet")));
     }
     if (!copied.left_out.empty()) {
-        observer.info(fmt::format("'{}': left out, as it is neither picture, sound nor text: {}", job.path.string(),
-                                  fmt::join(copied.left_out, ", ")));
+        observer.info(fmt::format("'{}': left out streams that are neither video, audio nor subtitles: {}",
+                                  job.path.string(), fmt::join(copied.left_out, ", ")));
     }
     const double before = first.piece.wanted - first.piece.begin;
-    const std::string lead = before < 0.0005 ? "a key frame, where the piece does"
-                                             : fmt::format("the key frame {:.3f} s before the piece", before);
-    observer.info(fmt::format("'{}': {} copied, {:.3f} s to {:.3f} s of '{}'{}; it begins with {}", job.path.string(),
-                              counted(copied.packets, "frame"), begin, end, job.name, day_in_words(job, begin, end),
-                              lead));
+    const std::string lead = before < 0.0005 ? "" : fmt::format(" {:.3f} s before the piece", before);
+    observer.info(fmt::format("'{}': {} copied, {:.3f} s to {:.3f} s of '{}'{}; it begins at a key frame{}",
+                              job.path.string(), counted(copied.packets, "frame"), begin, end, job.name,
+                              day_in_words(job, begin, end), lead));
     return true;
 }
 
@@ -318,10 +316,10 @@ bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_
     const double rate = frames.info().rate;
     warn_of_end(job, encoded.end, rate > 0 ? 1 / rate : 0, observer);
     if (encoded.damaged > 0) {
-        observer.warn(fmt::format("'{}': {}; the piece has the frames that decoded", job.name,
+        observer.warn(fmt::format("'{}': {}; the piece has the frames that could be decoded", job.name,
                                   counted(encoded.damaged, "damaged packet")));
     }
-    observer.info(fmt::format("'{}': {} encoded anew without sound, {:.3f} s to {:.3f} s of '{}'{}", job.path.string(),
+    observer.info(fmt::format("'{}': {} encoded again without sound, {:.3f} s to {:.3f} s of '{}'{}", job.path.string(),
                               counted(encoded.frames, "frame"), encoded.begin, encoded.end, job.name,
                               day_in_words(job, encoded.begin, encoded.end)));
     return true;

@@ -24,7 +24,7 @@ struct PieceJob {
         created{};  ///< without a clock: the container's creation time, seconds since 1970 (UTC)
     app::InputOptions input;
     int threads = 0;
-    bool tells_early_end = true;  ///< warn if the footage ends before the piece
+    bool warns_of_early_end = true;  ///< warn if the footage ends before the piece
     std::filesystem::path path;
 };
 

@@ -154,8 +154,8 @@ void write_image(const std::string& file, const Image& image) {
             sized ? std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) : 0;
         if (!sized || image.rgba.size() != values) {
             throw Error(ErrorCode::usage,
-                        fmt::format("'{}': an image of {}x{} pixels can't have {} values; it needs 4 per pixel", file,
-                                    image.width, image.height, image.rgba.size()));
+                        fmt::format("'{}': an image of {}x{} pixels needs 4 values per pixel, but has {} in total",
+                                    file, image.width, image.height, image.rgba.size()));
         }
         auto pixels = Plane<image::Rgba>::for_overwrite({image.width, image.height});
         std::memcpy(std::as_writable_bytes(pixels.pixels()).data(), image.rgba.data(), values * sizeof(float));

@@ -88,7 +88,7 @@ void make_folder(const fs::path& out) {
     fs::create_directories(out, error);
     if (error) {
         throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
+                    fmt::format("cannot create the folder '{}': {}; choose another -o", out.string(), error.message()));
     }
     // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
     // the drawing.
@@ -135,8 +135,8 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
         {count(planned, archive::Need::nothing), "done before"},
         {count(planned, archive::Need::given_up), "failed too often (--tries)"},
         {count(planned, archive::Need::still_written) + found.waiting, "still being written (--settle)"},
-        {count(planned, archive::Need::later), "with more clips by now (--redraw)"},
-        {outcome.elsewhere, "left to another run or gone"}};
+        {count(planned, archive::Need::later), "waiting to be redrawn with more clips (--redraw)"},
+        {outcome.elsewhere, "drawn by another run or deleted"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
         if (clips == 0) continue;
@@ -153,9 +153,9 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
     if (first == clips.end()) return;
     const auto all = std::ranges::count_if(clips, is_ahead);
     log.warn(
-        "{} written in the future, by the time of the file, such as '{}'; a clock is wrong: that of the camera, of "
-        "the server or of this machine",
-        all == 1 ? "1 clip was" : fmt::format("{} clips were", all), (job.in / first->path).string());
+        "{} a modification time in the future, such as '{}'; check the clocks of the camera, the server and this "
+        "machine",
+        all == 1 ? "1 clip has" : fmt::format("{} clips have", all), (job.in / first->path).string());
 }
 
 void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
@@ -163,8 +163,9 @@ void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& 
     const auto first = std::ranges::find_if(clips, undated);
     if (first == clips.end()) return;
     log.warn(
-        "'{}': the names of {} do not tell when they were recorded, the first '{}'; each is taken to be of the day "
-        "when it was last written, which need not be the day it shows; --names can tell",
+        "'{}': {} have no recording time in the name, for example '{}'; each is assigned to the day when the file was "
+        "last "
+        "modified, which may be wrong; describe the names with --names",
         job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 
@@ -199,12 +200,12 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
 
 /// Runs a step that follows the drawing. An error about one file is logged, so that the next step still runs.
 /// \returns whether the step succeeded
-bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
+bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
     try {
         step();
         return true;
     } catch (const Error& error) {
-        if (!is_of_one_file(error)) throw;
+        if (!affects_one_file(error)) throw;
         cli::log_error(log, error.code(), error.what());
         return false;
     }
@@ -224,7 +225,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     const archive::ClipNames clips(options.match, options.exclude);
     const Survey found = survey(options, clips, job, environment.log);
     if (found.clips == 0) {
-        environment.log.warn("no clips below '{}' (looked for {})", job.in.string(), clips.wanted());
+        environment.log.warn("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
     }
     if (options.dry_run) {
         print_plan(found.planned, job);
@@ -242,14 +243,14 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);
         environment.log.log(job.sandbox->is_whole() ? spdlog::level::info : spdlog::level::warn, "{}",
                             job.sandbox->summary());
-        environment.log.debug("{} at a time, {} each, {} MB each", counted(shares.workers, "clip"),
+        environment.log.debug("{} at a time, each with {} and {} MB", counted(shares.workers, "clip"),
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
         outcome = draw_clips(job, work, shares.workers, environment);
     }
     // Write the index even if pruning failed.
     const bool pruned =
-        !options.prune || goes_well(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
-    const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, environment); });
+        !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
+    const bool indexed = options.no_index || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     if (!pruned || !indexed) return cli::ExitStatus::io;

@@ -34,24 +34,25 @@ namespace fs = std::filesystem;
 constexpr int killed = 128;  // plus the signal number, as in a shell
 
 std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
-    const std::string words = words_of(end);
+    const std::string words = error_text_of(end);
     if (end.timed_out) {
-        return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
+        return fmt::format("it took longer than the limit of {} s (--timeout)", limits.time.count());
     }
     if (end.wrote_too_much) {
-        return fmt::format("it wrote more than the {} MB that a worker may write", limits.written / 1'000'000);
+        return fmt::format("it wrote more than the limit of {} MB for a worker", limits.written / 1'000'000);
     }
     if (end.status > killed) {
         const int signal = end.status - killed;
         return fmt::format(
-            "the worker was ended by signal {} ({}), for a bug or for more memory than --max-memory "
-            "allows, {} MB{}{}",
+            "the worker was ended by signal {} ({}), because of a bug or of the limit on its memory, {} MB "
+            "(--max-memory){}{}",
             signal, ::strsignal(signal), limits.memory / 1'000'000, words.empty() ? "" : ": ", words);
     }
     if (end.status == static_cast<int>(cli::ExitStatus::limit)) {
-        return fmt::format("{}; --max-memory gives a worker {} MB", words, limits.memory / 1'000'000);
+        return fmt::format("{}; the limit for a worker is {} MB (--max-memory)", words, limits.memory / 1'000'000);
     }
-    return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
+    return words.empty() ? fmt::format("the worker ended with status {} and without an error message", end.status)
+                         : words;
 }
 
 /// Free bytes without which the next clip would fail too.
@@ -78,15 +79,16 @@ int disk_full_reason(const fs::path& folder) {
 void throw_if_system_fault(const std::string& clip, const fs::path& folder, const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
-        const std::string words = words_of(end);
-        throw Error(ErrorCode::worker_start_failed,
-                    fmt::format("the worker for '{}' could not be started{}", clip,
-                                words.empty() ? "; is vvr's own file still there?" : ": " + words));
+        const std::string words = error_text_of(end);
+        throw Error(
+            ErrorCode::worker_start_failed,
+            fmt::format("cannot start the worker for '{}'{}", clip,
+                        words.empty() ? "; check that the file of the program vvr still exists" : ": " + words));
     }
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = disk_full_reason(folder);
     if (code_of_system_error(error) != ErrorCode::disk_full) return;
-    throw Error(ErrorCode::disk_full, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
+    throw Error(ErrorCode::disk_full, fmt::format("cannot write to '{}': {}; free some space or choose another folder",
                                                   folder.string(), std::generic_category().message(error)));
 }
 
@@ -125,7 +127,7 @@ ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
     if (end.status > killed) return ErrorCode::worker_killed;
-    const auto told = end.told.code ? end.told.code : mark_of_code(one_line(end.said)).code;
+    const auto told = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
     if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
     return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
 }
@@ -140,7 +142,7 @@ void remove_files(const fs::path& out, const std::string& clip, const std::vecto
 
 }  // namespace
 
-bool could_not_draw(const WorkerResult& end) {
+bool opengl_failed(const WorkerResult& end) {
     return end.status == static_cast<int>(cli::ExitStatus::backend);
 }
 
@@ -151,17 +153,18 @@ std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
                                     job.sandbox->around({}, job.out));
 }
 
-std::string words_of(const WorkerResult& end) {
-    if (!end.told.text.empty()) return end.told.text;
+std::string error_text_of(const WorkerResult& end) {
+    if (!end.message.text.empty()) return end.message.text;
     // The process may not have become vvr yet, or a library may have ended it. Keep all lines of the last error.
     constexpr std::string_view own = "vvr: ";
-    std::size_t begin = end.said.starts_with(own) ? 0 : std::string::npos;
-    if (const auto later = end.said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
-    std::string words = one_line(begin == std::string::npos ? end.said : end.said.substr(begin + own.size()));
+    std::size_t begin = end.stderr_end.starts_with(own) ? 0 : std::string::npos;
+    if (const auto later = end.stderr_end.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
+    std::string words =
+        one_line(begin == std::string::npos ? end.stderr_end : end.stderr_end.substr(begin + own.size()));
     return words.substr(0, mark_of_code(words).begin);
 }
 
-bool is_of_one_file(const Error& error) {
+bool affects_one_file(const Error& error) {
     return error.kind() == ErrorKind::io && error.code() != ErrorCode::disk_full;
 }
 
@@ -205,7 +208,7 @@ namespace {
 
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
     throw Error(code_of_system_error(error.value()),
-                fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in the way",
+                fmt::format("cannot create the folder '{}': {}; choose another -o, or remove what is in its place",
                             folder.string(), error.message()));
 }
 
@@ -237,12 +240,12 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     archive::check_own_place(archive::sidecar_path(job.out, path));
     for (const archive::OutputKind kind : job.rules.files)
         archive::check_own_place(archive::output_path(job.out, path, kind));
-    ClipTask turn(job, std::move(*clip), std::move(before), std::move(*claim));
-    fs::create_directory(turn.staging(), error);
+    ClipTask task(job, std::move(*clip), std::move(before), std::move(*claim));
+    fs::create_directory(task.staging(), error);
     if (error) {
-        throw_no_folder(turn.staging(), error);
+        throw_no_folder(task.staging(), error);
     }
-    return turn;
+    return task;
 }
 
 std::unique_ptr<Worker> ClipTask::start() const {
@@ -289,15 +292,14 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     sidecar.status = end.status;
     if (is_not_whole(end)) {
         sidecar.code = code_of(end);
-        sidecar.reason = words_of(end);
+        sidecar.reason = error_text_of(end);
     }
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
         if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
-        throw Error(ErrorCode::worker_result_invalid,
-                    fmt::format("the worker said that all is done, and there is no '{}'",
-                                archive::output_path("", clip_.path, kind).string()));
+        throw Error(ErrorCode::worker_result_invalid, fmt::format("the worker reported success but did not write '{}'",
+                                                                  archive::output_path("", clip_.path, kind).string()));
     }
     return sidecar;
 }
@@ -348,8 +350,8 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
     } catch (const Error& error) {
         sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, error.what(), end.seconds);
     } catch (const std::bad_alloc&) {
-        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid,
-                          "its report is too large for the memory there is", end.seconds);
+        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, "its report is too large to fit in memory",
+                          end.seconds);
     }
     const auto held = signals.hold();
     if (sidecar.state == archive::Sidecar::State::done) {
@@ -359,8 +361,7 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             fs::rename(staged(kind), place, error);
             if (error) {
                 throw Error(code_of_system_error(error.value()),
-                            fmt::format("cannot write '{}': {}; choose another folder or fix its "
-                                        "permissions",
+                            fmt::format("cannot write '{}': {}; choose another folder or fix its permissions",
                                         place.string(), error.message()));
             }
         }

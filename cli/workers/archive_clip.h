@@ -31,7 +31,7 @@ struct ArchiveJob {
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 };
 
-/// One clip in work. It holds the lock of the clip's files.
+/// A clip that is being drawn. It holds the lock of the clip's files.
 class ClipTask {
   public:
     /// Nothing if another program has the clip, if it is already done, or if it no longer exists.
@@ -73,15 +73,15 @@ class ClipTask {
 };
 
 /// Whether the worker reports an OpenGL error. The clip need not be the cause: see start_drawing_test.
-bool could_not_draw(const WorkerResult& end);
+bool opengl_failed(const WorkerResult& end);
 
 /// Starts a worker that reads no clip. Its exit status is 0 if workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
 
 /// The worker's error text for people; if it sent none, the end of its stderr.
-std::string words_of(const WorkerResult& end);
+std::string error_text_of(const WorkerResult& end);
 
 /// Whether an error concerns one file only: io, but not a full disk.
-bool is_of_one_file(const Error& error);
+bool affects_one_file(const Error& error);
 
 }  // namespace vvr::workers

@@ -26,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts the clips of a run and logs what happened to each.
-class Account {
+class ClipTally {
   public:
-    Account(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
+    ClipTally(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
 
     /// \param warnings from the worker
     void add(const archive::Sidecar& sidecar, const std::vector<std::string>& warnings) {
@@ -36,7 +36,7 @@ class Account {
         if (sidecar.state == archive::Sidecar::State::failed) {
             fail(sidecar.clip.path, sidecar.code.value_or(ErrorCode::bug),
                  fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
-                             sidecar.shows ? "; the picture that is there stays" : ""));
+                             sidecar.shows ? "; the older picture is kept" : ""));
             return;
         }
         ++outcome_.drawn;
@@ -58,44 +58,45 @@ class Account {
         cli::log_error(log_, code, fmt::format("{} {} failed, {}", next(), archive::text_of_path(clip), reason));
     }
 
-    void pass_over(const std::string& clip) {
+    void skip(const std::string& clip) {
         ++outcome_.elsewhere;
-        log_.debug("{} {}: another run has it, or it has gone", next(), archive::text_of_path(clip));
+        log_.debug("{} {}: skipped, because another run draws it or it was deleted", next(),
+                   archive::text_of_path(clip));
     }
 
     const ArchiveOutcome& outcome() const { return outcome_; }
 
   private:
-    std::string next() { return fmt::format("{}/{}", ++told_, clips_); }
+    std::string next() { return fmt::format("{}/{}", ++logged_, clips_); }
 
     std::size_t clips_;
     spdlog::logger& log_;
-    std::size_t told_ = 0;
+    std::size_t logged_ = 0;
     ArchiveOutcome outcome_;
 };
 
 /// Takes a clip. If its files can't be locked, the clip has failed, and no sidecar can say so.
-std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& clip, Account& account) {
+std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& clip, ClipTally& tally) {
     try {
-        auto turn = ClipTask::take(job, clip);
-        if (!turn) account.pass_over(clip);
-        return turn;
+        auto task = ClipTask::take(job, clip);
+        if (!task) tally.skip(clip);
+        return task;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::disk_full) throw;
-        account.fail(clip, error.code(), error.what());
+        tally.fail(clip, error.code(), error.what());
         return std::nullopt;
     }
 }
 
 /// Finishes a clip. If its results can't be read or written, the clip has failed and the others go on.
 /// \throws Error for a full disk, or anything else that is not about this clip's files
-std::optional<archive::Sidecar> finish_task(ClipTask& turn, const std::string& clip, const WorkerResult& end,
-                                            Account& account, cli::Signals& signals) {
+std::optional<archive::Sidecar> finish_task(ClipTask& task, const std::string& clip, const WorkerResult& end,
+                                            ClipTally& tally, cli::Signals& signals) {
     try {
-        return turn.finish(end, signals);
+        return task.finish(end, signals);
     } catch (const Error& error) {
-        if (!is_of_one_file(error)) throw;
-        account.fail(clip, error.code(), error.what());
+        if (!affects_one_file(error)) throw;
+        tally.fail(clip, error.code(), error.what());
         return std::nullopt;
     }
 }
@@ -173,62 +174,62 @@ namespace {
 class Drawing {
   public:
     Drawing(const ArchiveJob& job, std::size_t clips, int workers, const cli::Environment& environment)
-        : job_(job), environment_(environment), account_(clips, environment.log), pool_(workers, environment.signals) {}
+        : job_(job), environment_(environment), tally_(clips, environment.log), pool_(workers, environment.signals) {}
 
     void draw(const std::string& clip) {
         pool_.wait_for_room();
-        std::optional<ClipTask> turn = begin_task(job_, clip, account_);
-        if (!turn) return;
-        std::unique_ptr<Worker> worker = turn->start();
+        std::optional<ClipTask> task = begin_task(job_, clip, tally_);
+        if (!task) return;
+        std::unique_ptr<Worker> worker = task->start();
         pool_.add(std::move(worker),
-                  [this, turn = std::make_shared<ClipTask>(std::move(*turn)), clip](const WorkerResult& end) {
-                      take({turn, clip, end});
+                  [this, task = std::make_shared<ClipTask>(std::move(*task)), clip](const WorkerResult& end) {
+                      take({task, clip, end});
                   });
     }
 
     ArchiveOutcome wait_for_all() {
         pool_.wait_for_all();
-        return account_.outcome();
+        return tally_.outcome();
     }
 
   private:
     struct Drawn {
-        std::shared_ptr<ClipTask> turn;
+        std::shared_ptr<ClipTask> task;
         std::string clip;
         WorkerResult end;
     };
 
     void take(Drawn drawn) {
-        if (!could_not_draw(drawn.end) || can_draw_ || account_.outcome().drawn > 0) {
+        if (!opengl_failed(drawn.end) || can_draw_ || tally_.outcome().drawn > 0) {
             finish(drawn);
             return;
         }
-        unsure_.push_back(std::move(drawn));
-        if (unsure_.size() > 1) return;
+        undecided_.push_back(std::move(drawn));
+        if (undecided_.size() > 1) return;
         pool_.add(start_drawing_test(job_), [this](const WorkerResult& end) { take_test(end); });
     }
 
     void take_test(const WorkerResult& end) {
-        const std::vector<Drawn> unsure = std::exchange(unsure_, {});
+        const std::vector<Drawn> undecided = std::exchange(undecided_, {});
         if (end.status != 0) {
-            const std::string words = words_of(end);
-            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip could be drawn, so this run ends here: {}",
-                                                                   words.empty() ? "OpenGL doesn't start" : words));
+            const std::string words = error_text_of(end);
+            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip can be drawn, so this run ends: {}",
+                                                                   words.empty() ? "OpenGL does not start" : words));
         }
         can_draw_ = true;
-        for (const Drawn& drawn : unsure) finish(drawn);
+        for (const Drawn& drawn : undecided) finish(drawn);
     }
 
     void finish(const Drawn& drawn) {
-        const auto sidecar = finish_task(*drawn.turn, drawn.clip, drawn.end, account_, environment_.signals);
-        if (sidecar) account_.add(*sidecar, drawn.end.told.warnings);
+        const auto sidecar = finish_task(*drawn.task, drawn.clip, drawn.end, tally_, environment_.signals);
+        if (sidecar) tally_.add(*sidecar, drawn.end.message.warnings);
     }
 
     const ArchiveJob& job_;
     const cli::Environment& environment_;
-    Account account_;
+    ClipTally tally_;
     bool can_draw_ = false;
-    std::vector<Drawn> unsure_{};
+    std::vector<Drawn> undecided_{};
     WorkerPool pool_;
 };
 
@@ -248,7 +249,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
     if (claim.is_stale()) image::remove_leftovers(job.out, files);
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {
-        environment.log.warn("'{}': {}; it is left alone, and the index has nothing of it",
+        environment.log.warn("'{}': {}; it is left unchanged and is missing from the index",
                              (job.out / problem.path).string(), problem.reason);
     }
     archive::tidy(job.out, outputs);
@@ -257,7 +258,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
         try {
             put_file(job.out / name, text, environment.signals);
         } catch (const Error& error) {
-            if (!is_of_one_file(error)) throw;
+            if (!affects_one_file(error)) throw;
             // The index is useful without the events of one day.
             cli::log_error(environment.log, error.code(), error.what());
         }
@@ -296,7 +297,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
             archive::remove_outputs(job.out, sidecar);
-            environment.log.info("{}: the clip has gone, and its picture with it", name);
+            environment.log.info("{}: the clip was deleted, so its picture was removed", name);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
             cli::log_error(environment.log, error.code(), error.what());
@@ -304,14 +305,14 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
     }
     for (const std::string& folder : away) {
         environment.log.warn(
-            "'{}' is empty or not there, so its pictures stay: it may be a disk that is not mounted; if its clips are "
-            "gone for good, remove the pictures yourself",
+            "'{}' is empty or missing, so its pictures are kept: its disk may not be mounted; if the clips were "
+            "deleted, remove the pictures yourself",
             (job.in / folder).string());
     }
     if (unknown > 0) {
         environment.log.warn(
-            "{} drawn by an older vvr, which did not note the clips, so they stay; if those are gone "
-            "for good, remove the pictures yourself",
+            "{} drawn by an older vvr, which did not record the clips, so the pictures are kept; if the clips were "
+            "deleted, remove the pictures yourself",
             unknown == 1 ? "1 day was" : fmt::format("{} days were", unknown));
     }
     return removed;

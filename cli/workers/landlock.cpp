@@ -87,8 +87,9 @@ constexpr std::array uses{
 };
 
 [[noreturn]] void refuse(const char* what, int error) {
-    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
-                                                            what, std::generic_category().message(error)));
+    throw Error(ErrorCode::worker_start_failed,
+                fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
+                            std::generic_category().message(error)));
 }
 
 }  // namespace

@@ -140,12 +140,12 @@ std::string reason(int error) {
 }
 
 std::string landlock_error_text(const Landlock& landlock) {
-    return fmt::format("this kernel has no Landlock ({}), by which files are kept from them", reason(landlock.error));
+    return fmt::format("this kernel has no Landlock ({}), so workers can use all files of this user",
+                       reason(landlock.error));
 }
 
 std::string seccomp_error_text(int error) {
-    return fmt::format("this kernel has no seccomp filters ({}), by which the network is kept from them",
-                       reason(error));
+    return fmt::format("this kernel has no seccomp filters ({}), so workers can use the network", reason(error));
 }
 
 }  // namespace
@@ -166,9 +166,8 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
     no_filter_ = call_filter_error();
     if (mode == SandboxMode::required && (landlock_.abi == 0 || no_filter_ != 0)) {
         throw Error(ErrorCode::sandbox_unavailable,
-                    fmt::format("workers can't be shut in, and --sandbox required asks for it: {}; use a kernel that "
-                                "has it (Linux 5.13 or later, and in a container one that lets it through), or "
-                                "--sandbox auto",
+                    fmt::format("--sandbox required is not possible: {}; use Linux 5.13 or later (in a container, its "
+                                "runtime must allow it too), or --sandbox auto",
                                 landlock_.abi == 0 ? landlock_error_text(landlock_) : seccomp_error_text(no_filter_)));
     }
     if (no_filter_ == 0) filter_ = std::make_unique<CallFilter>(needs.gpu);
@@ -178,17 +177,16 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
 }
 
 std::string Sandbox::summary() const {
-    if (mode_ == SandboxMode::off) return "no sandbox: workers may do all that you may (--sandbox off)";
+    if (mode_ == SandboxMode::off) return "no sandbox: workers have all permissions of this user (--sandbox off)";
     if (landlock_.abi == 0 && no_filter_ != 0) {
         return fmt::format("no sandbox: {}; {}", landlock_error_text(landlock_), seccomp_error_text(no_filter_));
     }
-    if (landlock_.abi == 0) return fmt::format("workers have no network (seccomp); {}", landlock_error_text(landlock_));
-    const std::string walls = fmt::format(
-        "workers read their clips and write beside their pictures alone "
-        "(Landlock {})",
-        landlock_.abi);
+    if (landlock_.abi == 0)
+        return fmt::format("workers can't use the network (seccomp); {}", landlock_error_text(landlock_));
+    const std::string walls =
+        fmt::format("workers can only read their clips and write beside their pictures (Landlock {})", landlock_.abi);
     if (no_filter_ != 0) return fmt::format("{}; {}", walls, seccomp_error_text(no_filter_));
-    return walls + ", and have no network (seccomp)";
+    return walls + ", and can't use the network (seccomp)";
 }
 
 Confinement Sandbox::around(const std::vector<std::filesystem::path>& files,

@@ -288,8 +288,9 @@ namespace vvr::workers {
 namespace {
 
 [[noreturn]] void refuse(std::string_view what, int error) {
-    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
-                                                            what, std::generic_category().message(error)));
+    throw Error(ErrorCode::worker_start_failed,
+                fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
+                            std::generic_category().message(error)));
 }
 
 /// libseccomp functions return a negative errno on failure.

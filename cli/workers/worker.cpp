@@ -31,7 +31,7 @@ namespace vvr::workers {
 
 namespace {
 
-constexpr std::size_t most_said = 4096;  // keep the end: errors come last
+constexpr std::size_t most_kept = 4096;  // keep the end: errors come last
 
 [[noreturn]] void refuse(const char* what, int error) {
     throw Error(ErrorCode::worker_start_failed, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
@@ -177,14 +177,14 @@ Worker::Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, 
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
-    const ChildSetup birth{
+    const ChildSetup child{
         ::getpid(),  plan_file.get(),          said.in.get(),           nothing.get(), told.in.get(), inherited, limits,
         confinement, argument_pointers.data(), variable_pointers.data()};
     process_ = ::fork();
-    if (process_ == 0) birth.run();
+    if (process_ == 0) child.run();
     if (process_ < 0) refuse("fork", errno);
     output_ = said.out.release();
-    told_ = told.out.release();
+    message_pipe_ = told.out.release();
     ::setpgid(process_, process_);  // parent and child both call it, to avoid a race
 }
 
@@ -194,7 +194,7 @@ Worker::~Worker() {
         reap(true);
     }
     ::close(output_);
-    ::close(told_);
+    ::close(message_pipe_);
 }
 
 /// Kills the process too, as without a sandbox it may have left its group.
@@ -240,8 +240,8 @@ void Worker::read_output() {
     for (int reads = 0; reads < most_reads; ++reads) {
         const ssize_t count = ::read(output_, room.data(), room.size());
         if (count <= 0) return;
-        end_.said.append(room.data(), static_cast<std::size_t>(count));
-        if (end_.said.size() > most_said) end_.said.erase(0, end_.said.size() - most_said);
+        end_.stderr_end.append(room.data(), static_cast<std::size_t>(count));
+        if (end_.stderr_end.size() > most_kept) end_.stderr_end.erase(0, end_.stderr_end.size() - most_kept);
     }
 }
 
@@ -250,7 +250,7 @@ void Worker::read_output() {
 void Worker::read_message() {
     std::array<char, 4096> room{};
     while (message_.size() <= longest_message) {
-        const ssize_t count = ::read(told_, room.data(), room.size());
+        const ssize_t count = ::read(message_pipe_, room.data(), room.size());
         if (count <= 0) return;
         message_.append(room.data(), static_cast<std::size_t>(count));
     }
@@ -265,7 +265,7 @@ void Worker::reap(bool wait) {
     ended_ = true;
     read_message();
     end_.began = !message_.empty();
-    if (message_.size() > 1) end_.told = decode_message(std::string_view(message_).substr(1));
+    if (message_.size() > 1) end_.message = decode_message(std::string_view(message_).substr(1));
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }
@@ -274,7 +274,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience = 800ms;  // how long workers have to end after SIGTERM
+constexpr auto grace = 800ms;  // how long workers have to end after SIGTERM
 
 }  // namespace
 
@@ -282,13 +282,13 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
     : most_(most), signals_(signals), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
     if (wake_ < 0) {
         throw Error(ErrorCode::worker_start_failed,
-                    fmt::format("cannot wait for workers: {}; allow the program more open files",
+                    fmt::format("cannot wait for workers: {}; raise the limit of open files (ulimit -n)",
                                 std::generic_category().message(errno)));
     }
     signals_.set_exit_hook([this] {
         ending_ = true;
         ::eventfd_write(wake_, 1);
-        for (auto waited = std::chrono::milliseconds::zero(); !ended_ && waited < 2 * patience; waited += 10ms)
+        for (auto waited = std::chrono::milliseconds::zero(); !ended_ && waited < 2 * grace; waited += 10ms)
             std::this_thread::sleep_for(10ms);
     });
 }
@@ -337,7 +337,7 @@ void WorkerPool::sleep() const {
 void WorkerPool::end_all() {
     for (const Job& job : jobs_) job.worker->interrupt();
     const auto begin = std::chrono::steady_clock::now();
-    while (!jobs_.empty() && std::chrono::steady_clock::now() - begin < patience) {
+    while (!jobs_.empty() && std::chrono::steady_clock::now() - begin < grace) {
         std::erase_if(jobs_, [](const Job& job) { return job.worker->update(); });
         std::this_thread::sleep_for(5ms);
     }

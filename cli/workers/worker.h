@@ -31,8 +31,8 @@ struct WorkerResult {
     bool began = false;           ///< it got as far as begin_worker
     bool timed_out = false;       ///< and was killed for that
     bool wrote_too_much = false;  ///< and was killed for that
-    WorkerMessage told;           ///< its message; empty if it sent none
-    std::string said;             ///< the end of its stderr, for people
+    WorkerMessage message;        ///< its message; empty if it sent none
+    std::string stderr_end;       ///< the end of its stderr, for people
     double seconds = 0;
 };
 
@@ -73,8 +73,8 @@ class Worker {
 
     pid_t process_ = -1;
     int output_ = -1;
-    int told_ = -1;
-    std::string message_;  ///< what came from `told_`
+    int message_pipe_ = -1;
+    std::string message_;  ///< what came from `message_pipe_`
     bool ended_ = false;
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;

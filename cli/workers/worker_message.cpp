@@ -110,7 +110,7 @@ WorkerPlan read_plan() {
     }
 }
 
-void tell_parent(int parent, WorkerMessage message) {
+void send_to_parent(int parent, WorkerMessage message) {
     const std::string text = encode(std::move(message));
     [[maybe_unused]] const ssize_t told = ::write(parent, text.data(), text.size());
 }

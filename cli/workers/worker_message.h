@@ -59,13 +59,12 @@ inline constexpr std::string_view worker_variable = "VVR_WORKER";
 std::string worker_value(int parent, bool confined);
 
 /// Written to stderr when the sandbox fails: by begin_worker, or by the child process before exec.
-inline constexpr std::string_view no_sandbox_text =
-    "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
+inline constexpr std::string_view no_sandbox_text = "vvr: the system denied a worker its sandbox; try --sandbox off\n";
 inline constexpr int not_begun_status = 127;
 
 /// In a worker: gives up the system calls that only startup needs, and tells the parent that the worker has begun. The
 /// parent can then tell a worker that never began from one that a clip crashed.
-/// \returns the descriptor for tell_parent; nothing if this process is not a worker
+/// \returns the descriptor for send_to_parent; nothing if this process is not a worker
 std::optional<int> begin_worker();
 
 /// In a worker: reads the plan from stdin.
@@ -73,6 +72,6 @@ std::optional<int> begin_worker();
 WorkerPlan read_plan();
 
 /// In a worker that ends: sends its message.
-void tell_parent(int parent, WorkerMessage message);
+void send_to_parent(int parent, WorkerMessage message);
 
 }  // namespace vvr::workers

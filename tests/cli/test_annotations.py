@@ -79,7 +79,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     check(data["clock"] is None and '<p id="summary">0:00 to 0:12, 120 frames; time of day not known</p>' in page, page[-3000:])
 
     told = t.vvr("info", "dated.mp4")
-    check("written  2026-11-21 07:30:00 UTC, as the container says; that need not be when it was recorded" in told.out, str(told))
+    check("written  2026-11-21 07:30:00 UTC, as the container says; it may have been recorded at another time" in told.out, str(told))
     check("recorded 2" not in told.out and "22:26" not in told.out, str(told))
     told = json.loads(t.vvr("info", "dated.mp4", "--json").out)
     check(told["recorded"] is None and told["recorded_by"] is None and told["written"] == "2026-11-21 07:30:00", str(told))
@@ -160,7 +160,7 @@ def test_labels_need_a_font(t):
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
     done = t.vvr("render", "clip.avi", "-o", "out.png", "--size", "640x480", env=environment)
-    done.expect(0, "warning: fontconfig finds no font, so the picture has no text; install one")
+    done.expect(0, "warning: fontconfig found no font, so the picture has no text; install one")
     t.expect_picture("out.png", (640, 480))
 
 
@@ -169,7 +169,7 @@ def test_captions_of_a_frame_need_a_font(t):
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
     t.vvr("inspect", "clip.avi", "--frame", "3f", "-o", "frame.png", env=environment).expect(
-        0, "fontconfig finds no font, so 'frame.png' has no captions; install one, for example fonts-dejavu-core")
+        0, "fontconfig found no font, so 'frame.png' has no captions; install one, such as fonts-dejavu-core")
 
 
 def test_keyframes_need_the_clips_length(t):

@@ -401,8 +401,8 @@ def test_archive_prunes(t):
     archive(t).expect(0, "nothing to do")
     check("b.avi.png" in outputs(t), "removed unasked")
     check(sorted(archive(t, "--prune", "--dry-run").out.splitlines()) == ["gone            b.avi", "gone            cam/2026-11-21/c.avi"], "dry run")
-    archive(t, "--prune").expect(0, "b.avi: the clip has gone, and its picture with it",
-                                 *[f"warning: 'in/{name}' is empty or not there, so its pictures stay: it may be a disk that is not mounted" for name in ("disk", "away", "linked")])
+    archive(t, "--prune").expect(0, "b.avi: the clip was deleted, so its picture was removed",
+                                 *[f"warning: 'in/{name}' is empty or missing, so its pictures are kept: its disk may not be mounted" for name in ("disk", "away", "linked")])
     kept = ("a.avi", "cam/2026-11-22/c.avi", "disk/d.avi", "away/e.avi", "linked/f.avi")
     expected = [clip + ending for clip in kept for ending in ENDINGS]
     check(outputs(t) == sorted(expected + ["b.avi.txt", "mine/x.avi.png", "index.html"]), str(outputs(t)))
@@ -679,8 +679,8 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     for name, written in (("a.avi", 1795176000), ("b.avi", 1795176060)):  # 2026-11-20 12:00
         os.utime(t.path(f"in/gate/{name}"), (written, written))
     archive(t, "--per", "both").expect(
-        0, "warning: 'in': the names of 2 clips do not tell when they were recorded, the first 'gate/a.avi'; each is taken to be of "
-        "the day when it was last written", "3 clips drawn")
+        0, "warning: 'in': 2 clips have no recording time in the name, for example 'gate/a.avi'; each is assigned to the day when the file "
+        "was last modified", "3 clips drawn")
     report = json.loads(t.path("out/gate/2026-11-20.report.json").read_text())
     check(any("by their modification times" in problem for problem in report["problems"]),
           f"{report['problems']}")
@@ -722,7 +722,7 @@ def test_archive_draws_days_of_cameras(t):
     # Segments come: the day is drawn again when enough has come, or nothing more.
     frigate(t, "2026-11-21/08/gate/00.06.avi")
     os.utime(t.path("in/2026-11-21/08/gate/00.06.avi"), (time.time() - 70, time.time() - 70))
-    archive(t, "--per", "day", "--redraw", "2d").expect(0, "1 with more clips by now (--redraw)")
+    archive(t, "--per", "day", "--redraw", "2d").expect(0, "1 waiting to be redrawn with more clips (--redraw)")
     check(sidecar(t, "gate/2026-11-21")["frames"] == 60, "drawn again too soon")
     archive(t, "--per", "day", "--redraw", "60s").expect(0, "1 clip drawn")
     check(sidecar(t, "gate/2026-11-21")["frames"] == 80, "not drawn again")
@@ -730,10 +730,10 @@ def test_archive_draws_days_of_cameras(t):
     t.path("in/2026-11-21/08/gate/00.00.avi").unlink()
     archive(t, "--per", "day", "--prune").expect(0, "nothing to do; 3 done before")
     t.path("in/2026-11-22/00/gate/00.00.avi").unlink()
-    archive(t, "--per", "day", "--prune").expect(0, "'in/2026-11-22/00/gate' is empty or not there, so its pictures stay")
+    archive(t, "--per", "day", "--prune").expect(0, "'in/2026-11-22/00/gate' is empty or missing, so its pictures are kept")
     for folder in ("gate", "", ".."):
         (t.path("in/2026-11-22/00") / folder).resolve().rmdir()
-    archive(t, "--per", "day", "--prune").expect(0, "gate/2026-11-22: the clip has gone")
+    archive(t, "--per", "day", "--prune").expect(0, "gate/2026-11-22: the clip was deleted")
     check("gate/2026-11-22.png" not in outputs(t) and "gate/2026-11-21.png" in outputs(t), f"{outputs(t)}")
     # Beside a picture of each clip.
     archive(t, "--per", "both", "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
@@ -767,10 +767,10 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     away = t.path("away")
     t.path(folders[21]).rename(away)
     t.path(folders[21]).mkdir()
-    prune(0, "'in/2026-11-21' is empty or not there, so its pictures stay")
+    prune(0, "'in/2026-11-21' is empty or missing, so its pictures are kept")
     t.path(folders[21]).rmdir()
     t.path(folders[21]).symlink_to("nowhere")
-    prune(0, "'in/2026-11-21' is empty or not there")
+    prune(0, "'in/2026-11-21' is empty or missing")
     t.path(folders[21]).unlink()
     away.rename(t.path(folders[21]))
     prune(0, options=("--exclude", "*/*/hall/*"))
@@ -799,7 +799,7 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
         t.write(f"out/{day}.json", json.dumps(known, indent=2))
     for hour in (10, 11):
         shutil.rmtree(t.path(f"{folders[20]}/{hour}/gate"))
-    prune(0, "1 day was drawn by an older vvr, which did not note the clips")
+    prune(0, "1 day was drawn by an older vvr, which did not record the clips")
 
 
 def test_archive_keeps_a_day_whose_redraw_fails(t):
@@ -832,7 +832,7 @@ def test_archive_says_that_clips_are_of_the_future(t):
     frigate(t, *[f"2026-11-21/08/gate/00.0{second}.avi" for second in (0, 2, 4)])
     later = time.time() + 365 * 86400
     os.utime(t.path("in/2026-11-21/08/gate/00.02.avi"), (later, later))
-    archive(t, "--per", "day").expect(0, "warning: 1 clip was written in the future, by the time of the file, such as 'in/2026-11-21/08/gate/00.02.avi'")
+    archive(t, "--per", "day").expect(0, "warning: 1 clip has a modification time in the future, such as 'in/2026-11-21/08/gate/00.02.avi'")
     known = sidecar(t, "gate/2026-11-21")
     check(known["day"]["clips"] == 3 and known["frames"] == 60, f"{known}")
     archive(t, "--per", "day").expect(0, "nothing to do; 1 done before")
@@ -842,6 +842,6 @@ def test_archive_says_that_clips_are_of_the_future(t):
 
 def test_archive_without_clips_says_what_it_looked_for(t):
     t.path("in").mkdir()
-    archive(t).expect(0, "no clips below 'in' (looked for ", ".avi ")
+    archive(t).expect(0, "no clips found below 'in'; searched for ", ".avi ")
     clips(t, "a.avi")
-    archive(t, "--match", "*.xyz", "--match", "gate/*").expect(0, "no clips below 'in' (looked for *.xyz gate/*)", "'out': nothing to do")
+    archive(t, "--match", "*.xyz", "--match", "gate/*").expect(0, "no clips found below 'in'; searched for *.xyz gate/*", "'out': nothing to do")

@@ -135,9 +135,9 @@ def test_golden_that_is_missing_then_blessed_then_met(t):
     golden(t).expect(7, "'golden.png'", "'golden.candidate.png'", "--bless", code="reference-missing")
     t.expect_files("clip.avi", "golden.candidate.png")
     t.expect_picture("golden.candidate.png")
-    golden(t, "--bless").expect(0, "'golden.png': blessed")
+    golden(t, "--bless").expect(0, "'golden.png': replaced by the new picture")
     t.expect_files("clip.avi", "golden.png")
-    golden(t).expect(0, "'golden.png': the same, 0.0000 % of the pixels off")
+    golden(t).expect(0, "'golden.png': matches; 0.0000 % of the pixels differ")
     quiet = golden(t, "--quiet").expect(0)
     check(quiet.err == "", str(quiet))
     t.expect_files("clip.avi", "golden.png")
@@ -201,7 +201,7 @@ def test_golden_options_that_do_not_fit(t):
 def test_bless_beside_diff(t):
     """The line of a workflow has --diff, and is what one adds --bless to."""
     t.clip()
-    golden(t, "--bless", "--diff", "d.png").expect(0, "'golden.png': blessed")
+    golden(t, "--bless", "--diff", "d.png").expect(0, "'golden.png': replaced by the new picture")
     t.expect_files("clip.avi", "golden.png")
     golden(t, "--diff", "d.png").expect(0)
     t.expect_files("clip.avi", "d.png", "golden.png")

@@ -30,10 +30,10 @@ def room_of(report, begin, end):
 
 def test_room_goes_where_something_moves(t):
     recording(t)
-    t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "frames share a layer")
+    t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "each layer merges ")
     check(report_of(t, "even.json")["volume"]["squeezed"] == [], "even time is squeezed")
     told = t.render("day.mkv", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(
-        0, "'busy.png': 2400 frames", "room along the arc goes where something moves: 36 min without motion are drawn short, in 3 places")
+        0, "'busy.png': 2400 frames", "36 min without motion are compressed on the time axis, in 3 places")
     report = report_of(t, "busy.json")
     texts = [label["text"] for label in report["labels"]]
     check(any(text.endswith("36 min without motion drawn short") for text in texts), f"{texts}")

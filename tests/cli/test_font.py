@@ -100,5 +100,5 @@ def test_golden_of_other_settings_says_so(t):
     done = t.vvr(*options).expect(0)
     check("other settings" not in done.err, str(done))
     t.vvr(*options, "--threshold", "25", "--tolerance-percent", "100", "--tolerance-patch", "1").expect(
-        0, "'golden.png' has other settings: threshold was 24, is 25")
+        0, "'golden.png' was drawn with other settings: threshold was 24, now 25")
     t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png'", "opacity", "1", "0.1", code="picture-differs")

@@ -38,7 +38,7 @@ def test_cut_video(t):
     t.clip("whole.avi", seconds=4)
     data = t.path("whole.avi").read_bytes()
     t.write("cut.avi", data[: len(data) * 3 // 5])
-    result = t.render("cut.avi").expect(0, "warning: 'cut.avi': 1 damaged packet; shown are ", " frames that decoded")
+    result = t.render("cut.avi").expect(0, "warning: 'cut.avi': 1 damaged packet; the picture shows the ", " frames that could be decoded")
     frames = int(result.err.split("shown are ")[1].split()[0])
     check(5 < frames < 35, f"{frames} frames of 40 in three fifths of the file")
     t.expect_picture()
@@ -52,7 +52,7 @@ def test_one_pixel_video(t):
 
 def test_one_frame(t):
     t.clip("one.avi", seconds=0.1)
-    said = t.render("one.avi").expect(0, "there is one frame, so nothing can move", "1 frame in 1 layer and 1 brick")
+    said = t.render("one.avi").expect(0, "has only one frame, so nothing can move", "1 frame in 1 layer and 1 brick")
     check("threshold" not in said.err, str(said))
     t.expect_picture()
 

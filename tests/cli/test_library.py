@@ -103,7 +103,7 @@ def test_settings_have_the_programs_names_and_checks(t, prefix):
     done = t.run(["c++", "-std=c++17", "main.cpp", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr", f"-Wl,-rpath,{prefix}/lib"])
     check(done.status == 0, str(done))
     for name, value, text in [
-            ("size", "200x100", "200x100 80000 0 usage: 'short.png': an image of 200x100 pixels can't have 79999 values"),
+            ("size", "200x100", "200x100 80000 0 usage: 'short.png': an image of 200x100 pixels needs 4 values per pixel, but has 79999 in total"),
             ("sise", "1x1", " 0 option-unknown: there is no setting 'sise' (did you mean 'size'?)"),
             ("slices", "-1", " 0 option-value-out-of-range: slices: '-1' is not a whole number from 0 to 16384"),
             ("help", "yes", " 0 option-unknown"), ("config", "/nowhere", " 0 option-unknown"),

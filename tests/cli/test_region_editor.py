@@ -20,7 +20,7 @@ def clip(t, name="clip.mkv"):
 def test_inspect_makes_a_region_editor(t):
     clip(t)
     t.vvr("inspect", "clip.mkv", "--frame", "2s", "-o", "roi.html").expect(
-        0, "vvr: 'roi.html': draw regions on frame 20 at 2.000 s, and copy the option for them")
+        0, "vvr: 'roi.html': a page to draw regions on frame 20 at 2.000 s")
     page = t.path("roi.html").read_text()
     check('viewBox="0 0 320 240"' in page and "clip.mkv" in page and "at 0:02, 320×240 pixels" in page, page[:2000])
     check(json.loads(re.search(r'id="data">(.*?)</script>', page)[1]) == {"option": "roi", "regions": ""}, "data")
@@ -46,7 +46,7 @@ def test_region_editor_shows_the_frame_itself(t):
 def test_region_editor_of_what_cannot_be(t):
     clip(t)
     t.vvr("inspect", "clip.mkv", "-o", "roi.html").expect(
-        0, "draw regions on frame 20 at 2.000 s, and copy the option for them; --frame TIME chooses another")
+        0, "a page to draw regions on frame 20 at 2.000 s; --frame TIME chooses another")
     t.path("roi.html").unlink()
     t.vvr("inspect", "clip.mkv", "--frame", "9s", "-o", "roi.html").expect(
         1, "--frame", "'clip.mkv'", "40 frames", "3.900 s", code="option-value-out-of-range")
@@ -56,7 +56,7 @@ def test_region_editor_of_what_cannot_be(t):
     t.expect_files("clip.mkv")
     t.ffmpeg("-i", "clip.mkv", "-frames:v", "1", "area.png")
     t.vvr("inspect", "clip.mkv", "--frame", "1s", "--roi", "area.png", "-o", "roi.html").expect(
-        0, "warning: --roi 'area.png' is a picture, so the page begins without it")
+        0, "warning: --roi 'area.png' is a picture, which the page can't edit")
 
 
 class Editor(Page):

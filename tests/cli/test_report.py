@@ -204,7 +204,7 @@ def test_report_advises_a_region_where_scraps_dominate(t):
     result = t.vvr("render", "peeking.mkv", "--report", "report.json", "--roi", "0,150 384,150 384,288 0,288").expect(0)
     left = read(t)
     check(len(left["events"]) == len(report["events"]) - len(small) and left["advice"] == [] and "--roi" not in result.err, str(left["advice"]))
-    t.vvr("render", "peeking.mkv", "-o", "series.{brick:2}.png", "--size", "160x100", "--brick", "40s", "--report", "series.json").expect(0, "choose where to look with --roi")
+    t.vvr("render", "peeking.mkv", "-o", "series.{brick:2}.png", "--size", "160x100", "--brick", "40s", "--report", "series.json").expect(0, "choose a region with --roi")
     check(read(t, "series.json")["advice"] == [advice], "a series has other advice")
     # Where a region was drawn already, there is nothing to say.
     t.vvr("render", "peeking.mkv", "--report", "report.json", "--roi", "0,0 384,0 384,288 0,288").expect(0)

@@ -21,7 +21,7 @@ UNSURE = {"empty its clip by opening", "count events", "open a ring", "use keys"
 HELD = {"make a giant file": errno.EFBIG, "grow its plan": errno.EPERM, "write into its plan": errno.EPERM}
 REFUSED = {errno.EACCES, errno.EPERM, errno.EXDEV, errno.ENOSYS}
 SIGSYS = 128 + signal.SIGSYS
-ALL_WALLS = ("workers read their clips and write beside their pictures alone", "and have no network (seccomp)")
+ALL_WALLS = ("workers can only read their clips and write beside their pictures", "and can't use the network (seccomp)")
 
 
 def landlock():
@@ -113,10 +113,10 @@ def test_no_worker_ends_the_run(t, mode):
     """Whatever one says, leaves or does that a clip has taken over: the others are drawn, and each try is counted."""
     said = {"exit-127": (127, "worker-result-invalid", "cannot execute"), "exit-2": (2, "io", "No space left on device"),
             "exit-4": (4, "backend", "no OpenGL"), "exit-5": (5, "limit", "out of memory"), "liar": (2, "disk-full", "No space left"),
-            "vague": (3, "not-video", "said nothing"), "deep": (3, "not-video", "said nothing"),
+            "vague": (3, "not-video", "without an error message"), "deep": (3, "not-video", "without an error message"),
             "done": (2, "worker-result-invalid", "cannot read the report"), "broken": (2, "worker-result-invalid", "cannot read the report"),
-            "sparse": (2, "worker-result-invalid", "100000000"), "closed": (3, "not-video", "said nothing"),
-            "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the 4000 MB that a worker may write")}
+            "sparse": (2, "worker-result-invalid", "100000000"), "closed": (3, "not-video", "without an error message"),
+            "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the limit of 4000 MB")}
     clips(t, "good.avi", *[f"{deed}.avi" for deed in said])
     os.utime(t.path("in/good.avi"), (1, 1))  # so that it comes last
     for tries in (1, 2):
@@ -203,12 +203,12 @@ def test_the_sandbox_is_said_once_a_run(t, walls):
     done = archive(t, "--match", "[ab].avi").expect(0, *ALL_WALLS, f"(Landlock {landlock()})")
     check(done.err.count("Landlock") == 1, str(done))
     check("Landlock" not in archive(t, "--match", "[ab].avi").expect(0, "nothing to do").err, "nobody was shut in")
-    archive(t, "--sandbox", "off").expect(0, "no sandbox: workers may do all that you may (--sandbox off)")
+    archive(t, "--sandbox", "off").expect(0, "no sandbox: workers have all permissions of this user (--sandbox off)")
 
 
 @pytest.mark.parametrize("features, said", [
-    ("landlock", ["workers have no network (seccomp); this kernel has no Landlock (Function not implemented), by which files"]),
-    ("seccomp", ["write beside their pictures alone (Landlock", "; this kernel has no seccomp filters (Invalid argument), by which the network"]),
+    ("landlock", ["workers can't use the network (seccomp); this kernel has no Landlock (Function not implemented), so workers"]),
+    ("seccomp", ["write beside their pictures (Landlock", "; this kernel has no seccomp filters (Invalid argument), so workers"]),
     ("landlock,seccomp", ["no sandbox: this kernel has no Landlock (Function not implemented)", "this kernel has no seccomp filters"]),
 ], ids=["landlock", "seccomp", "both"])
 def test_an_older_kernel_draws_with_what_it_has(t, walls, features, said):

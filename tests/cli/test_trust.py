@@ -328,7 +328,7 @@ def test_a_page_without_its_preview_is_a_page(t):
     t.ffmpeg("-i", "b.flv", "-c", "copy", "-bsf:v", "setts=ts='if(eq(N,15),2147480000,N*100)'", "-flvflags", "no_duration_filesize+no_metadata",
              "in/jump.flv")
     t.vvr("render", "in/jump.flv", "-o", "out.png", "--page", "out.html", "--size", "160x100", "--backend", "software").expect(
-        0, "warning: the page has stills and no preview, as libav made none: cannot encode 'preview': Invalid argument")
+        0, "warning: the page has stills but no video preview, because FFmpeg could not encode one: cannot encode 'preview': Invalid argument")
     check(t.path("out.html").exists() and t.path("out.png").exists(), f"{t.files()}")
     t.vvr("archive", "in", "-o", "out", *QUICK, "--settle", "0s").expect(0, "1 clip drawn, 0 failed")
 

@@ -131,7 +131,7 @@ def test_render_of_a_live_stream_is_refused(t):
         with Server(t, f"tcp://127.0.0.1:{port}?listen=1", loop=True):
             listening(port)
             t.vvr(command[0], f"tcp://127.0.0.1:{port}", *command[1:]).expect(
-                1, "`vvr watch`", "`ffmpeg -i ADDRESS -t 60 -c copy piece.mkv`", code="input-unsuitable")
+                1, "`vvr watch`", "ffmpeg -i ADDRESS -t 60 -c copy part.mkv", code="input-unsuitable")
     t.expect_files("cam.ts")
 
 
@@ -198,16 +198,16 @@ def test_watch_of_a_finished_file_is_not_now(t):
     os.utime(t.path("cam.ts"), (time.time() - 60, time.time() - 60))
     look = ("--brick", "2s", "--reference", "first", *SIZE)
     said = Watch(t, "cam.ts", "-o", "cam.html", *look).end()
-    check("warning: 'cam.ts' is a finished file, not a stream: `vvr render` draws the whole of it" in said, said)
+    check("warning: 'cam.ts' is a complete file, not a live stream; `vvr render` draws all of it" in said, said)
     check("brick 0, 0.0 s to " in said and time.strftime("%Y-") not in said, said)
     data = json.loads(t.path("cam.html").read_text(encoding="utf-8").split('id="data">')[1].split("</script>")[0])
     check(data["clock"] is None, str(data["clock"]))
     t.path("cam.ts").rename(t.path("2026-11-21_08-00-00.ts"))
     said = Watch(t, "2026-11-21_08-00-00.ts", "-o", "named.png", *look).end()
-    check("brick 0, 2026-11-21 08:00:00 to " in said and "(by file name)" in said and "is a finished file" in said, said)
+    check("brick 0, 2026-11-21 08:00:00 to " in said and "(by file name)" in said and "is a complete file" in said, said)
     os.utime(t.path("2026-11-21_08-00-00.ts"))
     said = Watch(t, "2026-11-21_08-00-00.ts", "-o", "named.png", *look).end()
-    check("is a finished file" not in said, f"it may grow: {said}")
+    check("is a complete file" not in said, f"it may grow: {said}")
 
 
 def test_watch_draws_the_last_seconds_before_an_outage(t):

@@ -68,7 +68,7 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
     seen.last = frame_at(249, 9.9);
     for (std::size_t k = 0; k < events.size(); ++k)
         seen.crops.keep(k, {events[k].first, {2, 2, 12, 12}, 1}, *seen.first);
-    seen.events = app::told_in(events, 0, 9.9);
+    seen.events = app::events_between(events, 0, 9.9);
     const app::Plan plan = app::make_plan(job, {.field_size = volume.size()});
     const app::Composition composed = app::compose(plan, seen);
     const labels::Lettering& lettering = composed.lettering;
