@@ -136,7 +136,8 @@ OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t m
             read_to_end(file, text, most)) {
             own.text = std::move(text);
         } else {
-            own.problem = fmt::format("it has {} bytes, more than {}, or cannot be read", status.st_size, most);
+            own.problem =
+                fmt::format("it cannot be read: it has {} bytes, and at most {} are allowed", status.st_size, most);
         }
     }
     ::close(file);
