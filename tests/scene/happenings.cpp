@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/scene/actors.h"
 #include "tests/scene/canvas.h"
 #include "tests/scene/figure.h"
 #include "tests/scene/texture.h"
@@ -16,132 +17,20 @@
 namespace vvr::generator {
 namespace {
 
-// The stories are told on a picture of this height; a larger one is the same, enlarged.
-constexpr double story_height = 144;
-constexpr double story_width = 192;
-constexpr double person = 48;  // story pixels
-
 constexpr int crossings = 10;
 constexpr double crossing_frames = 50;
 
-/// Something that is drawn: by its name, and as a function of the frame on a canvas.
-struct Actor {
-    std::string name;
-    std::function<std::optional<Point>(double frame)> middle;  ///< nothing while it is not there
-    std::function<void(Canvas& canvas, double frame)> paint;
-};
-
-class Happening final : public Story {
-  public:
-    Happening(const Options& options, std::vector<Actor> actors)
-        : scale_(options.size.height / story_height),
-          hall_(paint_hall(options.size, options.seed, options.detail)),
-          actors_(std::move(actors)) {}
-
-    Plane<Bgr> paint(int frame) const override {
-        auto picture = hall_;
-        Canvas canvas(&picture);
-        for (const Actor& actor : actors_) {
-            if (actor.middle(frame)) actor.paint(canvas, frame);
-        }
-        return picture;
+Scene make_crowd_of(const Options& options, int frames) {
+    constexpr int between = 35;  // frames from one person to the next
+    constexpr int begins = -100;
+    std::vector<Actor> actors;
+    for (int k = 0; k < (frames - begins) / between; ++k) {
+        const double speed = (k % 2 == 0 ? 1 : -1) * (0.9 + 0.1 * (k % 5));
+        const double floor = 84 + 4 * ((k * 5) % 14);
+        actors.push_back(walker("person " + std::to_string(k), options,
+                                {across(begins + between * k, speed, floor), static_cast<std::uint64_t>(20 + k)}));
     }
-
-    Truth truth(int frame) const override {
-        Truth truth;
-        for (const Actor& actor : actors_) {
-            const std::optional<Point> middle = actor.middle(frame);
-            if (!middle) continue;
-            Plane<std::uint8_t> mask(hall_.size());
-            Canvas canvas(nullptr, &mask);
-            actor.paint(canvas, frame);
-            const Point next = actor.middle(frame + 1).value_or(*middle);
-            truth.objects.push_back({actor.name, middle->x * scale_, middle->y * scale_, (next.x - middle->x) * scale_,
-                                     (next.y - middle->y) * scale_, std::move(mask)});
-        }
-        return truth;
-    }
-
-  private:
-    double scale_;
-    Plane<Bgr> hall_;
-    std::vector<Actor> actors_;
-};
-
-double scale_of(const Options& options) {
-    return options.size.height / story_height;
-}
-
-/// Where somebody's feet are at a frame; nothing while there is nobody.
-using Way = std::function<std::optional<Point>(double frame)>;
-
-Actor walker(std::string name, const Options& options, std::uint64_t seed, Way way, double bow_at = -1) {
-    const double scale = scale_of(options);
-    return {std::move(name),
-            [way](double frame) -> std::optional<Point> {
-                const auto feet = way(frame);
-                if (!feet) return std::nullopt;
-                return Point{feet->x, feet->y - person / 2};
-            },
-            [=](Canvas& canvas, double frame) {
-                const Point feet = *way(frame);
-                const Point next = way(frame + 1).value_or(feet);
-                const double speed = std::abs(next.x - feet.x);
-                const double bow = bow_at < 0 ? 0 : std::max(0.0, 1 - std::abs(frame - bow_at) / 15);
-                paint_figure(canvas, {.feet = {feet.x * scale, feet.y * scale},
-                                      .height = person * scale,
-                                      .stride = feet.x / (0.8 * person) * 2 * std::numbers::pi,
-                                      .facing = next.x < feet.x ? -1.0 : 1.0,
-                                      .gait = std::min(1.0, speed),
-                                      .bow = bow,
-                                      .fall = 0,
-                                      .seed = options.seed + seed});
-            }};
-}
-
-/// From one side of the picture to the other, with `speed` story pixels per frame; negative = to the left.
-Way across(double enters, double speed, double floor) {
-    return [=](double frame) -> std::optional<Point> {
-        const double walked = (frame - enters) * std::abs(speed) - person / 2;
-        if (walked < -person / 2 || walked > story_width + person / 2) return std::nullopt;
-        return Point{speed > 0 ? walked : story_width - walked, floor};
-    };
-}
-
-/// To a place, where it stops from `arrives` to `leaves`, and on.
-Way with_stop(double place, double arrives, double leaves, double speed, double floor) {
-    return [=](double frame) -> std::optional<Point> {
-        const double moved = frame < arrives ? frame - arrives : std::max(0.0, frame - leaves);
-        const double x = place + moved * speed;
-        if (x < -person / 2 || x > story_width + person / 2) return std::nullopt;
-        return Point{x, floor};
-    };
-}
-
-Actor box(std::string name, const Options& options, Point middle, Point half, Colour colour, Interval there,
-          int stripes = 0) {
-    const double scale = scale_of(options);
-    return {std::move(name),
-            [=](double frame) -> std::optional<Point> {
-                return frame >= there.first && frame <= there.last ? std::optional(middle) : std::nullopt;
-            },
-            [=](Canvas& canvas, double) {
-                const Point m{middle.x * scale, middle.y * scale};
-                const Point h{half.x * scale, half.y * scale};
-                const auto distance = [=](Point p) {
-                    const double whole = round_box(p, m, h, scale);
-                    if (stripes == 0) return whole;
-                    // Stripes of it are as the floor is.
-                    const double part = (p.y - m.y + h.y) / (2 * h.y) * (2 * stripes - 1);
-                    return static_cast<int>(std::floor(part)) % 2 != 0 ? 1.0 : whole;
-                };
-                canvas.paint(m, h.x + h.y, distance, [=](Point) { return colour; });
-            }};
-}
-
-Scene make(Options options, int frames, std::vector<Actor> actors) {
-    options.frames = frames;
-    return {options, std::make_shared<Happening>(options, std::move(actors))};
+    return make_happening(options, frames, std::move(actors));
 }
 
 }  // namespace
@@ -164,8 +53,9 @@ Scene make_ten_crossings(const Options& options) {
             return Point{story_width / 2 + direction * 70 * x, floor};
         };
     };
-    return make(options, static_cast<int>(crossing_frames * crossings) + 30,
-                {walker("person 0", options, 3, pacing(1, 112)), walker("person 1", options, 8, pacing(-1, 120))});
+    return make_happening(
+        options, static_cast<int>(crossing_frames * crossings) + 30,
+        {walker("person 0", options, {pacing(1, 112), 3}), walker("person 1", options, {pacing(-1, 120), 8})});
 }
 
 Scene make_group_splits(const Options& options) {
@@ -178,7 +68,8 @@ Scene make_group_splits(const Options& options) {
         const double x = 2 + frame * 0.8;
         return x > story_width + person / 2 ? std::nullopt : std::optional(Point{x, 116});
     };
-    return make(options, 300, {walker("person 1", options, 5, goes_on), walker("person 0", options, 12, turns)});
+    return make_happening(options, 300,
+                          {walker("person 1", options, {goes_on, 5}), walker("person 0", options, {turns, 12})});
 }
 
 Interval train_stands() {
@@ -208,7 +99,7 @@ Scene make_train(const Options& options) {
                           };
                           canvas.paint(m, half.x + half.y, distance, [](Point) { return Colour{0.75, 0.55, 0.2}; });
                       }};
-    return make(options, 500, {train, walker("person", options, 7, across(150, 1.2, 130))});
+    return make_happening(options, 500, {train, walker("person", options, {across(150, 1.2, 130), 7})});
 }
 
 Interval pale_bag_stands() {
@@ -216,9 +107,10 @@ Interval pale_bag_stands() {
 }
 
 Scene make_pale_bag(const Options& options) {
-    return make(options, 400,
-                {box("bag", options, {76, 108}, {7, 11}, {0.58, 0.62, 0.68}, pale_bag_stands(), 2),
-                 walker("person", options, 4, with_stop(92, 110, 150, 1.1, 118), pale_bag_stands().first)});
+    return make_happening(
+        options, 400,
+        {box("bag", options, at_place({76, 108}, pale_bag_stands()), {7, 11}, {0.58, 0.62, 0.68}, 2),
+         walker("person", options, {with_stop(92, 110, 150, 1.1, 118), 4, double(pale_bag_stands().first)})});
 }
 
 Interval box_is_gone() {
@@ -226,9 +118,10 @@ Interval box_is_gone() {
 }
 
 Scene make_taken_box(const Options& options) {
-    return make(options, 400,
-                {box("box", options, {78, 108}, {8, 8}, {0.1, 0.25, 0.7}, {0, box_is_gone().first - 1}),
-                 walker("person", options, 6, with_stop(94, 210, 250, 1.1, 118), box_is_gone().first)});
+    return make_happening(
+        options, 400,
+        {box("box", options, at_place({78, 108}, {0, box_is_gone().first - 1}), {8, 8}, {0.1, 0.25, 0.7}),
+         walker("person", options, {with_stop(94, 210, 250, 1.1, 118), 6, double(box_is_gone().first)})});
 }
 
 Scene make_rain(const Options& options) {
@@ -246,18 +139,15 @@ Scene make_rain(const Options& options) {
                                  });
                          }
                      }};
-    return make(options, 250, {walker("person", options, 2, across(20, 1.2, 116)), rain});
+    return make_happening(options, 250, {walker("person", options, {across(20, 1.2, 116), 2}), rain});
 }
 
 Scene make_crowd(const Options& options) {
-    std::vector<Actor> actors;
-    for (int k = 0; k < 14; ++k) {
-        const double speed = (k % 2 == 0 ? 1 : -1) * (0.9 + 0.1 * (k % 5));
-        const double floor = 84 + 4 * ((k * 5) % 14);
-        actors.push_back(walker("person " + std::to_string(k), options, static_cast<std::uint64_t>(20 + k),
-                                across(-100 + 35 * k, speed, floor)));
-    }
-    return make(options, 400, std::move(actors));
+    return make_crowd_of(options, 400);
+}
+
+Scene make_long_crowd(const Options& options) {
+    return make_crowd_of(options, 1500);
 }
 
 Interval long_stand() {
@@ -266,42 +156,16 @@ Interval long_stand() {
 
 Scene make_stands_long(const Options& options) {
     const Interval stands = long_stand();
-    return make(options, 500, {walker("person", options, 9, with_stop(90, stands.first, stands.last, 1.3, 118))});
-}
-
-Scene make_clock(const Options& options) {
-    const double scale = scale_of(options);
-    const Actor clock{"clock",
-                      [](double) {
-                          return std::optional(Point{150, 8});
-                      },
-                      [=](Canvas& canvas, double frame) {
-                          const int seconds = static_cast<int>(frame) / 25;
-                          for (int digit = 0; digit < 6; ++digit) {
-                              const int value = digit == 5 ? seconds % 10 : digit == 4 ? seconds / 10 + 1 : 3;
-                              for (int bar = 0; bar < 5; ++bar) {
-                                  if (((value * 13 + 5) >> bar) % 2 == 0) continue;
-                                  const Point m{(122 + 8 * digit + (bar % 2) * 3) * scale, (5 + bar * 2) * scale};
-                                  canvas.paint(
-                                      m, 4 * scale,
-                                      [&](Point p) {
-                                          return round_box(p, m, {2 * scale, 1 * scale}, 0);
-                                      },
-                                      [](Point) {
-                                          return Colour{1, 1, 1};
-                                      });
-                              }
-                          }
-                      }};
-    return make(options, 300, {clock});
+    return make_happening(options, 500,
+                          {walker("person", options, {with_stop(90, stands.first, stands.last, 1.3, 118), 9})});
 }
 
 Scene make_walks_by(const Options& options) {
-    return make(options, 250, {walker("person", options, 2, across(30, 1.2, 116))});
+    return make_happening(options, 250, {walker("person", options, {across(30, 1.2, 116), 2})});
 }
 
 Scene make_stands(const Options& options) {
-    return make(options, 350, {walker("person", options, 9, with_stop(90, 90, 290, 1.3, 118))});
+    return make_happening(options, 350, {walker("person", options, {with_stop(90, 90, 290, 1.3, 118), 9})});
 }
 
 Scene make_comes_closer(const Options& options) {
@@ -334,7 +198,7 @@ Scene make_comes_closer(const Options& options) {
                                                       .fall = 0,
                                                       .seed = options.seed + 6});
                             }};
-    return make(options, 250, {person_near});
+    return make_happening(options, 250, {person_near});
 }
 
 }  // namespace vvr::generator

@@ -1,113 +1,51 @@
 // Events of small scenes of one happening each, of which it is known to the frame what happens.
 #include "tests/scene/happenings.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
+#include <cstdint>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/events/event_finder.h"
 #include "core/events/path.h"
-#include "core/fields/field_source.h"
-#include "tests/scene/scene_source.h"
 #include "tests/scene/shaken.h"
+#include "tests/unit/events/found.h"
 
 namespace vvr {
 namespace {
 
 constexpr double half_a_second = 12.5;  // frames
 
-using Make = generator::Scene (*)(const generator::Options&);
+using test::distance_to;
+using test::Found;
+using test::kinds_of;
+using test::small;
 
-generator::Options small(std::uint64_t seed = 1, double noise = 0) {
-    generator::Options options;
-    options.size = {192, 144};
-    options.seed = seed;
-    options.noise = noise;
-    return options;
-}
-
-struct Found {
-    generator::Scene scene;
-    std::vector<events::Event> events;
-    std::vector<events::FrameLabels> labels;
-    std::vector<events::Change> changes;
-};
-
-Found found_in(generator::Scene scene, const std::string& reference = "median") {
-    Found found{std::move(scene), {}, {}, {}};
-    video::SourceOptions source;
-    source.colour = true;
-    source.field_size = {-1, -1};
-    fields::FieldOptions fields;
-    fields.reference = reference;
-    fields.flow.method = "none";
-    events::EventFinder finder(found.scene.size());
-    const auto clip = generator::open_scene(found.scene, source);
-    fields::compute_fields(
-        *clip, fields,
-        [&](const video::SharedFrame& frame, fields::Field&& field) {
-            found.labels.push_back(
-                finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts}).labels);
-        },
-        [&](const fields::Reference& empty) { finder.set_scene(empty); });
-    events::Findings findings = finder.finish();
-    found.events = std::move(findings.events);
-    found.changes = std::move(findings.changes);
-    return found;
-}
-
-Found found_in(Make make, const generator::Options& options) {
-    return found_in(make(options));
-}
-
-std::vector<events::EventKind> kinds_of(const std::vector<events::Event>& events) {
-    std::vector<events::EventKind> kinds;
-    for (const events::Event& event : events) kinds.push_back(event.kind);
-    return kinds;
+Found found_in(generator::Scene (*make)(const generator::Options&), const generator::Options& options) {
+    return test::found_in(make(options));
 }
 
 void expect_near(const Moment& moment, int frame) {
     EXPECT_NEAR(static_cast<double>(moment.frame), frame, half_a_second);
 }
 
-/// The mean distance of an event from an object of the scene, pixels.
-double distance_to(const events::Event& event, const generator::Scene& scene, const std::string& name) {
-    double sum = 0;
-    int count = 0;
-    for (int f = 0; f < scene.frames(); f += 5) {
-        if (f < event.first.frame || f > event.last.frame) continue;
-        const generator::Truth truth = scene.truth(f);
-        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
-        if (object == truth.objects.end()) continue;
-        sum += glm::distance(events::place_at(event.path, f), {object->x, object->y});
-        ++count;
-    }
-    return count == 0 ? std::numeric_limits<double>::infinity() : sum / count;
-}
-
 TEST(TenCrossings, LeaveTwoPeopleTwo) {
     for (const std::uint64_t seed : {2U}) {
         const Found found = found_in(generator::make_ten_crossings, small(seed));
-        ASSERT_EQ(found.events.size(), 2U);
-        const bool first_is_0 = distance_to(found.events[0], found.scene, "person 0") <
-                                distance_to(found.events[0], found.scene, "person 1");
+        ASSERT_EQ(found.all.events.size(), 2U);
+        const bool first_is_0 = distance_to(found.all.events[0], found.scene, "person 0") <
+                                distance_to(found.all.events[0], found.scene, "person 1");
         // Anyone who swapped even once would be 70 pixels off for a tenth of the time.
-        EXPECT_LT(distance_to(found.events[0], found.scene, first_is_0 ? "person 0" : "person 1"), 10) << seed;
-        EXPECT_LT(distance_to(found.events[1], found.scene, first_is_0 ? "person 1" : "person 0"), 10) << seed;
+        EXPECT_LT(distance_to(found.all.events[0], found.scene, first_is_0 ? "person 0" : "person 1"), 10) << seed;
+        EXPECT_LT(distance_to(found.all.events[1], found.scene, first_is_0 ? "person 1" : "person 0"), 10) << seed;
     }
 }
 
 TEST(GroupThatSplits, IsTwoFromTheBeginning) {
     const Found found = found_in(generator::make_group_splits, small());
-    ASSERT_EQ(found.events.size(), 2U);
-    for (const events::Event& event : found.events) {
+    ASSERT_EQ(found.all.events.size(), 2U);
+    for (const events::Event& event : found.all.events) {
         EXPECT_EQ(event.kind, events::EventKind::moved);
         expect_near(event.first, 6);
     }
@@ -115,16 +53,16 @@ TEST(GroupThatSplits, IsTwoFromTheBeginning) {
 
 TEST(Train, IsOneAndHidesNobody) {
     const Found found = found_in(generator::make_train, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::stood, events::EventKind::moved}));
-    ASSERT_EQ(found.events[0].stays.size(), 1U);
-    expect_near(found.events[0].stays[0].first, generator::train_stands().first);
-    expect_near(found.events[0].stays[0].last, generator::train_stands().last);
+    ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::stood, events::EventKind::moved}));
+    ASSERT_EQ(found.all.events[0].stays.size(), 1U);
+    expect_near(found.all.events[0].stays[0].first, generator::train_stands().first);
+    expect_near(found.all.events[0].stays[0].last, generator::train_stands().last);
 }
 
 TEST(PaleBag, IsOneThingThatWasLeft) {
     const Found found = found_in(generator::make_pale_bag, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::moved, events::EventKind::left}));
-    const events::Event& bag = found.events[1];
+    ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::left}));
+    const events::Event& bag = found.all.events[1];
     expect_near(bag.first, generator::pale_bag_stands().first);
     expect_near(bag.last, generator::pale_bag_stands().last);
     EXPECT_EQ(bag.by, 0U);
@@ -137,8 +75,8 @@ TEST(PaleBag, IsOneThingThatWasLeft) {
 
 TEST(TakenBox, IsTakenAndNotLeft) {
     const Found found = found_in(generator::make_taken_box, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
-    const events::Event& box = found.events[1];
+    ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
+    const events::Event& box = found.all.events[1];
     expect_near(box.first, generator::box_is_gone().first);
     expect_near(box.last, generator::box_is_gone().last);
     EXPECT_EQ(box.by, 0U);
@@ -148,14 +86,14 @@ TEST(TakenBox, IsTakenAndNotLeft) {
 TEST(Rain, IsNoneAndHidesNobody) {
     for (const std::uint64_t seed : {1U, 3U}) {
         const Found found = found_in(generator::make_rain, small(seed, 5));
-        ASSERT_EQ(found.events.size(), 1U) << seed;
+        ASSERT_EQ(found.all.events.size(), 1U) << seed;
         // Drops that touch a person are taken for parts of them.
-        EXPECT_LT(distance_to(found.events[0], found.scene, "person"), 20) << seed;
+        EXPECT_LT(distance_to(found.all.events[0], found.scene, "person"), 20) << seed;
     }
 }
 
 TEST(Crowd, LeavesNothing) {
-    for (const events::Event& event : found_in(generator::make_crowd, small()).events) {
+    for (const events::Event& event : found_in(generator::make_crowd, small()).all.events) {
         EXPECT_EQ(event.kind, events::EventKind::moved) << event.first.frame;
     }
 }
@@ -164,35 +102,31 @@ TEST(Crowd, LeavesNothing) {
 TEST(ShakingCamera, ChangesNoEvents) {
     generator::Options options;
     options.detail = 6;
-    const Found who = found_in(generator::make_shaken(generator::make_stands_long(options)));
-    ASSERT_EQ(kinds_of(who.events), std::vector{events::EventKind::stood});
-    ASSERT_EQ(who.events[0].stays.size(), 1U);
-    expect_near(who.events[0].stays[0].first, generator::long_stand().first);
-    expect_near(who.events[0].stays[0].last, generator::long_stand().last);
-    const Found box = found_in(generator::make_shaken(generator::make_taken_box(options)));
-    ASSERT_EQ(kinds_of(box.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
-    expect_near(box.events[1].first, generator::box_is_gone().first);
-    EXPECT_TRUE(found_in(generator::make_shaken(generator::make_still(options))).events.empty());
+    const Found who = test::found_in(generator::make_shaken(generator::make_stands_long(options)));
+    ASSERT_EQ(kinds_of(who.all.events), std::vector{events::EventKind::stood});
+    ASSERT_EQ(who.all.events[0].stays.size(), 1U);
+    expect_near(who.all.events[0].stays[0].first, generator::long_stand().first);
+    expect_near(who.all.events[0].stays[0].last, generator::long_stand().last);
+    const Found box = test::found_in(generator::make_shaken(generator::make_taken_box(options)));
+    ASSERT_EQ(kinds_of(box.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
+    expect_near(box.all.events[1].first, generator::box_is_gone().first);
+    EXPECT_TRUE(test::found_in(generator::make_shaken(generator::make_still(options))).all.events.empty());
 }
 
 TEST(WhoStandsLong, IsOneThatStood) {
     for (const std::string reference : {"median", "running"}) {
-        const Found found = found_in(generator::make_stands_long(small()), reference);
-        ASSERT_EQ(kinds_of(found.events), std::vector{events::EventKind::stood}) << reference;
-        ASSERT_EQ(found.events[0].stays.size(), 1U) << reference;
-        expect_near(found.events[0].stays[0].first, generator::long_stand().first);
-        expect_near(found.events[0].stays[0].last, generator::long_stand().last);
+        const Found found = test::found_in(generator::make_stands_long(small()), reference);
+        ASSERT_EQ(kinds_of(found.all.events), std::vector{events::EventKind::stood}) << reference;
+        ASSERT_EQ(found.all.events[0].stays.size(), 1U) << reference;
+        expect_near(found.all.events[0].stays[0].first, generator::long_stand().first);
+        expect_near(found.all.events[0].stays[0].last, generator::long_stand().last);
     }
-}
-
-TEST(Clock, IsNoEvent) {
-    EXPECT_TRUE(found_in(generator::make_clock, small()).events.empty());
 }
 
 TEST(Labels, SayWhosePixelsTheyAre) {
     const Found found = found_in(generator::make_ten_crossings, small());
-    ASSERT_EQ(found.events.size(), 2U);
-    const auto places = events::events_of_tracks(found.events);
+    ASSERT_EQ(found.all.events.size(), 2U);
+    const auto places = events::events_of_tracks(found.all.events);
     ASSERT_EQ(found.labels.size(), static_cast<std::size_t>(found.scene.frames()));
     const events::FrameLabels& labels = found.labels[30];
     std::set<std::size_t> seen;
@@ -201,7 +135,7 @@ TEST(Labels, SayWhosePixelsTheyAre) {
         ASSERT_TRUE(places[run.track]);
         seen.insert(*places[run.track]);
         const double middle = 0.5 * (run.first + run.last);
-        EXPECT_NEAR(middle, events::place_at(found.events[*places[run.track]].path, labels.at.frame).x, 25);
+        EXPECT_NEAR(middle, events::place_at(found.all.events[*places[run.track]].path, labels.at.frame).x, 25);
     }
     EXPECT_EQ(seen.size(), 2U);
 }

@@ -1,0 +1,110 @@
+#include "tests/unit/events/found.h"
+
+#include <algorithm>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+#include "core/events/path.h"
+#include "core/fields/field_source.h"
+#include "tests/scene/scene_source.h"
+
+namespace vvr::test {
+namespace {
+
+std::ostream& operator<<(std::ostream& out, const PixelBox& box) {
+    return out << "[" << box.left << " " << box.top << " " << box.right << " " << box.bottom << "]";
+}
+
+std::ostream& operator<<(std::ostream& out, const events::Evidence& evidence) {
+    return out << " difference " << evidence.difference << " edges " << evidence.edges << " of the scene "
+               << evidence.scene_edges << " thickness " << evidence.thickness << " alone " << evidence.alone
+               << " moved " << evidence.moved << " flicker " << evidence.flicker << " changed " << evidence.changed
+               << " carried " << evidence.carried << " confidence " << evidence.confidence;
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const Found& found) {
+    for (const events::Event& event : found.all.events) {
+        out << "\n  " << events::name_of(event.kind) << " " << event.first.frame << " to " << event.last.frame << " "
+            << event.box << " way " << event.path_length;
+        for (const events::Stay& stay : event.stays) {
+            out << " stay " << stay.first.frame << " to " << stay.last.frame << " " << stay.box;
+        }
+        if (event.from) out << " from " << *event.from;
+        if (event.into) out << " into " << *event.into;
+        if (event.by) out << " by " << *event.by;
+        if (event.evidence) out << *event.evidence;
+    }
+    for (const events::Change& change : found.all.changes) {
+        out << "\n  change " << change.first.frame << " to " << change.last.frame << " " << change.box
+            << change.evidence;
+    }
+    for (const PixelBox& overlay : found.all.overlays) out << "\n  overlay " << overlay;
+    return out << "\n";
+}
+
+generator::Options small(std::uint64_t seed, double noise) {
+    generator::Options options;
+    options.size = {192, 144};
+    options.seed = seed;
+    options.noise = noise;
+    return options;
+}
+
+Found found_in(generator::Scene scene, const std::string& reference) {
+    Found found{std::move(scene), {}, {}};
+    video::SourceOptions source;
+    source.colour = true;
+    source.field_size = {-1, -1};
+    fields::FieldOptions fields;
+    fields.reference = reference;
+    fields.flow.method = "none";
+    events::EventFinder finder(found.scene.size());
+    const auto clip = generator::open_scene(found.scene, source);
+    fields::compute_fields(
+        *clip, fields,
+        [&](const video::SharedFrame& frame, fields::Field&& field) {
+            found.labels.push_back(
+                finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts}).labels);
+        },
+        [&](const fields::Reference& empty) { finder.set_scene(empty); });
+    found.all = finder.finish();
+    return found;
+}
+
+std::vector<events::EventKind> kinds_of(const std::vector<events::Event>& events) {
+    std::vector<events::EventKind> kinds;
+    for (const events::Event& event : events) kinds.push_back(event.kind);
+    return kinds;
+}
+
+double distance_to(const events::Event& event, const generator::Scene& scene, const std::string& name) {
+    double sum = 0;
+    int count = 0;
+    for (int f = 0; f < scene.frames(); f += 5) {
+        if (f < event.first.frame || f > event.last.frame) continue;
+        const generator::Truth truth = scene.truth(f);
+        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
+        if (object == truth.objects.end()) continue;
+        sum += glm::distance(events::place_at(event.path, f), {object->x, object->y});
+        ++count;
+    }
+    return count == 0 ? std::numeric_limits<double>::infinity() : sum / count;
+}
+
+Visible visible(const generator::Scene& scene, const std::string& name) {
+    constexpr int least = 30;  // pixels
+    Visible visible;
+    for (int f = 0; f < scene.frames(); ++f) {
+        const generator::Truth truth = scene.truth(f);
+        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
+        if (object == truth.objects.end() || std::ranges::count(object->mask.pixels(), 255) < least) continue;
+        if (visible.first < 0) visible.first = f;
+        visible.last = f;
+    }
+    return visible;
+}
+
+}  // namespace vvr::test
