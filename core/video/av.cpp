@@ -85,6 +85,12 @@ void Log::attach(AVCodecContext& context) {
     context.opaque = this;
 }
 
+int Log::get_buffer(AVCodecContext* context, AVFrame* frame, int flags) {
+    const int code = avcodec_default_get_buffer2(context, frame, flags);
+    if (code == AVERROR(ENOMEM)) static_cast<Log*>(context->opaque)->out_of_memory_ = true;
+    return code;
+}
+
 void Log::receive(void* context, int level, const char* format, va_list arguments) {
     // libav logs error concealment below the error level, and with threads loses the frame's own error flag.
     const bool is_concealment = std::string_view(format).starts_with("concealing");

@@ -91,21 +91,29 @@ class Log {
     void attach(AVFormatContext& context, const Watchdog* watchdog = nullptr);
     void attach(AVCodecContext& context);
 
+    /// Records when an attached decoder with one thread can't allocate a frame: some decoders report that as damage.
+    static void record_memory(AVCodecContext& context) { context.get_buffer2 = &Log::get_buffer; }
+
     /// The last logged error, or else libav's message for `code`.
     std::string text(int code) const;
 
     /// Whether an error was logged.
     bool has_text() const;
 
+    /// Whether a decoder could not allocate a frame, see `record_memory`.
+    bool out_of_memory() const { return out_of_memory_; }
+
     /// Errors logged so far.
     std::int64_t errors() const;
 
   private:
     static int interrupted(void* self);
+    static int get_buffer(AVCodecContext* context, AVFrame* frame, int flags);
     static void receive(void* context, int level, const char* format, va_list arguments);
     void keep(const std::string& line);
 
     const Watchdog* watchdog_ = nullptr;
+    bool out_of_memory_ = false;
     mutable std::mutex mutex_;
     std::string last_;
     std::int64_t errors_ = 0;

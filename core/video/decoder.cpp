@@ -45,9 +45,9 @@ bool has_inter_frames(const Demuxer& demuxer) {
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
 
-/// \throws Error out_of_memory if `code` of libavcodec says so
-void require_memory(int code) {
-    if (code != AVERROR(ENOMEM)) return;
+/// \throws Error out_of_memory if `code` of libavcodec or the log says so
+void require_memory(int code, const av::Log& log) {
+    if (code != AVERROR(ENOMEM) && !log.out_of_memory()) return;
     throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video; use fewer threads", {"threads"});
 }
 
@@ -76,11 +76,15 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     codec_->thread_count = thread_count(threads, std::int64_t{parameters.width} * parameters.height);
     if (!stops_cleanly(parameters.codec_id)) codec_->thread_count = 1;
     threaded_ = codec_->thread_count > 1;
-    if (threaded_) codec_->err_recognition = AV_EF_EXPLODE;
+    if (threaded_) {
+        codec_->err_recognition = AV_EF_EXPLODE;
+    } else {
+        av::Log::record_memory(*codec_);
+    }
     errors_at_start_ = demuxer.log().errors();
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
     if (code < 0) {
-        require_memory(code);
+        require_memory(code, demuxer.log());
         throw Error(
             ErrorCode::not_video,
             fmt::format("cannot decode '{}': the {} decoder failed to start: {}; convert the video to H.264 first",
@@ -102,7 +106,7 @@ AvFrame Decoder::next() {
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
-        require_memory(code);
+        require_memory(code, demuxer_->log());
 
         // Some decoders report damage only in the log. Threads may log early; stopping too early is harmless.
         bad_packet = bad_packet || code < 0 || demuxer_->log().errors() > (threaded_ ? errors_at_start_ : errors);
@@ -126,10 +130,10 @@ AvFrame Decoder::decode_alone(const AVPacket& packet) {
     auto frame = av::make_frame();
     avcodec_flush_buffers(codec_.get());
     const int sent = avcodec_send_packet(codec_.get(), &packet);
-    require_memory(sent);
-    require_memory(avcodec_send_packet(codec_.get(), nullptr));
+    require_memory(sent, demuxer_->log());
+    require_memory(avcodec_send_packet(codec_.get(), nullptr), demuxer_->log());
     const int received = avcodec_receive_frame(codec_.get(), frame.get());
-    require_memory(received);
+    require_memory(received, demuxer_->log());
     return sent >= 0 && received >= 0 && !is_damaged(*frame) ? std::move(frame) : nullptr;
 }
 
