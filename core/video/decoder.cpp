@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 
 namespace vvr::video {
 namespace {
@@ -45,9 +46,14 @@ bool has_inter_frames(const Demuxer& demuxer) {
     return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
 
-/// \throws Error out_of_memory if `code` of libavcodec or the log says so
+/// Distinguishes damage from a lack of memory, which some decoders report as -1.
+/// \param code libavcodec's
+/// \throws Error out_of_memory
 void require_memory(int code, const av::Log& log) {
-    if (code != AVERROR(ENOMEM) && !log.out_of_memory()) return;
+    constexpr int unspecified = -1;
+    constexpr std::int64_t needed = 32'000'000;  // bytes: more than a decoder allocates beside its frames
+    const bool enough = code != AVERROR(ENOMEM) && (code != unspecified || is_memory_available(needed));
+    if (enough && !log.out_of_memory()) return;
     throw Error(ErrorCode::out_of_memory, "out of memory while decoding the video; use fewer threads", {"threads"});
 }
 

@@ -113,7 +113,7 @@ std::vector<std::string> expand_glob(const std::string& pattern) {
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;
         throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("the pattern '{}...' has {} bytes, more than the limit of {}; use a shorter one",
+                    fmt::format("the pattern '{}...' has {} bytes, more than the limit of {} bytes; use a shorter one",
                                 pattern.substr(0, shown), pattern.size(), PATH_MAX - 1));
     }
     glob_t found{};

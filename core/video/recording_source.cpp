@@ -124,7 +124,8 @@ void RecordingSource::count_overlap() {
         return;
     }
     if (seconds > usual) {
-        problems_.push_back(fmt::format("'{}' overlaps the previous file; {} omitted", name, counted(frames, "frame")));
+        problems_.push_back(
+            fmt::format("'{}' overlaps the previous file; omitted: {}", name, counted(frames, "frame")));
         return;
     }
     trimmed_.files += 1;
@@ -145,7 +146,7 @@ std::vector<std::string> RecordingSource::problems() const {
     std::vector<std::string> problems;
     if (info_.left_out.files > 0) problems.push_back(text_of(info_.left_out));
     if (trimmed_.files > 0) {
-        problems.push_back(fmt::format("{} {} the previous file by at most 5 s; {} omitted, {:.1f} s in all",
+        problems.push_back(fmt::format("{} {} the previous file by at most 5 s; omitted: {}, {:.1f} s in all",
                                        counted(trimmed_.files, "file"), trimmed_.files == 1 ? "overlaps" : "overlap",
                                        counted(trimmed_.frames, "frame"), trimmed_.seconds));
     }
