@@ -133,14 +133,18 @@ std::int64_t Decoder::damaged() const {
 }
 
 AvFrame Decoder::decode_alone(const AVPacket& packet) {
-    auto frame = av::make_frame();
-    avcodec_flush_buffers(codec_.get());
-    const int sent = avcodec_send_packet(codec_.get(), &packet);
-    require_memory(sent, demuxer_->log());
-    require_memory(avcodec_send_packet(codec_.get(), nullptr), demuxer_->log());
-    const int received = avcodec_receive_frame(codec_.get(), frame.get());
-    require_memory(received, demuxer_->log());
-    return sent >= 0 && received >= 0 && !is_damaged(*frame) ? std::move(frame) : nullptr;
+    // Some decoders report a failed allocation as damage. Real damage fails twice.
+    for (int attempts = 0; attempts < 2; ++attempts) {
+        auto frame = av::make_frame();
+        avcodec_flush_buffers(codec_.get());
+        const int sent = avcodec_send_packet(codec_.get(), &packet);
+        require_memory(sent, demuxer_->log());
+        require_memory(avcodec_send_packet(codec_.get(), nullptr), demuxer_->log());
+        const int received = avcodec_receive_frame(codec_.get(), frame.get());
+        require_memory(received, demuxer_->log());
+        if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return frame;
+    }
+    return nullptr;
 }
 
 double StampClock::operator()(std::optional<double> stamp) {
