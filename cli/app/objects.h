@@ -32,7 +32,7 @@ ShownEvents events_between(std::span<const events::Event> events, double begin, 
 bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);
 
 /// For a live stream, where it isn't known yet which tracks are the same object. Each track gets its own colour: the
-/// one that has been out of sight for longest. A track shorter than an event belongs to no object until it is longer.
+/// one that has been unused for longest. A track shorter than an event belongs to no object until it is longer.
 /// Decisions about a stretch of the clip are final, so consecutive pictures show it alike.
 class LiveObjects {
   public:

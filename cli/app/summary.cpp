@@ -110,8 +110,7 @@ void log_warnings(const RunContext& context, const std::vector<std::string>& adv
                                   labels::format_duration(idle),
                                   counted(std::ssize(composed.compressed_idle), "place")));
     } else if (seen.volume.step() > 1 && !seen.volume.is_nonuniform()) {
-        observer.info(fmt::format("each layer merges {}, because the clip has more frames than the volume has layers",
-                                  counted(seen.volume.step(), "frame")));
+        observer.info(fmt::format("each layer merges {} (--layers, --step)", counted(seen.volume.step(), "frame")));
     }
 }
 

@@ -97,10 +97,10 @@ Selection find_event(const CutJob& job, const Footage& footage, app::Observer& o
     app::validate(job.search);
     const fields::FilterRow& filter = *job.search.fields.filter;
     if (!filter.traits.shows_object) {
-        throw Error(
-            ErrorCode::options_conflict,
-            fmt::format("filter {} does not mark objects, so there are no events; choose another filter", filter.name),
-            {"filter"});
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("filter '{}' does not mark objects, so there are no events; choose another filter",
+                                filter.name),
+                    {"filter"});
     }
     const app::OpenedFields fields = app::open_fields(job.search);
     app::RenderJob search = job.search;

@@ -91,7 +91,7 @@ void check_single(const std::string& name) {
     };
     std::error_code none;
     if (name == "-") refuse("stdin and not a file");
-    if (store::is_data_folder(name)) refuse("an extraction without the video");
+    if (store::is_data_folder(name)) refuse("a folder of `vvr extract` without the video");
     if (fs::is_regular_file(name, none)) return;
     const auto is_picture = [](const auto& entry) { return video::is_picture_name(entry.path().filename().string()); };
     const fs::directory_iterator folder(name, none);

@@ -163,9 +163,8 @@ void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& 
     const auto first = std::ranges::find_if(clips, undated);
     if (first == clips.end()) return;
     log.warn(
-        "'{}': {} have no recording time in the name, for example '{}'; each is assigned to the day when the file was "
-        "last "
-        "modified, which may be wrong; describe the names with --names",
+        "'{}': no recording time in the names of {}, for example '{}'; each is assigned to the day of its last "
+        "modification, which may be wrong; describe the names with --names",
         job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 

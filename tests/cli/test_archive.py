@@ -679,8 +679,8 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     for name, written in (("a.avi", 1795176000), ("b.avi", 1795176060)):  # 2026-11-20 12:00
         os.utime(t.path(f"in/gate/{name}"), (written, written))
     archive(t, "--per", "both").expect(
-        0, "warning: 'in': 2 clips have no recording time in the name, for example 'gate/a.avi'; each is assigned to the day when the file "
-        "was last modified", "3 clips drawn")
+        0, "warning: 'in': no recording time in the names of 2 clips, for example 'gate/a.avi'; each is assigned to the day "
+        "of its last modification", "3 clips drawn")
     report = json.loads(t.path("out/gate/2026-11-20.report.json").read_text())
     check(any("by their modification times" in problem for problem in report["problems"]),
           f"{report['problems']}")
