@@ -164,7 +164,8 @@ void check_frame(const CutJob& job, const Footage& footage, std::int64_t frame, 
     if (job.margin > 0) {
         throw Error(
             ErrorCode::options_conflict,
-            fmt::format("margin needs times in seconds, but {} {}f is a frame number; give a time such as 12.5s", setting.name, frame),
+            fmt::format("margin needs times in seconds, but {} {}f is a frame number; give a time such as 12.5s",
+                        setting.name, frame),
             {"margin"});
     }
     if (footage.is_single) return;
@@ -338,9 +339,11 @@ class Cut final : public Command {
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
-        if (job_.path.empty()) throw Error(ErrorCode::output_missing, "no output given; name the file for the piece with -o FILE");
+        if (job_.path.empty())
+            throw Error(ErrorCode::output_missing, "no output given; name the file for the piece with -o FILE");
         if (!job_.event && !line.has(setting::start) && !line.has(setting::end)) {
-            throw Error(ErrorCode::usage, "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
+            throw Error(ErrorCode::usage,
+                        "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
         }
         if (!job_.event && line.has(setting::between)) {
             throw Error(ErrorCode::option_needs_another, "--between limits the search for events; add --event N");

@@ -63,7 +63,8 @@ std::string address_of(const std::string& input) {
 
 /// \throws Error usage for options that need a clip with an end
 void check_stream(const app::RenderJob& job) {
-    if (job.output.path.empty()) throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
+    if (job.output.path.empty())
+        throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
     options::check(job.output);
     if (image::is_animation(job.output.path)) {
         throw Error(
