@@ -87,7 +87,7 @@ void check(const workers::ArchiveOptions& options) {
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
     if (options.max_memory && *options.max_memory < least_memory) {
         throw Error(ErrorCode::option_value_out_of_range,
-                    fmt::format("max-memory: {} bytes are less than a worker needs to start; give at least 200M, or 1G "
+                    fmt::format("max-memory: '{}' is less than a worker needs to start; give at least 200M, or 1G "
                                 "for most clips",
                                 *options.max_memory),
                     {text::max_memory.name});

@@ -42,7 +42,8 @@ class AddOptions {
             line_.list(group_, value, setting, extra);
         } else {
             constexpr bool is_path = std::is_same_v<Type, std::filesystem::path>;
-            const bool needs_file = is_path && extra.use != FileUse::none && !extra.standard_output;
+            const bool is_output = extra.letter == 'o' || extra.use != FileUse::none;
+            const bool needs_file = is_path && is_output && !extra.standard_output;
             // A member is kept by reference, a value that refers to members by copy.
             line_.value(
                 group_, setting, default_of(setting, value_text(setting, value)),

@@ -107,10 +107,11 @@ void check_extension(const std::filesystem::path& path) {
     if (std::ranges::find(known, ending) != known.end()) return;
     known.emplace_back(".html");
     std::ranges::copy(image::animation_extensions(), std::back_inserter(known));
+    const std::string found = ending.empty()
+                                  ? "it has no file extension"
+                                  : fmt::format("'{}' is not an output format{}", ending, did_you_mean(ending, known));
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': {} is not an output format{}; use one of {}", path.string(),
-                            ending.empty() ? "no file extension" : "'" + ending + "'", did_you_mean(ending, known),
-                            fmt::join(known, " ")));
+                fmt::format("cannot write '{}': {}; use one of {}", path.string(), found, fmt::join(known, " ")));
 }
 
 /// Checks the files written beside a picture, such as a page.

@@ -239,7 +239,7 @@ def test_archive_tries_again(t):
     before = sidecar(t, "a.avi")
     t.write("in/a.avi", "no video")
     age(t, "in/a.avi")
-    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "stays", code="not-video")
+    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "is kept", code="not-video")
     check([name for name in outputs(t) if name.startswith("a.")] == sorted(f"a.avi{ending}" for ending in ENDINGS), str(outputs(t)))
     after = sidecar(t, "a.avi")
     check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
@@ -813,7 +813,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
     t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=600, size="384x288")
     os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
-    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "stays", code="worker-timeout")
+    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "is kept", code="worker-timeout")
     after = sidecar(t, day)
     check(whole_before == {name: t.path(f"out/{name}").read_bytes() for name in whole_before}, f"{outputs(t)}")
     check((after["state"], after["tries"], after["frames"], after["day"]["clips"]) == ("failed", 1, before["frames"], 3), f"{after}")

@@ -15,7 +15,7 @@ from harness import check, part_name
 def test_every_format(t):
     t.clip()
     said = t.render("clip.avi", output="out").expect(1, code="output-format-unknown").err
-    pictures = said.partition("there are ")[2].partition(" .html")[0].split()
+    pictures = said.partition("use one of ")[2].partition(" .html")[0].split()
     check(".png" in pictures, said)
     for ending in pictures:
         t.render("clip.avi", output=f"out{ending}").expect(0)

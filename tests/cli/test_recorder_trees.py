@@ -188,7 +188,7 @@ def test_unrelated_clips_are_refused(t):
     t.path("mixed").mkdir()
     t.ffmpeg("-i", "door.avi", "mixed/%d.png")
     os.link(t.path("door.avi"), t.path("mixed/clip.avi"))
-    t.vvr("render", "mixed", *look).expect(0, "warning: 'mixed'", "1 video in it was ignored: 'mixed/clip.avi'")
+    t.vvr("render", "mixed", *look).expect(0, "warning: 'mixed'", "1 video in it is ignored: 'mixed/clip.avi'")
 
 
 def test_dry_run_shows_what_names_hide(t):

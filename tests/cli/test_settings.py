@@ -89,7 +89,7 @@ def test_presets_set_what_a_command_has(t):
     check(t.rgb("clip.png") == t.rgb("data.png"), "data of the preset give another picture")
     # One error, of all that is not so.
     said = t.render("usual", *look).expect(
-        1, "'usual'", "illumination none (not global)", "solver jacobi (not pyramid)",
+        1, "'usual'", "illumination none (extracted: global)", "solver jacobi (extracted: pyramid)",
         "`vvr extract --preset paper`", code="extraction-unsuitable")
     check("there is no option" not in said.err, str(said))
     for command in (("inspect", "clip.avi", "-o", "frame.png"), ("cut", "clip.avi", "-o", "cut.avi", "--start", "0.5s")):
