@@ -188,9 +188,8 @@ Composition compose(const Plan& plan, const Observation& seen) {
                               composed.scene.frames.size() < 2;
     composed.boxes = plan.shows(Part::boxes);
     if (plan.shows(Part::slices)) {
-        const std::optional<space::View>& view = plan.job.look.slice_view;
-        composed.slices = view ? space::fit_camera(*view, scene::outline_points(*plan.layout), plan.picture.size)
-                               : composed.framing.camera;
+        // Those of the default view: seen from there, they would all be parallel to the picture.
+        composed.slices = space::fit_camera(space::View{}, scene::outline_points(*plan.layout), plan.picture.size);
     }
     composed.lettering = annotate(plan, seen, composed);
     return composed;

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/used_settings.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/comparison.h"
@@ -118,7 +117,7 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
     const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         image::write_picture(how.diff, image::difference_picture(expected, comparison));
-    show_other_differences(golden, used_settings(image::settings_of(expected)), metadata, observer);
+    show_other_differences(golden, image::settings_of(expected), metadata, observer);
     if (comparison.verdict == image::Verdict::same) {
         remove_candidate(golden);
         observer.info(fmt::format("'{}': matches; {:.4f} % of the pixels differ, the worst patch by {:.4f}",

@@ -11,7 +11,6 @@
 
 #include "cli/app/colour.h"
 #include "cli/app/settings.h"
-#include "cli/app/used_settings.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
@@ -119,7 +118,7 @@ OpenedFields open_extracted(const RenderJob& job) {
             {setting::start.name, setting::end.name, setting::between.name});
     }
     auto source = std::make_unique<store::StoredFields>(folders);
-    image::Metadata settings = used_settings(source->settings());
+    image::Metadata settings = source->settings();
     check_agreement(job, settings);
     return {std::move(source), std::move(settings)};
 }

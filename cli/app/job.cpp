@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/settings.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fields/field_source.h"
@@ -37,45 +36,6 @@ int pictures_of(const OutputOptions& options) {
     return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
 }
 
-void validate(const space::LayoutOptions& shape) {
-    if (shape.height != 0) check(setting::height, shape.height);
-    check(setting::radius, shape.r_min);
-    check(setting::radius, shape.r_max);
-    if (shape.r_min < shape.r_max) return;
-    throw Error(
-        ErrorCode::option_value,
-        fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min, shape.r_max),
-        {setting::radius.name});
-}
-
-void validate_series(const RenderJob& job) {
-    if (job.bricks.time == TimeScale::busy) {
-        throw Error(ErrorCode::options_conflict,
-                    "time busy is for one picture of a clip; the pictures of a series share one scale of time",
-                    {setting::time.name});
-    }
-}
-
-void validate(const RenderJob& job) {
-    if (job.input.names.empty())
-        throw Error(ErrorCode::input_missing, "no input: name a video, a folder of pictures, or -");
-    fields::validate(job.fields);
-    const auto check_one = [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); };
-    each_brick_setting(job, check_one);
-    each_view_setting(job, check_one);
-    each_look_setting(job, check_one);
-    check(setting::step, job.bricks.step);
-    check(setting::slices, job.picture.slices);
-    if (job.bricks.time == TimeScale::busy && job.bricks.step > 0) {
-        throw Error(ErrorCode::options_conflict,
-                    "step: with time busy, layers have unequal numbers of frames; leave out one of the two",
-                    {setting::step.name, setting::time.name});
-    }
-    if (is_series(job.output)) validate_series(job);
-    validate(job.shape);
-    if (!job.look.font.empty()) image::check_font(job.look.font);
-}
-
 WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
@@ -97,18 +57,18 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     const Row rows[] = {
         {From::automatic, told ? info.began : std::nullopt, info.began_source, "", ""},
         {From::recorded, told ? info.began : std::nullopt, info.began_source, "recorded",
-         "the name of '{}' does not say when it was recorded; give the date and time, or say with --names how it does"},
+         "the name of '{}' has no date and time; give them, or describe the name with --names"},
         {From::container, or_else(told_by(ClockSource::container), info.created), ClockSource::container, "container",
-         "the container of '{}' does not say when it was written; give the date and time"},
+         "the container of '{}' has no creation time; give the date and time"},
         {From::modified, or_else(told_by(ClockSource::modified), info.modified), ClockSource::modified, "modified",
-         "'{}' is no file that was written at some time; give the date and time"},
+         "'{}' is not a file with a modification time; give the date and time"},
     };
     const Row& row = *std::ranges::find(rows, start.from, &Row::from);
     if (row.begin) return local_clock(*row.begin, info.duration, row.source);
     if (row.missing.empty()) return std::nullopt;
     throw Error(ErrorCode::time_of_day_unknown,
                 fmt::format("start-time {}: {}", row.word, fmt::format(fmt::runtime(row.missing), info.name)),
-                {setting::start_time.name});
+                {"start-time"});
 }
 
 }  // namespace vvr::app

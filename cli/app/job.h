@@ -131,22 +131,26 @@ struct StartTime {
     WallClock clock{};  ///< for From::given
 };
 
+/// A transfer function, and the name or the file that it has.
+struct NamedTransfer {
+    std::string name;
+    scene::TransferFunction function;
+};
+
 /// What the picture shows of the volume and the flow. RenderOptions has how it is drawn.
 struct LookOptions {
     Parts show = Parts::by_default();
     int keyframes = 0;  ///< frames shown between the first and the last
     scene::Theme theme = scene::themes().front();
-    std::optional<glm::vec4> background{};              ///< premultiplied; none = the theme's
-    std::optional<scene::TransferFunction> transfer{};  ///< none = the theme's
+    std::optional<glm::vec4> background{};    ///< premultiplied; none = the theme's
+    std::optional<NamedTransfer> transfer{};  ///< none = the theme's
     Choice<ColourRow> colour = "auto";
     std::string title;           ///< empty = the clip's name
     std::filesystem::path font;  ///< of all text; empty = fontconfig's sans
     StartTime start_time;
-    double opacity = 1;                            ///< factor for the extinction
-    double glyph_scale = 1;                        ///< factor for the arrows' size
-    double glyph_cap = scene::GlyphOptions{}.cap;  ///< longest arrow at factor 1
+    double opacity = 1;      ///< factor for the extinction
+    double glyph_scale = 1;  ///< factor for the arrows' size
     scene::TraceOptions traces;
-    std::optional<space::View> slice_view{};  ///< the view for Part::slices; none = the picture's own
 };
 
 /// The OpenGL to draw with.
@@ -169,16 +173,9 @@ struct RenderJob {
     gl::RenderOptions picture;  ///< camera, background and glyphs come from the other members
     BackendOptions backend;
     OutputOptions output;
-    image::Metadata settings;  ///< all settings as text, in the order of files and reports
+    image::Metadata settings;  ///< the record of all settings; make_plan completes it
     image::Metadata given;     ///< settings that the user gave; an extraction must agree with them
 };
-
-/// \throws Error usage when a value is out of range or values contradict each other
-void validate(const RenderJob& job);
-void validate(const space::LayoutOptions& shape);
-
-/// \throws Error usage for settings that apply only to one picture of a whole clip
-void validate_series(const RenderJob& job);
 
 /// The clock for a clip's ruler.
 /// \throws Error usage when the requested source does not have the time

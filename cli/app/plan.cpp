@@ -46,16 +46,15 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
     const LookOptions& look = job.look;
     const ColourRow& asked = *look.colour;
     if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
-        throw Error(
-            ErrorCode::options_conflict,
-            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
-                        job.fields.filter->name),
-            {setting::colour.name, setting::filter.name});
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("color object: the filter '{}' marks no objects; use another filter, or color transfer",
+                                job.fields.filter->name),
+                    {setting::colour.name, setting::filter.name});
     }
     const bool second_flow = asked.filter != nullptr && asked.filter->traits.flow;
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
+                    fmt::format("color {} needs flow, but flow {} computes none; use another flow or colour",
                                 asked.name, job.fields.flow.method->name),
                     {setting::colour.name, setting::flow.name});
     }
@@ -65,7 +64,19 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
 }
 
 scene::TransferFunction transfer_or(const LookOptions& look, std::string_view otherwise) {
-    return look.transfer ? *look.transfer : scene::find_transfer(std::string(otherwise));
+    return look.transfer ? look.transfer->function : scene::find_transfer(std::string(otherwise));
+}
+
+/// Completes the record with what depends on the footage. Settings without a value are left out.
+void complete_record(RenderJob& job, const ColourRow& colour, bool chose_transfer) {
+    const LookOptions& look = job.look;
+    image::put(job.settings, setting::colour.name, colour.name);
+    // A second filter has its own transfer function: no single name describes both.
+    if (!chose_transfer && colour.filter == nullptr) {
+        const std::string theme(look.theme.transfer);
+        image::put(job.settings, setting::transfer.name, look.transfer ? look.transfer->name : theme);
+    }
+    std::erase_if(job.settings, [](const auto& one) { return one.second.empty(); });
 }
 
 gl::GlyphStyle glyph_style_of(const RenderJob& job, bool between_objects) {
@@ -120,8 +131,8 @@ double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
         throw Error(ErrorCode::option_value,
-                    fmt::format("brick of {} s: '{}' does not say how many frames it has per second; give the length "
-                                "of a brick in frames, for example {:.0f}f",
+                    fmt::format("brick of {} s: '{}' has no frame rate; give the length of a brick in frames, for "
+                                "example {:.0f}f",
                                 bricks.length->value, info.name, default_frames),
                     {setting::brick.name});
     }
@@ -225,12 +236,11 @@ int textures_of(const Products& products, int pieces) {
 void check_memory(const Extent& extent) {
     const std::int64_t there = machine_memory();
     if (there <= 0 || extent.bytes <= there) return;
-    throw Error(
-        ErrorCode::memory_too_small,
-        fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
-                    "picture, smaller fields or fewer layers",
-                    static_cast<double>(extent.bytes) / 1e9, static_cast<double>(there) / 1e9),
-        {setting::size.name, setting::field_size.name, setting::layers.name});
+    throw Error(ErrorCode::memory_too_small,
+                fmt::format("this needs about {:.1f} GB of memory, but the machine has {:.1f} GB; choose a smaller "
+                            "picture, smaller fields or fewer layers",
+                            static_cast<double>(extent.bytes) / 1e9, static_cast<double>(there) / 1e9),
+                {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
 Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
@@ -239,10 +249,13 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
     const fields::FilterRow& filter = *job.fields.filter;
     const bool marks_objects = filter.traits.shows_object;
     drop_impossible_parts(job, marks_objects, job.look.show);
-    if (!job.look.transfer && !filter.transfer.empty())
-        job.look.transfer = scene::find_transfer(std::string(filter.transfer));
+    const bool chose_transfer = job.look.transfer.has_value();
+    if (!chose_transfer && !filter.transfer.empty()) {
+        const std::string name(filter.transfer);
+        job.look.transfer = NamedTransfer{name, scene::find_transfer(name)};
+    }
     const ColourRow& colour = choose_colour(job, marks_objects);
-    image::put(job.settings, setting::colour.name, colour.name);
+    complete_record(job, colour, chose_transfer);
     const fields::FilterRow* const second = colour.filter;
     const std::string_view second_own = second == nullptr ? "" : second->transfer;
     const scene::TransferFunction transfer = transfer_or(job.look, job.look.theme.transfer);
@@ -259,7 +272,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
     plan.layout = space::make_layout(job.layout, space::shape_for(clip.field_size, job.shape));
     plan.glyphs.time_velocity = job.look.traces.time_velocity;
     plan.glyphs.frames *= job.look.glyph_scale;
-    plan.glyphs.cap = job.look.glyph_cap * job.look.glyph_scale;
+    plan.glyphs.cap *= job.look.glyph_scale;
     plan.picture = job.picture;
     plan.picture.colour = plan.colour->drawn;
     plan.picture.background = job.look.background.value_or(glm::vec4(job.look.theme.background, 1));

@@ -9,6 +9,7 @@
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
+#include "cli/app/settings.h"
 #include "cli/app/window.h"
 #include "core/image/text.h"
 

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/app/settings.h"
-#include "cli/app/used_settings.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
@@ -214,7 +213,7 @@ std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::Vid
 
 /// The settings used, and the font if there is text: the system's default font if none was chosen.
 image::Metadata settings_and_font(const RunContext& context) {
-    image::Metadata settings = used_settings(context.plan.job.settings);
+    image::Metadata settings = context.plan.job.settings;
     const labels::Lettering& lettering = context.composed.lettering;
     const bool text = !lettering.labels.empty() || !lettering.badges.empty();
     if (text) image::put(settings, setting::font.name, image::font_name());

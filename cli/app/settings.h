@@ -1,11 +1,21 @@
 #pragma once
 
+#include <string_view>
+
 #include "cli/app/colour.h"
+#include "cli/app/job.h"
 #include "core/base/setting.h"
 #include "core/fields/settings.h"
+#include "core/scene/theme.h"
 #include "core/space/layout.h"
+#include "gl/context.h"
+#include "gl/render_options.h"
 
-/// The settings of a RenderJob, except those of its fields.
+// The registry of settings. A setting is a row, and a line of the list below that visits it with the member of the job
+// that holds its value. The type of that member decides how the value is parsed and printed
+// (cli/options/value_types.h); the list decides the group in the help. The command line, config files, the checks of a
+// job and the record in files all visit these lists. The settings of fields are in core/fields/settings.h, those of
+// video in core/video/settings.h.
 namespace vvr::setting {
 
 inline constexpr Setting step{
@@ -17,10 +27,12 @@ inline constexpr Setting layers{
     "maximum number of layers of the window; frames of a longer clip share layers; more take more memory",
     {2, 100'000}};
 
-inline constexpr Setting brick{"brick", "TIME",
-                               "length of a brick; in a series 10s if not given, less in a short clip"};
+inline constexpr Setting brick{"brick", "TIME", "length of a brick; default in a series: 10s, less in a short clip"};
 inline constexpr Setting window{
-    "window", "COUNT", "bricks shown: one picture divides the clip into this many, a series moves on by one", {1, 256}};
+    "window",
+    "COUNT",
+    "number of bricks: one picture divides the clip into this many; each picture of a series shows this many",
+    {1, 256}};
 inline constexpr Setting time{.name = "time",
                               .unit = "NAME",
                               .help = "scale of time along the arc",
@@ -28,48 +40,45 @@ inline constexpr Setting time{.name = "time",
 
 inline constexpr Setting layout{"layout", "NAME", "shape of the volume in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
-inline constexpr Setting height{"height", "UNITS", "height of a frame; square pixels if not given", {0.001, 100}};
+inline constexpr Setting height{"height", "UNITS", "height of a frame; default: square pixels", {0.001, 100}};
 inline constexpr Setting size{
     .name = "size", .unit = "WxH", .help = "width and height of the picture in pixels", .range = {1, 16'384}};
-inline constexpr Setting camera{
-    "camera", "AZIMUTH,ELEVATION",
-    "direction from which the picture is seen: degrees to the right, degrees above the floor"};
-inline constexpr Setting slice_view{
-    "slice-view", "AZIMUTH,ELEVATION",
-    "direction of the view whose slices the part slices shows; the picture's own if not given"};
+inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
+                                "direction of the camera: degrees to the right, degrees above the floor"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
 inline constexpr Setting slices{
-    "slices", "COUNT", "slices of the volume; auto or 0 = one per two voxels", {0, 16'384}, "auto"};
+    "slices", "COUNT", "number of slices of the volume; auto = one per two voxels", {0, 16'384}, "auto"};
 inline constexpr Setting samples{
     "samples", "COUNT", "samples per pixel (antialiasing); OpenGL may support fewer", {1, 64}};
 
 inline constexpr Setting show{"show", "LIST", "parts that are drawn"};
 inline constexpr Setting keyframes{
-    "keyframes", "COUNT", "frames shown between the first and the last; in a series, in each brick", {0, 32}};
+    "keyframes", "COUNT", "number of frames shown between the first and the last; in a series, in each brick", {0, 32}};
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
 inline constexpr Setting background{
-    .name = "background", .unit = "COLOR", .help = "#rrggbb, or none = transparent; the theme's if not given"};
-inline constexpr Setting title{"title", "TEXT", "title above the picture; the clip's name if not given"};
+    .name = "background",
+    .unit = "COLOR",
+    .help = "colour of the background: #rrggbb, or none = transparent; default: the theme's"};
+inline constexpr Setting title{"title", "TEXT", "title above the picture; default: the clip's name"};
 inline constexpr Setting font{.name = "font",
                               .unit = "FILE",
-                              .help = "font of all text: .ttf, .otf; fontconfig's sans if not given",
+                              .help = "font of all text: .ttf, .otf; default: fontconfig's sans",
                               .may_be_file = true};
-inline constexpr Setting start_time{.name = "start-time",
-                                    .unit = "DATETIME",
-                                    .help =
-                                        "what a clock showed when the clip began: 2026-11-21 08:00:00; 'recorded' = "
-                                        "as its name says, in this machine's time zone; 'container' = when its "
-                                        "container says it was written; 'modified' = when the file was last written, "
-                                        "less its length; 'none' = times run from 0:00",
-                                    .default_text = "recorded where its name tells it, else none",
-                                    .not_live_reason = "a stream is not recorded; give the date and time"};
+inline constexpr Setting start_time{
+    .name = "start-time",
+    .unit = "DATETIME",
+    .help =
+        "time of day at which the clip begins: 2026-11-21 08:00:00; 'recorded' = the time in its name, in this "
+        "machine's time zone; 'container' = the creation time in the container; 'modified' = the file's "
+        "modification time, less its length; 'none' = times count from 0:00",
+    .default_text = "recorded if the name has a time, else none",
+    .not_live_reason = "a stream is not recorded; give the date and time"};
 /// For a live stream.
-inline constexpr Setting stream_clock{.name = "start-time",
-                                      .unit = "DATETIME",
-                                      .help =
-                                          "what a clock shows when the stream begins: 2026-11-21 08:00:00; 'none' = "
-                                          "times run from 0:00",
-                                      .default_text = "now, by this machine's clock"};
+inline constexpr Setting stream_clock{
+    .name = "start-time",
+    .unit = "DATETIME",
+    .help = "time of day at which the stream begins: 2026-11-21 08:00:00; 'none' = times count from 0:00",
+    .default_text = "now, by this machine's clock"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",
@@ -79,14 +88,7 @@ inline constexpr Setting colour{"color", "NAME", "colour of the volume"};
 inline constexpr Setting shading{"shading", "NAME", "shading of the volume"};
 inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};
 inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the size of arrows", {0.01, 100}};
-inline constexpr Setting glyph_cap{
-    "glyph-cap", "UNITS", "longest arrow; faster ones have this length and a redder colour", {0.001, 10}};
 inline constexpr Setting trace_steps{"trace-steps", "COUNT", "number of steps of a traceline", {1, 100'000}};
-inline constexpr Setting trace_dt{"trace-dt", "FRAMES", "time step of a traceline", {1e-3, 1000}};
-inline constexpr Setting trace_rest{"trace-rest",
-                                    "PIXELS",
-                                    "a traceline ends where flow is slower than this, in pixels per frame; 0 = never",
-                                    {0, 10'000}};
 inline constexpr Setting time_velocity{
     "time-velocity",
     "NUMBER",
@@ -94,54 +96,158 @@ inline constexpr Setting time_velocity{
     {-1000, 1000}};
 
 inline constexpr Setting backend{"backend", "NAME", "OpenGL backend"};
-inline constexpr Setting gl_debug{"gl-debug", "", "log all messages of the OpenGL driver; slower"};
 inline constexpr Setting device{
-    "device", "NUMBER", "EGL device as `vvr doctor` numbers them; -1 = the first that works", {-1, 255}};
+    "device", "NUMBER", "number of the EGL device, as in `vvr doctor`; -1 = the first that works", {-1, 255}};
 
 inline constexpr Setting animate{
-    "animate", "COUNT", "number of pictures in which stripes run along the tracelines", {2, 10'000}};
+    "animate", "COUNT", "number of pictures; from one to the next, stripes move along the tracelines", {2, 10'000}};
 inline constexpr Setting slide{
-    "slide", "COUNT", "film of the window that slides over the clip, with this many pictures per brick", {1, 1000}};
+    "slide", "COUNT", "video of the window as it moves over the clip, with this many pictures per brick", {1, 1000}};
 inline constexpr Setting tolerance{
-    "tolerance", "LEVEL", "largest difference of a channel at which pixels count as equal", {0, 1}};
-inline constexpr Setting tolerance_percent{
-    "tolerance-percent", "PERCENT", "share of the pixels that may differ by more", {0, 100}};
-inline constexpr Setting tolerance_patch{
-    "tolerance-patch", "LEVEL", "largest mean difference of any small patch", {0, 1}};
+    "tolerance", "FACTOR", "factor on the limits of the comparison; 0 = every sample must be the same", {0, 100}};
 
 }  // namespace vvr::setting
 
 namespace vvr::app {
 
-/// Calls `each` for the settings of a RenderJob whose whole value is one number, name, text or file, with the member
-/// that holds the value and, for a name, the table of rows. The command line and the range checks use these lists.
+// Values that are several members, or a member with a special value. They refer to the options that they are part of.
+
+/// The size of the fields, or "source".
+template <class Value>
+struct FieldSize {
+    Value& value;
+};
+template <class Value>
+FieldSize(Value&) -> FieldSize<Value>;
+
+/// Where a span starts: frames, seconds, or a wall-clock time.
+template <class Span>
+struct SpanStart {
+    Span& span;
+};
+template <class Span>
+SpanStart(Span&) -> SpanStart<Span>;
+
+/// Where a span ends.
+template <class Span>
+struct SpanEnd {
+    Span& span;
+};
+template <class Span>
+SpanEnd(Span&) -> SpanEnd<Span>;
+
+/// The inner and the outer radius.
+template <class Shape>
+struct Radii {
+    Shape& shape;
+};
+template <class Shape>
+Radii(Shape&) -> Radii<Shape>;
+
+/// A number for which 0 has a word.
+template <class Number>
+struct NumberOrWord {
+    Number& value;
+    std::string_view zero;  ///< empty = 0 means that none is given
+};
+template <class Number>
+NumberOrWord(Number&, std::string_view) -> NumberOrWord<Number>;
+
+// The lists. Each calls `each` with the row and the member. Further arguments are, for the name of a row of a table,
+// the table; for an enum, also the table's member of that type; for a number whose default depends on another setting,
+// that setting's row, its table, and the default of a row.
+
+template <class Input, class Each>
+void each_input_setting(Input& input, const Each& each) {
+    each(setting::field_size, FieldSize{input.field_size});
+    each(setting::rate, input.rate);
+}
+
+/// How files become one recording.
+template <class Input, class Each>
+void each_recording_setting(Input& input, const Each& each) {
+    each(setting::names, input.name_patterns);
+    each(setting::join, input.join);
+}
+
+template <class Span, class Each>
+void each_span_setting(Span& span, const Each& each) {
+    each(setting::start, SpanStart{span});
+    each(setting::end, SpanEnd{span});
+    each(setting::between, span.asked.between);
+}
+
+/// Seeds that are read, and the bricks that have some.
 template <class Job, class Each>
-void each_brick_setting(Job& job, const Each& each) {
-    each(setting::window, job.bricks.window);
-    each(setting::layers, job.bricks.max_layers);
+void each_seed_list_setting(Job& job, const Each& each) {
+    each(setting::seeds, job.seeds);
+    each(setting::seed_flags, job.seed_flags);
+}
+
+template <class Bricks, class Each>
+void each_brick_setting(Bricks& bricks, const Each& each) {
+    each(setting::brick, bricks.length);
+    each(setting::window, bricks.window);
+    each(setting::layers, bricks.max_layers);
+    each(setting::time, bricks.time, time_scales, &TimeScaleRow::scale);
 }
 
 template <class Job, class Each>
 void each_view_setting(Job& job, const Each& each) {
+    auto& picture = job.picture;
     each(setting::layout, job.layout, space::layouts());
-    each(setting::fov, job.picture.view.fov);
-    each(setting::samples, job.picture.samples);
+    each(setting::fov, picture.view.fov);
+    each(setting::samples, picture.samples);
+    each(setting::radius, Radii{job.shape});
+    each(setting::height, NumberOrWord{job.shape.height, ""});
+    each(setting::size, picture.size);
+    each(setting::camera, picture.view);
+    each(setting::slices, NumberOrWord{picture.slices, "auto"});
 }
 
 template <class Job, class Each>
 void each_look_setting(Job& job, const Each& each) {
     auto& look = job.look;
+    each(setting::show, look.show);
+    each(setting::theme, look.theme, scene::themes());
+    each(setting::background, look.background);
+    each(setting::start_time, look.start_time);
+    each(setting::transfer, look.transfer);
+    each(setting::shading, job.picture.shading, gl::volume_shadings(), &gl::VolumeShadingRow::shading);
     each(setting::keyframes, look.keyframes);
     each(setting::title, look.title);
     each(setting::font, look.font);
     each(setting::colour, look.colour, colour_rows());
     each(setting::opacity, look.opacity);
     each(setting::glyph_scale, look.glyph_scale);
-    each(setting::glyph_cap, look.glyph_cap);
     each(setting::trace_steps, look.traces.steps);
-    each(setting::trace_dt, look.traces.dt);
-    each(setting::trace_rest, look.traces.rest);
     each(setting::time_velocity, look.traces.time_velocity);
 }
+
+template <class Options, class Each>
+void each_backend_setting(Options& backend, const Each& each) {
+    each(setting::backend, backend.row, gl::backends());
+    each(setting::device, backend.device);
+}
+
+/// The settings of a job that change its picture. The record of a picture has them in this order.
+template <class Job, class Each>
+void each_picture_setting(Job& job, const Each& each) {
+    each_input_setting(job.input, each);
+    each_recording_setting(job.input, each);
+    each_span_setting(job.fields.span, each);
+    each(setting::step, job.bricks.step);
+    fields::each_field_setting(job.fields, each);
+    each_seed_list_setting(job, each);
+    each_brick_setting(job.bricks, each);
+    each_view_setting(job, each);
+    each_look_setting(job, each);
+}
+
+/// \throws Error usage when a value is out of range or values contradict each other
+void validate(const RenderJob& job);
+
+/// \throws Error usage for settings that apply only to one picture of a whole clip
+void validate_series(const RenderJob& job);
 
 }  // namespace vvr::app

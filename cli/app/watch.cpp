@@ -18,6 +18,7 @@
 #include "cli/app/plan.h"
 #include "cli/app/render.h"
 #include "cli/app/report.h"
+#include "cli/app/settings.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
 #include "core/fields/running_reference.h"
@@ -87,7 +88,6 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     live.source.field_size = job.input.field_size;
     live.source.rate = job.input.rate;
     live.source.colour = wants_colour(job);
-    live.lag = options.lag;
     live.patience = options.patience;
     live.duration = options.duration;
     live.tell = [&observer](const std::string& text) { observer.warn(text); };

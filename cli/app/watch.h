@@ -14,9 +14,8 @@ namespace vvr::app {
 
 /// How long to watch a stream, and how long to wait for it.
 struct StreamOptions {
-    std::optional<double> duration{};       ///< seconds; none = unlimited
-    double lag = video::LiveOptions{}.lag;  ///< as in LiveOptions
-    double patience = video::LiveOptions{}.patience;
+    std::optional<double> duration{};                 ///< seconds; none = unlimited
+    double patience = video::LiveOptions{}.patience;  ///< as in LiveOptions
 };
 
 /// Watches a stream and draws its picture again after each brick.

@@ -1,29 +1,104 @@
-#include "cli/options/archive.h"
+#include "cli/workers/archive.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/video/input_files.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
 
 namespace {
 
+namespace text {
+constexpr Setting output{"output", "DIR", "folder for pictures, pages and their "};
+constexpr Setting match{
+    "match", "GLOB",
+    "pattern of the clips: *.avi, or with folders cam?/*.avi; may be repeated; default: files that end in "};
+constexpr Setting exclude{"exclude", "GLOB", "pattern of files to leave out; may be repeated"};
+constexpr Setting per{"per", "NAME", "what one picture shows"};
+constexpr Setting redraw{"redraw", "TIME", "minimum new footage, or idle time, before a day is redrawn"};
+constexpr Setting shard{"shard", "I/N", "draw only this share of the clips, 1/N to N/N"};
+constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; draw nothing"};
+constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
+constexpr Setting index_only{"index-only", "", "write the index and draw nothing"};
+constexpr Setting no_index{"no-index", "", "write no index"};
+constexpr Setting no_pages{"no-pages", "", "make pictures only, which is faster"};
+constexpr Setting jobs{"jobs",
+                       "COUNT",
+                       "number of clips drawn at the same time, each in its own process",
+                       {1, 1024},
+                       "cores / --threads, less if memory is short"};
+constexpr Setting timeout{"timeout", "TIME", "maximum time per clip; 0 = no limit"};
+constexpr Setting max_memory{
+    "max-memory", "BYTES", "memory limit per clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
+constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own clip and pictures"};
+}  // namespace text
+
+void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& archive,
+                         std::optional<std::pair<int, int>>& shard) {
+    const options::AddOptions add(line, options::Group::archive);
+    add(text::output, archive.out, {.letter = 'o', .help = fmt::format("{}; created if missing", archive::index_name)});
+    add(text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
+    add(text::exclude, archive.exclude);
+    add(text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
+    add(text::redraw, archive.redraw);
+    add(text::shard, shard);
+    add(text::dry_run, archive.dry_run);
+    add(text::prune, archive.prune);
+    add(text::index_only, archive.index_only);
+    add(text::no_index, archive.no_index);
+    add(text::no_pages, archive.no_pages);
+    const options::AddOptions add_worker(line, options::Group::workers);
+    add_worker(text::jobs, archive.jobs);
+    add_worker(text::timeout, archive.timeout);
+    add_worker(text::max_memory, archive.max_memory);
+    add_worker(text::sandbox, archive.sandbox, workers::sandbox_modes, &workers::SandboxRow::mode);
+}
+
+/// \throws Error usage when options contradict each other
+void check(const workers::ArchiveOptions& options) {
+    if (options.out.empty())
+        throw Error(ErrorCode::output_missing, "no output given; name the folder for the pictures with -o DIR");
+    if (options.index_only && (options.no_index || options.prune || options.dry_run)) {
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("--index-only writes only the index; drop {}", options.no_index ? "--no-index"
+                                                                               : options.prune  ? "--prune"
+                                                                                                : "--dry-run"));
+    }
+    constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
+    if (options.max_memory && *options.max_memory < least_memory) {
+        throw Error(ErrorCode::option_value_out_of_range,
+                    fmt::format("max-memory: '{}' is less than a worker needs to start; give at least 200M, or 1G "
+                                "for most clips",
+                                *options.max_memory),
+                    {text::max_memory.name});
+    }
+    if (options.in.empty() && !options.index_only) {
+        throw Error(ErrorCode::input_missing, "no INPUT given; name the folder of the clips");
+    }
+}
+
 /// These settings select OpenGL. Workers get them, but they change no picture.
-constexpr std::array drawn_with{setting::backend.name, setting::device.name, setting::gl_debug.name};
+constexpr std::array drawn_with{setting::backend.name, setting::device.name};
 
 /// A digest of all settings that change the files. Without vvr's version: a new version must not redraw years of clips.
 std::string digest_of(const options::CommandLine& line, const workers::ArchiveOptions& options) {
@@ -47,20 +122,24 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
 class Archive final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        options::add_archive_options(line, options_);
+        add_archive_options(line, options_, shard_);
         options::add_input_options(line, job_.input, "CLIPS",
-                                   "the folder that holds the clips, in folders of its own or not");
+                                   "the folder of the clips; vvr also searches its subfolders");
         options::add_name_options(line, job_.input);
         options::add_picture_options(line, job_);
-        line.examples({{"vvr archive clips -o pictures --dry-run", "what would be done, and why"},
+        line.examples({{"vvr archive clips -o pictures --dry-run", "what a run would do, and why"},
                        {"vvr archive clips -o pictures --prune --quiet",
-                        "for cron: draw what is new, remove what is gone, print what failed"},
-                       {"vvr archive recordings -o days --per day", "a picture per camera and day"}});
+                        "for cron: draw new clips, remove pictures of deleted ones, print failures"},
+                       {"vvr archive recordings -o days --per day", "one picture per camera and day"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (!job_.input.names.empty()) options_.in = app::only_input(job_.input);
-        options::check(options_);
+        check(options_);
+        if (shard_) {
+            options_.shard = {static_cast<std::uint64_t>(shard_->first - 1),
+                              static_cast<std::uint64_t>(shard_->second)};
+        }
         options::finish(line, job_, false);
         if (!options_.index_only) app::validate(job_);
         options_.settings = digest_of(line, options_);
@@ -73,7 +152,7 @@ class Archive final : public Command {
         for (const options::OptionValue& value : line.given(std::array{options::Group::run})) {
             if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
             pass_on(value);
-            if (value.name != setting::gl_debug.name) options_.drawn_with.emplace_back(value.name, value.value);
+            options_.drawn_with.emplace_back(value.name, value.value);
         }
         options_.needs.gpu = gl::may_use_gpu(*job_.backend.row);
         options_.names = job_.input.name_patterns;
@@ -88,6 +167,7 @@ class Archive final : public Command {
     }
 
     workers::ArchiveOptions options_;
+    std::optional<std::pair<int, int>> shard_;  ///< I of N, from 1; none = all clips
     app::RenderJob job_;
 };
 

@@ -9,8 +9,10 @@
 
 #include "cli/console.h"
 #include "cli/exit_status.h"
+#include "cli/log.h"
 #include "cli/options/command_line.h"
 #include "cli/workers/worker_message.h"
+#include "core/base/setting.h"
 
 namespace vvr::commands {
 
@@ -52,14 +54,31 @@ inline constexpr std::array command_rows{
     CommandRow{"render", "draw a video as one picture", make_render},
     CommandRow{"watch", "draw a live stream as a picture that is replaced after each brick", make_watch},
     CommandRow{"extract", "write the data files of a video: scalar fields, flow, seeds", make_extract},
-    CommandRow{"seeds", "choose seeds anew on a flow that is stored, as lists", make_seeds_command},
+    CommandRow{"seeds", "choose seeds on a stored flow, and write them as lists", make_seeds_command},
     CommandRow{"inspect", "show one frame's object, flow and seeds side by side, or draw regions on it", make_inspect},
-    CommandRow{"cut", "cut an event, or any piece, out of a clip", make_cut},
+    CommandRow{"cut", "cut an event, or any other piece, out of a clip", make_cut},
     CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
     CommandRow{"compare", "compare two pictures within a tolerance", make_compare},
-    CommandRow{"info", "describe a video, and what a render of it would do and need", make_info},
-    CommandRow{"config", "say which config file is in force, and what it sets", make_config},
-    CommandRow{"doctor", "say what this machine can do, and how to fix what it cannot", make_doctor},
+    CommandRow{"info", "describe a video, and what a render of it does and needs", make_info},
+    CommandRow{"config", "show the active config file, and what it sets", make_config},
+    CommandRow{"doctor", "show what works on this machine, and how to fix the rest", make_doctor},
+};
+
+/// What the program logs, and where. Every command has these options.
+struct LogOptions {
+    bool quiet = false;
+    bool verbose = false;
+    std::string log_file;  ///< empty = none
+    Choice<cli::LogFormat> log_format = "text";
+};
+
+/// A command with its command line: its own options and those that every command has.
+struct CommandAndLine {
+    explicit CommandAndLine(const CommandRow& row);
+
+    std::unique_ptr<Command> command;
+    LogOptions log{};
+    options::CommandLine line;
 };
 
 /// For every command, the options that config files can set.

@@ -9,7 +9,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/log_options.h"
+#include "cli/options/add_option.h"
 #include "cli/options/output.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -17,6 +17,21 @@
 namespace vvr::commands {
 
 namespace {
+
+namespace text {
+constexpr Setting quiet{"quiet", "", "print errors only"};
+constexpr Setting verbose{"verbose", "", "print more"};
+constexpr Setting log_file{"log-file", "FILE",
+                           "also append every line, with its time, to this file, even with --quiet"};
+constexpr Setting log_format{"log-format", "NAME", "format of the log"};
+}  // namespace text
+
+void apply(const LogOptions& options, spdlog::logger& log) {
+    if (options.quiet) cli::set_verbosity(log, cli::Verbosity::quiet);
+    if (options.verbose) cli::set_verbosity(log, cli::Verbosity::verbose);
+    cli::set_format(log, *options.log_format);
+    if (!options.log_file.empty()) cli::add_file(log, options.log_file, *options.log_format);
+}
 
 std::string help() {
     std::string text = "vvr: surveillance video as one still picture\n\nUsage: vvr COMMAND [OPTIONS]\n\n";
@@ -35,16 +50,11 @@ bool looks_like_input(const std::string& text) {
 /// \param fill sets the options; returns false if nothing is left to do, as after --help
 cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environment,
                          const std::function<bool(options::CommandLine&)>& fill) {
-    const std::unique_ptr<Command> command = row.make();
-    options::LogOptions log;
-    options::CommandLine line(std::string(row.name), std::string(row.help));
-    line.set_commands(names_of_commands);
-    command->add_options(line);
-    options::add_log_options(line, log);
-    if (!fill(line)) return cli::ExitStatus::done;
-    options::check_no_input_overwritten(line);
-    options::apply(log, environment.log);
-    return command->run(line, {environment.log, environment.signals, log.quiet});
+    CommandAndLine all(row);
+    if (!fill(all.line)) return cli::ExitStatus::done;
+    options::check_no_input_overwritten(all.line);
+    apply(all.log, environment.log);
+    return all.command->run(all.line, {environment.log, environment.signals, all.log.quiet});
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
@@ -53,17 +63,22 @@ cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::
 
 }  // namespace
 
+CommandAndLine::CommandAndLine(const CommandRow& row)
+    : command(row.make()), line(std::string(row.name), std::string(row.help)) {
+    line.set_commands(names_of_commands);
+    command->add_options(line);
+    const options::AddOptions add(line, options::Group::run);
+    add(text::quiet, log.quiet, {.letter = 'q'});
+    add(text::verbose, log.verbose, {.letter = 'v'});
+    line.exclude(text::verbose, text::quiet);
+    add(text::log_file, log.log_file, {.use = options::FileUse::written});
+    add(text::log_format, log.log_format, cli::log_formats());
+}
+
 std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : command_rows) {
-        names.push_back({std::string(row.name), [&row] {
-                             const std::unique_ptr<Command> command = row.make();
-                             options::LogOptions log;
-                             options::CommandLine line(std::string(row.name), std::string(row.help));
-                             command->add_options(line);
-                             options::add_log_options(line, log);
-                             return line.configurable();
-                         }});
+        names.push_back({std::string(row.name), [&row] { return CommandAndLine(row).line.configurable(); }});
     }
     return names;
 }

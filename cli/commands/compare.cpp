@@ -11,6 +11,7 @@
 #include "cli/app/golden.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/output.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
@@ -63,18 +64,18 @@ nlohmann::ordered_json json_of(const image::Comparison& comparison) {
     return json;
 }
 
-constexpr Setting json_option{"json", "", "for programs: null where there is no number"};
+constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no number"};
 
 class Compare final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         line.arguments(names_, "A B", "two picture files");
-        line.flag(options::Group::output, json_, json_option);
+        options::AddOptions(line, options::Group::output)(json_option, json_);
         options::add_comparison_options(line, options_);
-        line.examples({{"vvr compare golden.png out.png", "status 7 if they differ by more than the tolerance"},
-                       {"vvr compare golden.png out.png --diff diff.png", "where they differ"},
-                       {"vvr compare golden.png out.png --tolerance 0 --tolerance-percent 0 --tolerance-patch 0 --json",
-                        "the same in every sample, with numbers for programs"}});
+        line.examples({{"vvr compare golden.png out.png", "exit with 7 if they differ by more than the tolerance"},
+                       {"vvr compare golden.png out.png --diff diff.png", "show where they differ"},
+                       {"vvr compare golden.png out.png --tolerance 0 --json",
+                        "every sample must be the same; numbers for programs"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {

@@ -4,9 +4,9 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/log_options.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 
 namespace vvr::commands {
@@ -14,11 +14,7 @@ namespace vvr::commands {
 namespace {
 
 /// Sets a command's options as the config file does, without other arguments.
-void read(options::CommandLine& line, Command& command, options::LogOptions& log, const options::ConfigChoice& choice,
-          const std::string& preset = {}) {
-    line.set_commands(names_of_commands);
-    command.add_options(line);
-    options::add_log_options(line, log);
+void read(options::CommandLine& line, const options::ConfigChoice& choice, const std::string& preset = {}) {
     std::vector<std::string> arguments;
     // Without --config the file is searched for again, so that errors say how it was found.
     if (choice.file.empty()) arguments.emplace_back("--no-config");
@@ -41,18 +37,16 @@ std::string file_line(const options::ConfigChoice& choice) {
 std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : command_rows) {
-        const std::unique_ptr<Command> command = row.make();
-        options::LogOptions log;
-        options::CommandLine line(std::string(row.name), std::string(row.help));
+        CommandAndLine command(row);
         try {
-            read(line, *command, log, choice);
+            read(command.line, choice);
         } catch (const Error& error) {
             // An unknown name is an error for all commands; an invalid value may be one for this command only.
             if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
             text += fmt::format("vvr {}: {}\n", row.name, error.what());
             continue;
         }
-        for (const options::OptionValue& option : line.given(options::all_groups)) {
+        for (const options::OptionValue& option : command.line.given(options::all_groups)) {
             if (option.name != "config")
                 text += fmt::format("vvr {}: {} = {}\n", row.name, option.name, shown_text(option.value));
         }
@@ -62,10 +56,9 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
 
 /// All options of a command: the value, and what sets it.
 std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
-    const std::unique_ptr<Command> command = row.make();
-    options::LogOptions log;
-    options::CommandLine line(std::string(row.name), std::string(row.help));
-    read(line, *command, log, choice, preset);
+    CommandAndLine command(row);
+    options::CommandLine& line = command.line;
+    read(line, choice, preset);
     std::string text;
     const auto of_preset = options::settings_of_preset(preset);
     const std::vector<options::OptionValue> given = line.given(options::all_groups);
@@ -86,14 +79,17 @@ class Config final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         line.arguments(names_, "[COMMAND]",
-                       "whose options are listed, with their values; what the file sets if not given");
+                       "list the options of this command and their values; default: list what the config file sets");
         line.only_find_config();
-        line.choice(options::Group::output, options::presets(), preset_, setting::preset,
-                    [this](const options::Preset& row) { preset_ = row.name; });
-        line.examples({{"vvr config", "which config file is in force, and what it sets"},
-                       {"vvr config render", "every option of render, and who sets it"},
+        line.value(options::Group::output, setting::preset, "",
+                   [this](const std::string& given) {
+                       preset_ = choose(setting::preset.name, given, options::presets()).name;
+                   },
+                   {.values = options::values_of(options::presets())});
+        line.examples({{"vvr config", "the active config file, and what it sets"},
+                       {"vvr config render", "every option of render, and what sets it"},
                        {"vvr config render --no-config", "the defaults"},
-                       {"vvr config render --preset paper", "what a preset sets"}});
+                       {"vvr config render --preset paper", "the options that a preset sets"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {

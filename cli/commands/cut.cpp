@@ -8,7 +8,6 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,9 +22,9 @@
 #include "cli/commands/footage.h"
 #include "cli/commands/write_piece.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
-#include "cli/options/parse_value.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
@@ -40,12 +39,9 @@ namespace {
 
 /// A piece of a clip or a recording, and its output. The piece is an event or lies between two times.
 struct CutJob {
-    app::RenderJob search;              ///< the footage, its clock, and how to find events in it; nothing is drawn
+    app::RenderJob search;              ///< the footage, its clock, the span, and how to find events; nothing is drawn
     std::filesystem::path report;       ///< a report with the events; empty = search for events
-    std::optional<std::int64_t> event;  ///< number of the event, from 1
-    std::optional<app::Time> from;      ///< none = the beginning
-    std::optional<app::Time> to;        ///< the first frame after the piece; none = to the end
-    video::RequestedSpan asked{};       ///< wall-clock times, in place of `from` and `to`
+    std::optional<std::int64_t> event;  ///< number of the event in the span, from 1; none = the span is the piece
     double margin = 0;                  ///< seconds before and after
     bool exact = false;                 ///< encode exactly the frames of the piece, without sound
     std::filesystem::path path;         ///< a file, a name without extension, or a folder; missing parts are chosen
@@ -141,66 +137,59 @@ video::VideoInfo info_of(const Footage& footage, const video::Segment& file, dou
     return info;
 }
 
-/// The job with wall-clock times converted to seconds of the recording.
+/// The job, in which the wall-clock limits of the span are seconds of the recording.
 CutJob in_seconds(CutJob job, const Footage& footage, app::Observer& observer) {
-    if (!job.asked.start && !job.asked.end) return job;
+    video::FrameSpan& span = job.search.fields.span;
+    if (job.event || (!span.asked.start && !span.asked.end)) return job;
     const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
     const WallClock known = app::clock_of(job.search.look.start_time, info);
-    const auto seconds = [&](const video::RequestedTime& asked, std::string_view setting, double from) {
-        return app::Time{video::seconds_of(asked, video::require_clock(known, info, setting, asked.text), from),
-                         app::Time::Unit::seconds};
+    const auto seconds = [&](const video::RequestedTime& asked, const Setting& setting, double from) {
+        return video::seconds_of(asked, video::require_clock(known, info, setting.name, asked.text), from);
     };
-    if (job.asked.start) {
-        job.from = seconds(*job.asked.start, "from", 0);
-        if (job.from->value < 0) {
+    if (span.asked.start) {
+        span.start = seconds(*span.asked.start, setting::start, 0);
+        if (span.start < 0)
             observer.warn(fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name,
                                       known->iso(0)));
-            job.from->value = 0;
-        }
+        span.start = std::max(0.0, span.start);
     }
-    const double begin = job.from && job.from->unit == app::Time::Unit::seconds ? job.from->value : 0;
-    if (job.asked.end) job.to = seconds(*job.asked.end, "to", begin + 1e-3);
+    if (span.asked.end) span.end = seconds(*span.asked.end, setting::end, span.start + 1e-3);
+    span.asked = {};
     return job;
 }
 
-void check_unit(const CutJob& job, const Footage& footage, const app::Time& time, std::string_view option) {
-    if (time.unit == app::Time::Unit::seconds || time.value == 0) return;
+/// Checks that a limit of the piece may be a frame.
+void check_frame(const CutJob& job, const Footage& footage, std::int64_t frame, const Setting& setting) {
+    if (frame == 0) return;
     if (job.margin > 0) {
         throw Error(
             ErrorCode::options_conflict,
-            fmt::format("margin needs times in seconds, but {} {:.0f}f is a frame number; give a time such as 12.5s",
-                        option, time.value),
+            fmt::format("margin needs times in seconds, but {} {}f is a frame number; give a time such as 12.5s",
+                        setting.name, frame),
             {"margin"});
     }
     if (footage.is_single) return;
     throw Error(ErrorCode::option_value,
-                fmt::format("{} {:.0f}f is a frame number, which is unknown in a recording of several files until it "
-                            "is decoded; give a time such as 12.5s",
-                            option, time.value),
-                {option});
+                fmt::format("{} {}f is a frame number, which is unknown in a recording of several files until it is "
+                            "decoded; give a time such as 12.5s",
+                            setting.name, frame),
+                {setting.name});
 }
 
 video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
-    video::FrameSpan span;
-    if (job.from) {
-        check_unit(job, footage, *job.from, "from");
-        if (job.from->unit == app::Time::Unit::seconds) span.start = std::max(0.0, job.from->value - job.margin);
-        if (job.from->unit == app::Time::Unit::frames) span.first = static_cast<std::int64_t>(job.from->value);
+    video::FrameSpan span = job.search.fields.span;
+    check_frame(job, footage, span.first, setting::start);
+    check_frame(job, footage, span.stop.value_or(0), setting::end);
+    const bool empty = (span.end && span.first == 0 && *span.end <= span.start) ||
+                       (span.stop && span.start == 0 && *span.stop <= span.first);
+    if (empty) {
+        throw Error(ErrorCode::span_empty,
+                    fmt::format("the piece is empty: its end, {}, is not after its start; choose a later end",
+                                span.end ? fmt::format("{} s", *span.end) : fmt::format("frame {}", *span.stop)),
+                    {setting::start.name, setting::end.name});
     }
-    if (job.to) {
-        check_unit(job, footage, *job.to, "to");
-        if (job.to->unit == app::Time::Unit::seconds) span.end = job.to->value + job.margin;
-        if (job.to->unit == app::Time::Unit::frames) span.stop = static_cast<std::int64_t>(job.to->value);
-    }
-    const bool same_unit = job.to && (!job.from || job.from->unit == job.to->unit);
-    if (same_unit && job.to->value <= (job.from ? job.from->value : 0)) {
-        const bool in_seconds = job.to->unit == app::Time::Unit::seconds;
-        throw Error(
-            ErrorCode::span_empty,
-            fmt::format("the piece is empty: its end, {}, is not after its start; choose a later end",
-                        in_seconds ? fmt::format("{} s", job.to->value) : fmt::format("frame {}", job.to->value)),
-            {"from", "to"});
-    }
+    span.start = std::max(0.0, span.start - job.margin);
+    if (span.end) *span.end += job.margin;
     return span;
 }
 
@@ -297,42 +286,34 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
 }
 
 namespace text {
-constexpr Setting output{
-    "output", "FILE", "the piece; its extension names the container, and is chosen if there is none, or for a folder"};
+constexpr Setting output{"output", "FILE",
+                         "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
 constexpr Setting event{
-    "event", "N", "cut this event, by its number in the picture, the report and the page", {1, 1'000'000'000}};
-constexpr Setting report{"report", "FILE", "read the events from this report of `vvr render --report`; no search"};
-constexpr Setting from{"from", "TIME",
-                       "cut from here; the beginning if not given; as --start, by the clock on the wall too"};
-constexpr Setting to{"to", "TIME", "the first frame that is no longer in the piece; the end if not given"};
-constexpr Setting margin{"margin", "TIME", "so much more before and after", {0, 3600}};
-constexpr Setting exact{"exact", "",
-                        "encode exactly these frames anew, without sound; else packets are copied from the key frame "
-                        "before"};
+    "event",
+    "N",
+    "cut this event, by its number in the picture, the report and the page; without it, cut from --start to --end",
+    {1, 1'000'000'000}};
+constexpr Setting report{"report", "FILE",
+                         "take the events from this report of `vvr render --report`, without a search"};
+constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
+constexpr Setting exact{
+    "exact", "",
+    "encode exactly these frames again, without sound; otherwise, packets are copied from the preceding key frame on"};
 }  // namespace text
 
 class Cut final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         constexpr options::Group output = options::Group::output;
-        line.path(output, job_.path, text::output,
-                  {.letter = 'o',
-                   .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
-                   .use = options::FileUse::written});
-        line.value(output, text::event, "", [this](const std::string& given) {
-            job_.event = options::parse_integer(given, static_cast<std::int64_t>(text::event.range.low),
-                                                static_cast<std::int64_t>(text::event.range.high));
-        });
-        line.path(output, job_.report, text::report, {.use = options::FileUse::read});
-        line.value(output, text::from, "",
-                   [this](const std::string& given) { set(given, job_.from, job_.asked.start); });
-        line.value(output, text::to, "", [this](const std::string& given) { set(given, job_.to, job_.asked.end); });
-        line.duration(output, job_.margin, text::margin);
-        line.flag(output, job_.exact, text::exact);
-        line.exclude(text::event, text::from);
-        line.exclude(text::event, text::to);
-        line.exclude(text::report, text::from);
-        line.exclude(text::report, text::to);
+        const options::AddOptions add(line, output);
+        add(text::output, job_.path,
+            {.letter = 'o',
+             .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
+             .use = options::FileUse::written});
+        add(text::event, job_.event);
+        add(text::report, job_.report, {.use = options::FileUse::read});
+        add(text::margin, job_.margin);
+        add(text::exact, job_.exact);
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
@@ -342,24 +323,30 @@ class Cut final : public Command {
             "recording");
         options::add_name_options(line, search.input);
         options::add_join_option(line, search.input);
-        options::add_start_time_option(line, search.look.start_time);
+        options::AddOptions(line, options::Group::look)(setting::start_time, search.look.start_time);
         options::add_span_options(line, search.fields.span);
+        line.exclude(text::report, setting::start);
+        line.exclude(text::report, setting::end);
         options::add_field_options(line, search.fields);
         options::add_preset_option(line, options::Group::run);
         options::add_thread_options(line, search.fields.threads);
         line.examples(
-            {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip's picture"},
-             {"vvr cut clip.avi -o piece.avi --from 0.5s --to 00:00:01.5", "a piece, copied from the key frame before"},
-             {"vvr cut clip.avi -o exact.mp4 --from 5f --to 15f --exact", "exactly these frames, encoded again"}});
+            {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip"},
+             {"vvr cut clip.avi -o piece.avi --start 0.5s --end 00:00:01.5",
+              "a piece, copied from the preceding key frame on"},
+             {"vvr cut clip.avi -o exact.mp4 --start 5f --end 15f --exact", "exactly these frames, encoded again"}});
     }
 
-    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
         if (job_.path.empty())
             throw Error(ErrorCode::output_missing, "no output given; name the file for the piece with -o FILE");
-        if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
+        if (!job_.event && !line.has(setting::start) && !line.has(setting::end)) {
             throw Error(ErrorCode::usage,
-                        "no piece chosen; choose one with --event N, or with --from TIME and --to TIME");
+                        "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
+        }
+        if (!job_.event && line.has(setting::between)) {
+            throw Error(ErrorCode::option_needs_another, "--between limits the search for events; add --event N");
         }
         cli::Console console(environment);
         const std::stop_source stop;
@@ -373,14 +360,6 @@ class Cut final : public Command {
     }
 
   private:
-    /// Stores a time of the clip or a wall-clock time.
-    static void set(const std::string& given, std::optional<app::Time>& time,
-                    std::optional<video::RequestedTime>& asked) {
-        const auto place = options::parse_place(given);
-        time = std::holds_alternative<app::Time>(place) ? std::optional(std::get<app::Time>(place)) : std::nullopt;
-        asked = time ? std::nullopt : std::optional(std::get<video::RequestedTime>(place));
-    }
-
     CutJob job_;
 };
 

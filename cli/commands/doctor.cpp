@@ -13,6 +13,7 @@ extern "C" {
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
@@ -99,17 +100,17 @@ std::string as_text(const std::vector<gl::BackendReport>& reports) {
     return text;
 }
 
-constexpr Setting json_option{"json", "", "for programs: null where there is nothing to say"};
+constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no value"};
 
 class Doctor final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        line.flag(options::Group::output, json_, json_option);
+        options::AddOptions(line, options::Group::output)(json_option, json_);
         options::add_thread_options(line, threads_);
         options::add_backend_options(line, backend_);
-        line.examples({{"vvr doctor", "which OpenGL works here, and what to install for what does not"},
+        line.examples({{"vvr doctor", "which OpenGL works here, and what to install for the rest"},
                        {"vvr doctor --json", "the same for programs"},
-                       {"vvr doctor --backend software", "whether this one works: the status is 4 where it doesn't"}});
+                       {"vvr doctor --backend software", "check this backend; exit with 4 if it does not work"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment&) override {

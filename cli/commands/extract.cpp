@@ -9,11 +9,10 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "cli/app/settings.h"
-#include "cli/app/used_settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/parse_value.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/field_source.h"
@@ -98,7 +97,7 @@ void extract(ExtractJob job, app::Observer& observer) {
     manifest.span = job.fields.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
-    manifest.settings = app::used_settings(job.settings);
+    manifest.settings = job.settings;
     {
         const auto held = observer.guard();
         folder->close(std::move(manifest), summary.reference);
@@ -115,41 +114,39 @@ void extract(ExtractJob job, app::Observer& observer) {
 }
 
 namespace text {
-constexpr Setting output{"output", "DIR", "a new or empty folder, or one with an older extraction, which is replaced"};
-constexpr Setting with_color{"with-color", "", "keep every frame's picture, for renders with --color video"};
-constexpr Setting part{"part", "I/N",
-                       "only the I-th of N parts of the clip, 1/N to N/N, as from one extraction of all of it"};
+constexpr Setting output{"output", "DIR", "a new or empty folder; an older extraction in it is replaced"};
+constexpr Setting with_color{"with-color", "", "also store the picture of each frame, for renders with --color video"};
+constexpr Setting part{"part", "I/N", "extract only part I of N of the clip, 1/N to N/N"};
 }  // namespace text
 
 class Extract final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        constexpr options::Group output = options::Group::output;
-        line.path(output, job_.folder, text::output, {.letter = 'o', .use = options::FileUse::written});
+        const options::AddOptions add(line, options::Group::output);
+        add(text::output, job_.folder, {.letter = 'o', .use = options::FileUse::written});
         // Not in Group::fields: it decides what is stored, not how a field is computed.
-        line.number(output, job_.fields.flow.every, setting::flow_every);
-        line.flag(output, job_.colour, text::with_color);
+        add(setting::flow_every, job_.fields.flow.every);
+        add(text::with_color, job_.colour);
         // The recorded settings have the part as --start and --end.
-        line.value(output, text::part, "",
-                   [this](const std::string& given) { job_.part = options::parse_share(given); });
+        add(text::part, job_.part);
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
         options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
         options::add_span_options(line, job_.fields.span);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);
-        options::add_start_time_option(line, job_.start_time);
+        options::AddOptions(line, options::Group::look)(setting::start_time, job_.start_time);
         options::add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr extract clip.avi -o data", "fields, flow and seeds as files"},
                        {"vvr render data -o data.png", "the picture of them"},
                        {"vvr extract clip.avi -o part --part 2/8 --with-color", "one of eight parts of a long clip"}});
     }
 
-    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (job_.folder.empty())
             throw Error(ErrorCode::output_missing, "no output given; name the folder for the files with -o DIR");
         app::require_input(job_.input);
-        job_.settings = options::shown(line.values(std::array{options::Group::input, options::Group::fields}));
+        job_.settings = options::record_of(job_.input, job_.fields);
         cli::Console console(environment);
         extract(job_, console);
         return cli::ExitStatus::done;

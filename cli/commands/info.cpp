@@ -8,8 +8,10 @@
 
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
+#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
@@ -132,19 +134,19 @@ std::string as_json(const fields::FieldSource& source, const app::Extent& extent
     return json_text(json, 2) + "\n";
 }
 
-constexpr Setting json_option{"json", "", "for programs: null where the container does not say"};
+constexpr Setting json_option{"json", "", "print JSON for programs; null where the container has no value"};
 
 class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        line.flag(options::Group::output, json_, json_option);
+        options::AddOptions(line, options::Group::output)(json_option, json_);
         options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
         options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
         options::add_picture_options(line, job_);
-        line.examples({{"vvr info clip.avi", "what the clip is, and what a picture of it would need"},
+        line.examples({{"vvr info clip.avi", "the clip, and the memory that a picture of it needs"},
                        {"vvr info clip.avi --json", "the same for programs"},
-                       {"vvr info clip.avi --field-size source", "what larger fields would need"}});
+                       {"vvr info clip.avi --field-size source", "the same for larger fields"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/glm.hpp>
 
 #include "cli/app/input.h"
@@ -16,8 +17,8 @@
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/parse_value.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
@@ -304,29 +305,29 @@ void inspect(const InspectJob& job, app::Observer& observer) {
 
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
-constexpr Setting frame{"frame", "TIME", "which frame; the middle of the clip if not given, but at most 60s in"};
+constexpr Setting frame{"frame", "TIME", "the frame; default: the middle of the clip, but at most 60s"};
 }  // namespace text
 
 class Inspect final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        line.path(options::Group::output, job_.path, text::output,
-                  {.letter = 'o',
-                   .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
-                                       fmt::join(image::picture_file_extensions(), " ")),
-                   .use = options::FileUse::written});
+        options::AddOptions(line, options::Group::output)(
+            text::output, job_.path,
+            {.letter = 'o',
+             .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
+                                 fmt::join(image::picture_file_extensions(), " ")),
+             .use = options::FileUse::written});
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
         options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
-        line.value(options::Group::input, text::frame, "",
-                   [this](const std::string& given) { job_.frame = options::parse_time(given); });
+        options::AddOptions(line, options::Group::input)(text::frame, job_.frame);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);
-        line.path(options::Group::look, job_.font, setting::font);
+        options::AddOptions(line, options::Group::look)(setting::font, job_.font);
         options::add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr inspect clip.avi --frame 1s -o frame.png", "object, flow and seeds of the frame at 1 s"},
                        {"vvr inspect clip.avi -o roi.html", "a page to draw --roi and --mask on"},
-                       {"vvr inspect clip.avi --frame 1s --threshold 40 -o strict.png", "what a threshold leaves"}});
+                       {"vvr inspect clip.avi --frame 1s --threshold 40 -o strict.png", "the effect of a threshold"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {

@@ -16,7 +16,7 @@
 #include "cli/app/observer.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/job_options.h"
+#include "cli/options/add_option.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
@@ -171,18 +171,19 @@ void write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer) {
 }
 
 namespace text {
-constexpr Setting output{"output", "DIR", "a new or empty folder for the lists, which `vvr render --seeds DIR` reads"};
+constexpr Setting output{"output", "DIR", "a new or empty folder for the lists; `vvr render --seeds DIR` reads them"};
 }  // namespace text
 
 class Seeds final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         line.arguments(flows_, "FLOW", "a folder that `vvr extract` wrote, or one with .flo files, named by frame");
-        line.path(options::Group::output, job_.folder, text::output, {.letter = 'o', .use = options::FileUse::written});
-        options::add_seed_options(line, job_.seeds);
+        options::AddOptions(line, options::Group::output)(text::output, job_.folder,
+                                                          {.letter = 'o', .use = options::FileUse::written});
+        fields::each_seed_setting(job_.seeds, options::AddOptions(line, options::Group::fields));
         line.examples({{"vvr extract clip.avi -o data", "the flow of a clip"},
                        {"vvr seeds data -o lists --seed-select first:2", "the two fastest points of each frame"},
-                       {"vvr render clip.avi -o clip.png --seeds lists", "the picture with arrows at those"}});
+                       {"vvr render clip.avi -o clip.png --seeds lists", "the picture with arrows at these points"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {

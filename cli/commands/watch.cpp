@@ -1,19 +1,100 @@
-#include "cli/options/watch.h"
+#include "cli/app/watch.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/app/input.h"
+#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/options/output.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/fields/reference.h"
+#include "core/image/picture_file.h"
+#include "core/image/video_encoder.h"
 
 namespace vvr::commands {
 
 namespace {
+
+constexpr Setting output{"output", "FILE", "the picture; it is replaced after each brick"};
+
+void add_stream_options(options::CommandLine& line, app::StreamOptions& stream) {
+    const options::AddOptions add(line, options::Group::input);
+    add(setting::duration, stream.duration);
+    add(setting::patience, stream.patience);
+}
+
+void add_stream_output(options::CommandLine& line, app::OutputOptions& options) {
+    options::AddOptions(line, options::Group::output)(
+        output, options.path,
+        {.letter = 'o',
+         .help =
+             fmt::format(": {}; a page that reloads itself: .html; a series, one file per brick, has a field in its "
+                         "name: {{brick:4}}, #### or %04d",
+                         fmt::join(image::picture_file_extensions(), " ")),
+         .use = options::FileUse::written});
+}
+
+/// The address of an input: the input itself, or for `@FILE` the first line of that file. Other users of the machine
+/// can see a program's arguments, but not such a file.
+/// \throws Error io when the file can't be read, usage when it holds no address
+std::string address_of(const std::string& input) {
+    if (!input.starts_with('@')) return input;
+    const std::string file = input.substr(1);
+    std::istringstream lines(read_file(file, most_bytes::text));
+    std::string address;
+    std::getline(lines, address);
+    while (!address.empty() && std::isspace(static_cast<unsigned char>(address.back())) != 0) address.pop_back();
+    if (!address.empty()) return address;
+    throw Error(
+        ErrorCode::input_missing,
+        fmt::format("the file '{}' has no address; write one into its first line, such as rtsp://camera/stream", file));
+}
+
+/// \throws Error usage for options that need a clip with an end
+void check_stream(const app::RenderJob& job) {
+    if (job.output.path.empty())
+        throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
+    options::check(job.output);
+    if (image::is_animation(job.output.path)) {
+        throw Error(
+            ErrorCode::output_format_unknown,
+            fmt::format("'{}': an animated file is complete at its end, but a stream has none; use a picture, a "
+                        "page or a series",
+                        job.output.path.string()));
+    }
+    using From = app::StartTime::From;
+    const From clock = job.look.start_time.from;
+    if (clock == From::recorded || clock == From::container || clock == From::modified) {
+        throw Error(ErrorCode::choice_unknown,
+                    fmt::format("{}: {}", setting::start_time.name, setting::start_time.not_live_reason),
+                    {setting::start_time.name});
+    }
+    const fields::ReferenceRow* const reference = job.fields.reference.row();
+    struct {
+        bool given;
+        std::string option;
+        const char* instead;
+    } const refused[] = {
+        {std::filesystem::is_directory(job.seeds), "--seeds",
+         "a stream can't have one list per frame; use one list for all frames"},
+        {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference.name(),
+         "it needs the whole clip; use running, first or a picture"},
+    };
+    for (const auto& row : refused) {
+        if (row.given) throw Error(ErrorCode::options_conflict, fmt::format("{}: {}", row.option, row.instead));
+    }
+}
 
 class Watch final : public Command {
   public:
@@ -25,24 +106,24 @@ class Watch final : public Command {
 
     void add_options(options::CommandLine& line) override {
         line.set_for_streams();
-        options::add_stream_output(line, job_.output);
-        options::add_stream_options(line, options_);
+        add_stream_output(line, job_.output);
+        add_stream_options(line, options_);
         options::add_input_options(
             line, job_.input, "INPUT",
-            "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a file that grows, - for "
-            "stdin, @FILE for a URL that a file holds");
+            "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a growing file, - for stdin, "
+            "@FILE for a URL in a file");
         options::add_picture_options(line, job_);
-        options::add_stream_clock(line, job_.look.start_time);
+        options::AddOptions(line, options::Group::look)(setting::stream_clock, job_.look.start_time);
         line.examples(
-            {{"vvr watch rtsp://camera/stream -o gate.html", "a page that shows the last 80 seconds"},
+            {{"vvr watch rtsp://camera/stream -o gate.html", "a page of the last 80 seconds"},
              {"vvr watch rtsp://camera/stream -o gate.png --brick 1m --window 10 --duration 8h",
-              "a picture of the last ten minutes, for a working day"},
-             {"vvr watch rtsp://camera/stream -o 'gate.{brick:6}.png'", "a picture each 10 seconds, all kept"}});
+              "a picture of the last ten minutes, for eight hours"},
+             {"vvr watch rtsp://camera/stream -o 'gate.{brick:6}.png'", "one picture every 10 seconds, all kept"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
-        options::check_stream(job_);
-        job_.input.names = {options::address_of(app::only_input(job_.input))};
+        check_stream(job_);
+        job_.input.names = {address_of(app::only_input(job_.input))};
         options::finish(line, job_, true);
         cli::Console console(environment, false);
         app::StreamWatch watch(job_, options_, console);

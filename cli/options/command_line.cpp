@@ -1,18 +1,14 @@
 #include "cli/options/command_line.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <set>
 #include <sstream>
-#include <type_traits>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/console.h"
-#include "cli/options/config_file.h"
 #include "cli/options/help.h"
-#include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -23,19 +19,11 @@ namespace vvr::options {
 
 namespace {
 
-constexpr Setting config_option{"config", "FILE",
-                                "read long option names and values, as `size = 1280x800`; the command line wins"};
-constexpr Setting no_config_option{"no-config", "", "read no config file, wherever one is"};
-constexpr Setting help_option{"help", "", "print this and end"};
-
-template <class T>
-struct Unwrapped {
-    using Type = T;
-};
-template <class T>
-struct Unwrapped<std::optional<T>> {
-    using Type = T;
-};
+constexpr Setting config_option{
+    "config", "FILE",
+    "read options from this file, as lines like `size = 1280x800`; the command line takes precedence"};
+constexpr Setting no_config_option{"no-config", "", "read no config file"};
+constexpr Setting help_option{"help", "", "print this help"};
 
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -72,25 +60,25 @@ HelpOption help_of(Group group, const Setting& setting, const std::string& shown
 
 /// Options of other programs that people try here, and the equivalent.
 constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
-    {"-i", "an input has no option: vvr COMMAND FILE"},
-    {"-ss", "--start TIME is where to begin"},
-    {"-st", "--start TIME is where to begin"},
-    {"-to", "--end TIME is where to end"},
-    {"-et", "--end TIME is where to end"},
-    {"-t", "--start TIME and --end TIME say which part is read"},
-    {"-r", "--rate FPS is for input that has no times"},
-    {"-framerate", "--rate FPS is for input that has no times"},
-    {"-y", "outputs are replaced without asking"},
-    {"-threads", "--threads COUNT"},
-    {"--frame-rate", "--rate FPS is for input that has no times"},
-    {"--resolution", "--size WxH is the size of the picture"},
-    {"--colormap", "--transfer NAME"},
-    {"--background-color", "--background COLOR"},
-    {"-R", "--roi FILE says where to look"},
-    {"--add-region", "--roi AREA says where to look"},
-    {"--load-region", "--roi FILE says where to look"},
-    {"--min-event-length", "--event-min-seconds TIME"},
-    {"--frame-skip", "--step FRAMES; nothing is skipped, frames share a layer"},
+    {"-i", "give an input without an option: vvr COMMAND FILE"},
+    {"-ss", "use --start TIME"},
+    {"-st", "use --start TIME"},
+    {"-to", "use --end TIME"},
+    {"-et", "use --end TIME"},
+    {"-t", "use --start TIME and --end TIME"},
+    {"-r", "use --rate FPS, for input without times"},
+    {"-framerate", "use --rate FPS, for input without times"},
+    {"-y", "vvr replaces outputs without asking"},
+    {"-threads", "use --threads COUNT"},
+    {"--frame-rate", "use --rate FPS, for input without times"},
+    {"--resolution", "use --size WxH"},
+    {"--colormap", "use --transfer NAME"},
+    {"--background-color", "use --background COLOR"},
+    {"-R", "use --roi FILE"},
+    {"--add-region", "use --roi AREA"},
+    {"--load-region", "use --roi FILE"},
+    {"--min-event-length", "use --event-min-seconds TIME"},
+    {"--frame-skip", "use --step FRAMES; vvr skips none, frames share a layer"},
 };
 
 /// Whether the arguments contain an option.
@@ -128,6 +116,7 @@ struct CommandLine::Impl {
     NamesOfCommands names_of_commands{};
     std::map<const CLI::Option*, FileUse> uses{};
     std::vector<std::string>* arguments = nullptr;
+    std::map<std::string, std::function<void(const std::string&)>> plan_settings{};
     ConfigChoice config{};
     bool reads_config = true;
 
@@ -194,55 +183,6 @@ void CommandLine::value(Group group, const Setting& setting, const std::string& 
     impl_->help.options.push_back(help_of(group, setting, shown, extra));
 }
 
-template <class Number>
-void CommandLine::number(Group group, Number& target, const Setting& setting, const OptionExtra& extra) {
-    using Value = typename Unwrapped<Number>::Type;
-    std::string shown(setting.default_text);
-    if constexpr (std::is_same_v<Number, Value>) {
-        if (shown.empty()) shown = fmt::format("{}", target);
-    }
-    const auto set = [&target, range = setting.range](const std::string& given) {
-        if constexpr (std::is_integral_v<Value>) {
-            target = static_cast<Value>(
-                parse_integer(given, static_cast<std::int64_t>(range.low), static_cast<std::int64_t>(range.high)));
-        } else {
-            target = parse_number(given, range);
-        }
-    };
-    value(group, setting, shown, set, extra);
-}
-
-template void CommandLine::number(Group, double&, const Setting&, const OptionExtra&);
-template void CommandLine::number(Group, int&, const Setting&, const OptionExtra&);
-template void CommandLine::number(Group, std::int64_t&, const Setting&, const OptionExtra&);
-template void CommandLine::number(Group, std::optional<double>&, const Setting&, const OptionExtra&);
-template void CommandLine::number(Group, std::optional<int>&, const Setting&, const OptionExtra&);
-
-void CommandLine::duration(Group group, double& target, const Setting& setting) {
-    value(group, setting, fmt::format("{}s", target),
-          [&target, range = setting.range](const std::string& given) { target = parse_duration(given, range); });
-}
-
-void CommandLine::text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra) {
-    value(
-        group, setting, target, [&target](const std::string& given) { target = given; }, extra);
-}
-
-void CommandLine::path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra) {
-    const bool is_output = group == Group::output || group == Group::comparison || extra.letter == 'o';
-    const bool refuses = is_output && !extra.standard_output;
-    value(
-        group, setting, target.string(),
-        [&target, refuses](const std::string& given) {
-            if (refuses && given == "-") {
-                throw Error(ErrorCode::option_value,
-                            "'-' is standard input or output, which this can't be; ./- is a file of that name");
-            }
-            target = given;
-        },
-        extra);
-}
-
 void CommandLine::flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra) {
     impl_->app.add_flag(flag_of(setting, extra.letter), target)->group(title_of(group));
     impl_->help.options.push_back(help_of(group, setting, "", extra));
@@ -256,6 +196,10 @@ void CommandLine::list(Group group, std::vector<std::string>& target, const Sett
         ->group(title_of(group))
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void CommandLine::plan_setting(const std::string& name, std::function<void(const std::string&)> set) {
+    impl_->plan_settings.emplace(name, std::move(set));
 }
 
 void CommandLine::exclude(const Setting& a, const Setting& b) {
@@ -297,7 +241,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     NamesOfCommands commands = impl_->names_of_commands;
     if (!commands)
         commands = [this] { return std::vector<CommandNames>{{impl_->command, [this] { return configurable(); }}}; };
-    app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name, std::move(commands)));
+    app.config_formatter(config_file_reader(app, impl_->command, config_name, std::move(commands)));
     std::vector<std::string> reversed = with_preset(
         arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
     // Show help even if the config file has errors.
@@ -332,7 +276,16 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
 
 void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings) {
     CLI::App& app = impl_->app;
-    app.config_formatter(std::make_shared<GivenSettings>(app, settings));
+    std::vector<std::pair<std::string, std::string>> of_options;
+    for (const auto& [name, value] : settings) {
+        const auto of_plan = impl_->plan_settings.find(name);
+        if (of_plan != impl_->plan_settings.end()) {
+            of_plan->second(value);
+        } else {
+            of_options.emplace_back(name, value);
+        }
+    }
+    app.config_formatter(given_settings_reader(app, of_options));
     std::istringstream nothing;
     try {
         app.parse_from_stream(nothing);
@@ -349,7 +302,7 @@ void CommandLine::refuse_two_outputs() const {
             option->results(), [&](const std::string& value) { return value != option->results().front(); });
         if (other == option->results().end()) continue;
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
+                    fmt::format("--{} is given twice, as '{}' and as '{}'; drop one of them",
                                 option->get_lnames().front(), option->results().front(), *other));
     }
 }
@@ -362,7 +315,7 @@ void CommandLine::refuse_leftovers() const {
     const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
     if (option == leftovers.end()) {
         throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is one argument too many; `{} --help` lists what it takes", leftovers.front(),
+                    fmt::format("'{}' is one argument too many; `{} --help` lists the arguments", leftovers.front(),
                                 app.get_name()));
     }
     const std::string name = option->substr(0, option->find('='));
@@ -395,7 +348,8 @@ std::vector<OptionValue> CommandLine::given(std::span<const Group> groups) const
 }
 
 bool CommandLine::has(const Setting& setting) const {
-    return !impl_->option(setting)->empty();
+    const CLI::Option* const option = impl_->app.get_option_no_throw("--" + std::string(setting.name));
+    return option != nullptr && !option->empty();
 }
 
 }  // namespace vvr::options

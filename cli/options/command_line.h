@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/config_choice.h"
+#include "cli/options/config_file.h"
 #include "cli/options/help.h"
 #include "core/base/setting.h"
 
@@ -112,36 +112,16 @@ class CommandLine {
     /// Examples for the end of the help.
     void examples(std::initializer_list<Example> examples);
 
-    /// A number within the setting's range. Number is double, int, std::int64_t, or an optional of these.
-    template <class Number>
-    void number(Group group, Number& target, const Setting& setting, const OptionExtra& extra = {});
-
-    /// A duration in seconds, within the setting's range.
-    void duration(Group group, double& target, const Setting& setting);
-
-    void text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra = {});
-    void path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra = {});
     void flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra = {});
 
     /// Texts; the option may be repeated.
     void list(Group group, std::vector<std::string>& target, const Setting& setting, const OptionExtra& extra = {});
 
-    /// A value of any other type.
+    /// A value of any other type. AddOptions (cli/options/add_option.h) has the function for each type.
     /// \param shown the default value as a user would type it; empty = none
     /// \param set called with the given text; throws Error usage
     void value(Group group, const Setting& setting, const std::string& shown,
                const std::function<void(const std::string&)>& set, const OptionExtra& extra = {});
-
-    /// The name of a table's row. Help explains the rows.
-    /// \param chosen the name of the default row
-    /// \param set called with the row
-    template <class Rows, class Set>
-    void choice(Group group, const Rows& rows, std::string_view chosen, const Setting& setting, Set set) {
-        const auto kept = fitting(rows);
-        value(group, setting, std::string(chosen),
-              [set, kept, name = setting.name](const std::string& given) { set(choose(name, given, kept)); },
-              {.values = values_of(kept)});
-    }
 
     /// The rows that this command can have: for streams, none that need the whole clip.
     template <class Rows>
@@ -156,10 +136,8 @@ class CommandLine {
         return kept;
     }
 
-    template <class Rows, class Row>
-    void choice(Group group, const Rows& rows, Choice<Row>& target, const Setting& setting) {
-        choice(group, rows, target->name, setting, [&target](const Row& row) { target = row.name; });
-    }
+    /// A setting that only take() sets: no option.
+    void plan_setting(const std::string& name, std::function<void(const std::string&)> set);
 
     /// Makes it an error to give both options.
     void exclude(const Setting& a, const Setting& b);
@@ -193,7 +171,7 @@ class CommandLine {
     /// The options of these groups that the user gave, on the command line or in the config file.
     std::vector<OptionValue> given(std::span<const Group> groups) const;
 
-    /// Whether the user gave the option.
+    /// Whether the user gave the option. False if the command does not have it.
     bool has(const Setting& setting) const;
 
   private:

@@ -1,10 +1,16 @@
 #include "cli/options/config_file.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <istream>
+#include <optional>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/options/presets.h"
 #include "core/base/error.h"
@@ -13,6 +19,36 @@
 namespace vvr::options {
 
 namespace {
+
+constexpr std::string_view config_option = "--config";
+
+/// The last one wins, as with every option.
+std::optional<std::string> given_file(std::span<const std::string> arguments) {
+    std::optional<std::string> file;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string_view argument = arguments[i];
+        if (argument == "--") break;
+        if (argument == config_option && i + 1 < arguments.size()) file = arguments[i + 1];
+        if (argument.starts_with(config_option) && argument.substr(config_option.size()).starts_with('=')) {
+            file = argument.substr(config_option.size() + 1);
+        }
+    }
+    return file;
+}
+
+std::vector<std::filesystem::path> usual_places() {
+    std::vector<std::filesystem::path> places;
+    const char* const config_home = std::getenv("XDG_CONFIG_HOME");
+    const char* const home = std::getenv("HOME");
+    // The XDG Base Directory Specification says to ignore relative paths.
+    if (config_home != nullptr && std::filesystem::path(config_home).is_absolute()) {
+        places.push_back(std::filesystem::path(config_home) / "vvr/vvr.toml");
+    } else if (home != nullptr && std::filesystem::path(home).is_absolute()) {
+        places.push_back(std::filesystem::path(home) / ".config/vvr/vvr.toml");
+    }
+    places.emplace_back("/etc/vvr/vvr.toml");
+    return places;
+}
 
 const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
     const CLI::Option* const option = app.get_option_no_throw("--" + name);
@@ -54,17 +90,36 @@ std::istringstream without_comments(std::istream& input) {
     return std::istringstream(text);
 }
 
-}  // namespace
-
-std::vector<std::string> configurable_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* known : app.get_options()) {
-        if (!known->get_configurable()) continue;
-        const std::vector<std::string>& all = known->get_lnames();
-        names.insert(names.end(), all.begin(), all.end());
+class ConfigFile : public CLI::ConfigTOML {
+  public:
+    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
+        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {
+        comment('\0');  // removed before CLI11 parses the file
     }
-    return names;
-}
+
+    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
+
+  private:
+    void check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+    void refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+
+    const CLI::App& app_;
+    std::string command_;
+    std::string file_;  ///< for error texts
+    NamesOfCommands names_;
+};
+
+class GivenSettings : public CLI::ConfigTOML {
+  public:
+    GivenSettings(const CLI::App& app, std::span<const std::pair<std::string, std::string>> settings)
+        : app_(app), settings_(settings) {}
+
+    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
+
+  private:
+    const CLI::App& app_;
+    std::span<const std::pair<std::string, std::string>> settings_;
+};
 
 void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
     if (item.parents.empty()) return;
@@ -73,7 +128,7 @@ void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<Co
     const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
     if (std::ranges::find(names, section) != names.end()) return;
     throw Error(ErrorCode::config_invalid,
-                fmt::format("the config file '{}' has a section [{}], and there is no such command{}", file_, section,
+                fmt::format("the config file '{}' has a section [{}], but there is no such command{}", file_, section,
                             did_you_mean(section, names)));
 }
 
@@ -127,6 +182,42 @@ std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/)
     }
     add_preset(app_, taken);
     return taken;
+}
+
+}  // namespace
+
+ConfigChoice find_config(std::span<const std::string> arguments) {
+    if (const auto file = given_file(arguments)) return {*file, "named by --config", {}, true};
+    if (std::ranges::find(arguments, "--no-config") != arguments.end()) return {{}, "because of --no-config", {}};
+    if (const char* const named = std::getenv("VVR_CONFIG")) {
+        return {named, *named == 0 ? "because VVR_CONFIG is empty" : "named by VVR_CONFIG", {}};
+    }
+    const std::vector<std::filesystem::path> places = usual_places();
+    const auto there = std::ranges::find_if(places, [](const std::filesystem::path& place) {
+        std::error_code ignored;
+        return std::filesystem::exists(place, ignored);
+    });
+    return {there == places.end() ? std::filesystem::path() : *there, "found there", places};
+}
+
+std::vector<std::string> configurable_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* known : app.get_options()) {
+        if (!known->get_configurable()) continue;
+        const std::vector<std::string>& all = known->get_lnames();
+        names.insert(names.end(), all.begin(), all.end());
+    }
+    return names;
+}
+
+std::shared_ptr<CLI::Config> config_file_reader(const CLI::App& app, std::string command, std::string file,
+                                                NamesOfCommands names) {
+    return std::make_shared<ConfigFile>(app, std::move(command), std::move(file), std::move(names));
+}
+
+std::shared_ptr<CLI::Config> given_settings_reader(const CLI::App& app,
+                                                   std::span<const std::pair<std::string, std::string>> settings) {
+    return std::make_shared<GivenSettings>(app, settings);
 }
 
 }  // namespace vvr::options

@@ -1,52 +1,52 @@
 #pragma once
 
-#include <istream>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "cli/options/config_choice.h"
+namespace CLI {
+class App;
+class Config;
+}  // namespace CLI
 
 namespace vvr::options {
+
+/// A command and the options that a config file can set for it. `options` is called only if a file sets an option that
+/// the current command doesn't have.
+struct CommandNames {
+    std::string command;
+    std::function<std::vector<std::string>()> options;
+};
+
+/// Returns the names for every command. A function, because only a config file needs them.
+using NamesOfCommands = std::function<std::vector<CommandNames>()>;
+
+/// The config file in use, and why.
+struct ConfigChoice {
+    std::filesystem::path file;                 ///< empty = none
+    std::string why;                            ///< for people: "named by --config"
+    std::vector<std::filesystem::path> places;  ///< the paths that were tried, in order
+    bool is_given = false;                      ///< with --config
+};
+
+/// The config file, in order of precedence: --config, the environment variable VVR_CONFIG, the user's file, the
+/// system's file. --no-config or an empty VVR_CONFIG means none. Doesn't check that a named file can be read.
+ConfigChoice find_config(std::span<const std::string> arguments);
 
 /// A config file: long option names and values, and sections `[COMMAND]` for one command each. Lines before the first
 /// section apply to every command that has the option. A section or name that no command has is an error. A `preset`
 /// sets options that the file does not set.
-class ConfigFile : public CLI::ConfigTOML {
-  public:
-    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
-        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {
-        comment('\0');  // removed before CLI11 parses the file
-    }
+/// \param file for error texts
+std::shared_ptr<CLI::Config> config_file_reader(const CLI::App& app, std::string command, std::string file,
+                                                NamesOfCommands names);
 
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
-
-  private:
-    void check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
-    void refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
-
-    const CLI::App& app_;
-    std::string command_;
-    std::string file_;  ///< for error texts
-    NamesOfCommands names_;
-};
-
-/// Feeds settings from data to CLI11 in place of a config file.
-class GivenSettings : public CLI::ConfigTOML {
-  public:
-    GivenSettings(const CLI::App& app, std::span<const std::pair<std::string, std::string>> settings)
-        : app_(app), settings_(settings) {}
-
-    /// \throws Error usage when no option has that name
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
-
-  private:
-    const CLI::App& app_;
-    std::span<const std::pair<std::string, std::string>> settings_;
-};
+/// Feeds settings from data to CLI11 in place of a config file. A setting that no option has is an error.
+std::shared_ptr<CLI::Config> given_settings_reader(const CLI::App& app,
+                                                   std::span<const std::pair<std::string, std::string>> settings);
 
 /// All names of the options that a config file can set.
 std::vector<std::string> configurable_names(const CLI::App& app);

@@ -28,15 +28,15 @@ struct UnitRow {
 
 constexpr std::array units{
     UnitRow{"TIME",
-            "12.5s, 3m, 1h30m, 2d or 00:03:00; for a place in a clip and for a brick also 250f, a number of frames. A "
-            "number alone is seconds; where it could be frames too, it needs its unit"},
-    UnitRow{"AREA",
-            "polygons, 'x,y x,y x,y; x,y ...', in pixels of the video from its top left corner; a text file (.txt) of "
-            "them, a polygon per line; or a picture, stretched over the frame, in which grey 128 and brighter counts"},
-    UnitRow{"GREY", "levels of 0 to 255"},
+            "12.5s, 3m, 1h30m, 2d or 00:03:00; for positions in a clip and for bricks also 250f, a number of frames. A "
+            "number without a unit is in seconds, except where frames are possible: there, a unit is required"},
+    UnitRow{
+        "AREA",
+        "polygons, 'x,y x,y x,y; x,y ...', in pixels of the video from its top left corner; a text file (.txt) with "
+        "one polygon per line; or a picture, scaled to the frame, whose levels of 128 and more are the area"},
+    UnitRow{"GREY", "grey levels from 0 to 255"},
     UnitRow{"UNITS", "lengths in the picture's space, in which the outer radius of the horseshoe is 1"},
-    UnitRow{"LEVEL", "a share of a channel's range: 0 to 1"},
-    UnitRow{"LIST", "names with commas between them"},
+    UnitRow{"LIST", "names separated by commas"},
 };
 
 /// Appends words, wrapped; further lines begin at column `indent`.

@@ -35,9 +35,6 @@ void add_span_options(CommandLine& line, video::FrameSpan& span);
 /// Filter, flow and seeds.
 void add_field_options(CommandLine& line, fields::FieldOptions& options);
 
-/// Where seeds lie, their order, and their number.
-void add_seed_options(CommandLine& line, fields::SeedOptions& options);
-
 /// The option --preset. A preset sets several options; those that the command lacks are skipped.
 void add_preset_option(CommandLine& line, Group group);
 
@@ -49,25 +46,12 @@ void add_backend_options(CommandLine& line, app::BackendOptions& backend);
 /// All options of a picture or a series, without INPUT and the outputs.
 void add_picture_options(CommandLine& line, app::RenderJob& job);
 
-/// Layout, camera and size of the picture.
-void add_view_options(CommandLine& line, app::RenderJob& job);
-
-/// The wall-clock time at the start of the clip.
-void add_start_time_option(CommandLine& line, app::StartTime& start);
-
-/// Parses `2026-11-21 08:00:00`, or a word for the time's source.
-/// \throws Error usage
-app::StartTime parse_start_time(const std::string& text);
-
-/// What the picture shows of the volume and the flow.
-void add_look_options(CommandLine& line, app::RenderJob& job);
-
-/// Records the given options in the job as text. Call it after parsing.
+/// Records the settings in the job as text. Call it after parsing.
 /// \param series one picture per brick is drawn
 /// \throws Error usage when options contradict each other
 void finish(const CommandLine& line, app::RenderJob& job, bool series);
 
-/// Options as recorded in a file's metadata.
-image::Metadata shown(const std::vector<OptionValue>& values);
+/// The record of an extraction's settings.
+image::Metadata record_of(const app::InputOptions& input, const fields::FieldOptions& fields);
 
 }  // namespace vvr::options

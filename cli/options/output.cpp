@@ -5,9 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -22,6 +20,7 @@
 
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
+#include "cli/options/add_option.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
@@ -38,35 +37,21 @@ namespace {
 
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
-constexpr Setting plain_name{"plain-name", "", "take FILE literally: its name has no field"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
-constexpr Setting page_camera{"page-camera", "TEXT", "the camera that the page names in its heading"};
-constexpr Setting page_index{"page-index", "FILE", "the index of an archive, to which the page links"};
-constexpr Setting page_place{"page-place", "FILE",
-                             "file to which the page will be moved; its links are relative to that place"};
-constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
 constexpr Setting still{"still", "FILE",
                         "the frame of the clip that shows most, with a box around what it shows: .jpg .png"};
 constexpr Setting report{
     "report", "FILE",
-    "a JSON file of the input, the settings, the events and the run; needs no -o; - = standard output"};
-constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
+    "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
+constexpr Setting events{"events", "LIST", "kinds of events in the report and on the page"};
 constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "leave out shorter events", {0, 86'400}};
-constexpr Setting golden{"golden", "FILE",
-                         "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
+constexpr Setting golden{
+    "golden", "FILE",
+    "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
 constexpr Setting bless{"bless", "", "replace the golden picture instead of comparing; writes no --diff"};
 constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
 }  // namespace text
-
-std::set<events::EventKind> parse_kinds(const std::string& list) {
-    std::set<events::EventKind> kinds;
-    std::istringstream words(list);
-    for (std::string word; std::getline(words, word, ',');) {
-        kinds.insert(choose(text::events.name, word, events::event_kinds).kind);
-    }
-    return kinds;
-}
 
 /// Whether both paths name the same file. It need not exist.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -86,19 +71,16 @@ struct Named {
 };
 
 void check_names(const app::OutputOptions& options) {
-    const Named outputs[] = {{"--report", options.report, "report.json"},
-                             {"--page", options.page, "page.html"},
-                             {"--thumbnail", options.thumbnail, "small.jpg"},
-                             {"--still", options.still, "still.jpg"},
-                             {"-o", options.path, "picture.png"},
-                             {"--golden", options.golden.path, "golden.png"},
-                             {"--diff", options.golden.comparison.diff, "diff.png"}};
+    const Named outputs[] = {
+        {"--report", options.report, "report.json"},     {"--page", options.page, "page.html"},
+        {"--still", options.still, "still.jpg"},         {"-o", options.path, "picture.png"},
+        {"--golden", options.golden.path, "golden.png"}, {"--diff", options.golden.comparison.diff, "diff.png"}};
     for (const Named& a : outputs) {
         for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
             // check_golden checks these pairs.
-            if (&a - outputs > 3 || !same_file(a.path, b.path)) continue;
+            if (&a - outputs > 2 || !same_file(a.path, b.path)) continue;
             throw Error(ErrorCode::options_conflict,
-                        fmt::format("{} and {} both name '{}'; give the {} a name of its own, such as {}", a.option,
+                        fmt::format("{} and {} both name '{}'; use another name for the {}, such as {}", a.option,
                                     b.option, b.path.string(), a.option + 2, a.better));
         }
     }
@@ -109,12 +91,11 @@ void check_standard_output(const app::OutputOptions& options) {
     if (!is_standard_output(options.path)) return;
     if (is_standard_output(options.report)) {
         throw Error(ErrorCode::options_conflict,
-                    "-o and --report both go to standard output; name a file for one of them");
+                    "-o and --report both write to standard output; name a file for one of them");
     }
     if (::isatty(STDOUT_FILENO) == 1) {
         throw Error(ErrorCode::usage,
-                    "-o -: standard output is a terminal, and would show a PNG file as letters; send it to a program, "
-                    "or name a file");
+                    "-o -: standard output is a terminal; redirect it to a file or a program, or name a file");
     }
 }
 
@@ -126,46 +107,37 @@ void check_extension(const std::filesystem::path& path) {
     if (std::ranges::find(known, ending) != known.end()) return;
     known.emplace_back(".html");
     std::ranges::copy(image::animation_extensions(), std::back_inserter(known));
+    const std::string found = ending.empty()
+                                  ? "it has no file extension"
+                                  : fmt::format("'{}' is not an output format{}", ending, did_you_mean(ending, known));
     throw Error(ErrorCode::output_format_unknown,
-                fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
-                            ending.empty() ? "a name without an ending" : "'" + ending + "'",
-                            did_you_mean(ending, known), fmt::join(known, " ")));
+                fmt::format("cannot write '{}': {}; use one of {}", path.string(), found, fmt::join(known, " ")));
 }
 
-/// Checks the files written beside a picture, such as page and thumbnail.
+/// Checks the files written beside a picture, such as a page.
 void check_companions(const app::OutputOptions& options) {
     if (!options.page.empty() && !app::is_page(options.page)) {
         throw Error(ErrorCode::output_format_unknown,
-                    fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
+                    fmt::format("--page '{}': the extension of a page is .html", options.page.string()));
     }
     if (!options.page.empty() && app::is_page(options.path)) {
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
+                    fmt::format("'{}' is already an HTML page; drop --page, or use an image extension in -o",
                                 options.path.string()));
     }
-    const std::pair<const char*, const std::filesystem::path&> companions[] = {
-        {"--page", options.page}, {"--thumbnail", options.thumbnail}, {"--still", options.still}};
+    const std::pair<const char*, const std::filesystem::path&> companions[] = {{"--page", options.page},
+                                                                               {"--still", options.still}};
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
         if (options.path.empty() || app::pictures_of(options) > 1 || app::is_series(options)) {
-            throw Error(
-                options.path.empty() ? ErrorCode::option_needs_another : ErrorCode::options_conflict,
-                fmt::format("{} goes with one picture; {}", option,
-                            options.path.empty() ? "say where that goes with -o FILE" : "make those separately"));
+            throw Error(options.path.empty() ? ErrorCode::option_needs_another : ErrorCode::options_conflict,
+                        fmt::format("{} needs exactly one picture; {}", option,
+                                    options.path.empty() ? "name it with -o FILE"
+                                                         : "write a series or an animation in a separate run"));
         }
         image::check_file_path(path);
     }
-    if (!options.thumbnail.empty()) image::check_picture_extension(options.thumbnail);
     if (!options.still.empty()) image::check_picture_extension(options.still);
-    if (!app::page_of(options).empty()) return;
-    const std::pair<const Setting&, bool> of_page[] = {{text::page_camera, !options.page_camera.empty()},
-                                                       {text::page_index, !options.page_index.empty()},
-                                                       {text::page_place, !options.page_place.empty()}};
-    for (const auto& [setting, given] : of_page) {
-        if (!given) continue;
-        throw Error(ErrorCode::option_needs_another,
-                    fmt::format("--{} is for a page; name one with --page FILE, or as -o FILE.html", setting.name));
-    }
 }
 
 void check_golden(const app::GoldenOptions& options) {
@@ -175,33 +147,29 @@ void check_golden(const app::GoldenOptions& options) {
         return options.bless ? image::check_picture_path(options.path) : image::check_picture_extension(options.path);
     }
     if (options.bless)
-        throw Error(ErrorCode::option_needs_another, "--bless: add --golden FILE to say which picture is blessed");
+        throw Error(ErrorCode::option_needs_another, "--bless needs --golden FILE, the picture to replace");
     if (!options.comparison.diff.empty()) {
-        throw Error(ErrorCode::option_needs_another,
-                    "--diff: add --golden FILE to say what the picture is compared with");
+        throw Error(ErrorCode::option_needs_another, "--diff needs --golden FILE, the picture to compare with");
     }
 }
 
 }  // namespace
 
 void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) {
-    line.number(Group::comparison, options.tolerance.level, setting::tolerance);
-    line.number(Group::comparison, options.tolerance.percent, setting::tolerance_percent);
-    line.number(Group::comparison, options.tolerance.patch, setting::tolerance_patch);
-    line.path(Group::comparison, options.diff, text::diff, {.use = FileUse::written});
+    const AddOptions add(line, Group::comparison);
+    add(setting::tolerance, options.tolerance);
+    add(text::diff, options.diff, {.use = FileUse::written});
 }
 
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
-    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(events::event_kinds), ",")),
-               [&choice](const std::string& given) { choice.kinds = parse_kinds(given); },
-               {.values = values_of(events::event_kinds)});
-    line.duration(group, choice.least, text::event_min_seconds);
+    const AddOptions add(line, group);
+    add(text::events, choice.kinds);
+    add(text::event_min_seconds, choice.least);
 }
 
 void add_output_options(CommandLine& line, app::OutputOptions& options) {
-    constexpr Group output = Group::output;
-    line.path(
-        output, options.path, text::output,
+    const AddOptions add(line, Group::output);
+    add(text::output, options.path,
         {.letter = 'o',
          .help = fmt::format(
              ": {}; a page to watch the clip from: .html; or animated: {}; - = a PNG file to "
@@ -209,23 +177,25 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
              fmt::join(image::picture_file_extensions(), " "), fmt::join(image::animation_extensions(), " ")),
          .standard_output = true,
          .use = FileUse::written});
-    line.flag(output, options.plain_name, text::plain_name);
-    line.number(output, options.animate, setting::animate,
-                {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
-                                     app::default_animation)});
-    line.number(output, options.slide, setting::slide,
-                {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_extensions(), " "))});
-    line.path(output, options.page, text::page, {.use = FileUse::written});
-    line.text(output, options.page_camera, text::page_camera);
-    line.path(output, options.page_index, text::page_index);
-    line.path(output, options.page_place, text::page_place);
-    line.path(output, options.thumbnail, text::thumbnail, {.use = FileUse::written});
-    line.path(output, options.still, text::still, {.use = FileUse::written});
-    line.path(output, options.report, text::report, {.standard_output = true, .use = FileUse::written});
-    add_event_options(line, output, options.events);
-    line.path(Group::comparison, options.golden.path, text::golden, {.use = FileUse::compared});
-    line.flag(Group::comparison, options.golden.bless, text::bless);
+    add(setting::animate, options.animate,
+        {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
+                             app::default_animation)});
+    add(setting::slide, options.slide,
+        {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_extensions(), " "))});
+    add(text::page, options.page, {.use = FileUse::written});
+    add(text::still, options.still, {.use = FileUse::written});
+    add(text::report, options.report, {.standard_output = true, .use = FileUse::written});
+    add_event_options(line, Group::output, options.events);
+    const AddOptions add_comparison(line, Group::comparison);
+    add_comparison(text::golden, options.golden.path, {.use = FileUse::compared});
+    add_comparison(text::bless, options.golden.bless);
     add_comparison_options(line, options.golden.comparison);
+    // Only the plan of an archive's worker sets these.
+    line.plan_setting("plain-name", [&options](const std::string&) { options.plain_name = true; });
+    line.plan_setting("page-camera", [&options](const std::string& camera) { options.page_camera = camera; });
+    line.plan_setting("page-index", [&options](const std::string& path) { options.page_index = path; });
+    line.plan_setting("page-place", [&options](const std::string& path) { options.page_place = path; });
+    line.plan_setting("thumbnail", [&options](const std::string& path) { options.thumbnail = path; });
 }
 
 void check(const app::ComparisonOptions& options) {
@@ -239,28 +209,29 @@ void check(const app::OutputOptions& options) {
     check_names(options);
     check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
-        throw Error(ErrorCode::output_missing, "no output: say where the picture goes with -o FILE");
+        throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
     }
     if (options.slide && options.animate) {
-        throw Error(ErrorCode::options_conflict,
-                    "--slide moves the window and --animate the stripes of one picture; leave one of them out: with "
-                    "--slide stripes run too");
+        throw Error(
+            ErrorCode::options_conflict,
+            "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, "
+            "stripes move too");
     }
     if (options.slide && !image::is_animation(options.path)) {
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("--slide makes a film, but '{}' is none; name one: {}", options.path.string(),
-                                fmt::join(image::animation_extensions(), " ")));
+                    fmt::format("--slide makes a video, but '{}' has the extension of a picture; use one of {}",
+                                options.path.string(), fmt::join(image::animation_extensions(), " ")));
     }
     if (!options.golden.path.empty() && options.slide) {
         throw Error(ErrorCode::options_conflict,
-                    "--golden compares one picture, and --slide makes a film; leave one of them out");
+                    "--golden compares one picture, but --slide makes a video; drop one of them");
     }
     if (options.path.empty() && options.animate) {
-        throw Error(ErrorCode::output_missing, "--animate: say where the pictures go with -o FILE");
+        throw Error(ErrorCode::output_missing, "--animate: name the pictures with -o FILE");
     }
     if (!options.golden.path.empty() && app::pictures_of(options) > 1) {
         throw Error(ErrorCode::options_conflict,
-                    "--golden compares one picture, and --animate makes many; leave one of them out");
+                    "--golden compares one picture, but --animate makes many; drop one of them");
     }
     if (options.path.empty()) return;
     check_extension(options.path);
@@ -269,30 +240,30 @@ void check(const app::OutputOptions& options) {
     if (app::is_page(options.path)) {
         if (!name.has_field() && !options.animate) return;
         throw Error(name.has_field() ? ErrorCode::name_pattern_invalid : ErrorCode::options_conflict,
-                    fmt::format("'{}': a page holds one picture; {}", text,
-                                name.has_field() ? "its name takes no field" : "leave out --animate"));
+                    fmt::format("'{}': a page has one picture; {}", text,
+                                name.has_field() ? "use a name without a field" : "drop --animate"));
     }
     if (image::is_animation(options.path)) {
         if (!name.has_field()) return;
         throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
+                    fmt::format("'{}': an animated file has all pictures; use a name without a field", text));
     }
     if (name.counts() == "brick" && options.animate) {
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("'{}' is the name of a series, a picture for each brick, and none of "
-                                "them is animated; --animate takes {{frame}}",
+                    fmt::format("'{}' names a series, one picture per brick, which can't be animated; use {{frame}} "
+                                "with --animate",
                                 text));
     }
     if (name.counts() == "frame" && !options.animate) {
         throw Error(ErrorCode::option_needs_another,
-                    fmt::format("'{}' has a field for the pictures of an animation; say how many with "
-                                "--animate, or take {{brick}} for a series",
+                    fmt::format("'{}' has a field for the pictures of an animation; give their number with "
+                                "--animate, or use {{brick}} for a series",
                                 text));
     }
     if (options.animate && !name.has_field()) {
         throw Error(
             ErrorCode::options_conflict,
-            fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
+            fmt::format("--animate makes {} pictures, but '{}' names only one; use a name like out.{{frame:4}}.png, "
                         "or an animated file: {}",
                         *options.animate, text, fmt::join(image::animation_extensions(), " ")));
     }
@@ -302,7 +273,7 @@ void check_outputs(const app::RenderJob& job) {
     const app::OutputOptions& output = job.output;
     if (app::pictures_of(output) > 1 && !app::is_series(output) && !job.look.show.has(app::Part::tracelines)) {
         throw Error(ErrorCode::option_needs_another,
-                    "an animation moves the stripes of tracelines, and none are shown: add them with "
+                    "an animation moves the stripes of tracelines, but the picture shows none; add them with "
                     "--show volume,tracelines,outline,frames");
     }
 }
@@ -345,7 +316,7 @@ class Outputs {
         const auto found = files_.find(*id);
         if (found == files_.end()) return;
         throw Error(ErrorCode::output_replaces_input,
-                    fmt::format("{} '{}' would replace what is read, '{}'; choose another name", found->second.first,
+                    fmt::format("{} '{}' would overwrite the input '{}'; use another name", found->second.first,
                                 found->second.second, given));
     }
 

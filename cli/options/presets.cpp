@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 38> paper{
     "--background",    "#ffffff"};
 
 constexpr std::array table{
-    Preset{"day", "a recording of many hours: room for what moves, cut by the hour", day, true},
+    Preset{"day", "a recording of many hours: more room for motion, one brick per hour", day, true},
     Preset{"paper", "the method and the look of the paper (docs/paper.md)", paper},
 };
 

@@ -10,7 +10,7 @@
 #include "core/base/setting.h"
 
 namespace vvr::setting {
-inline constexpr Setting preset{"preset", "NAME", "a set of options for a purpose; options given beside it win"};
+inline constexpr Setting preset{"preset", "NAME", "a set of options for a purpose; other options override it"};
 }
 
 namespace vvr::options {

@@ -42,6 +42,7 @@ std::string describe_name(const std::string& clip, const video::RecorderNames& n
 }
 
 // Far more than the largest picture and page need. A worker that a malicious clip has taken over can't fill the disk.
+constexpr std::chrono::seconds settling_time{60};  // a file that changed within it is still being written
 constexpr std::int64_t largest_file = 2'000'000'000;
 constexpr std::int64_t most_written = 4'000'000'000;
 
@@ -75,8 +76,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     }
     job.rules.settings = options.settings;
     job.rules.version = version();
-    job.rules.tries = options.tries;
-    job.rules.settle = options.settle;
+    job.rules.settle = settling_time;
     job.rules.redraw = options.redraw;
     job.settings = options.worker_settings;
     job.drawn_with = options.drawn_with;
@@ -133,8 +133,8 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
                           outcome.failed, seconds);
     const std::pair<std::size_t, const char*> others[] = {
         {count(planned, archive::Need::nothing), "done before"},
-        {count(planned, archive::Need::given_up), "failed too often (--tries)"},
-        {count(planned, archive::Need::still_written) + found.waiting, "still being written (--settle)"},
+        {count(planned, archive::Need::given_up), "failed three times"},
+        {count(planned, archive::Need::still_written) + found.waiting, "still being written"},
         {count(planned, archive::Need::later), "waiting to be redrawn with more clips (--redraw)"},
         {outcome.elsewhere, "drawn by another run or deleted"}};
     const char* separator = "; ";
@@ -172,7 +172,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     Survey survey;
     survey.clips = scan.clips.size();
-    const archive::Settling settling{std::chrono::system_clock::now(), options.settle};
+    const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
     if (options.per != Grouping::clip) {

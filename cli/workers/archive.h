@@ -42,8 +42,6 @@ struct ArchiveOptions {
     std::vector<std::string> exclude;  ///< patterns of files to skip
     Grouping per = Grouping::clip;
     std::chrono::seconds redraw{900};  ///< least time between two drawings of a day that still gets clips
-    std::chrono::seconds settle{60};
-    int tries = 3;
     bool dry_run = false;
     bool prune = false;
     bool index_only = false;

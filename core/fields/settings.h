@@ -16,7 +16,7 @@ namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what the scalar field shows"};
 inline constexpr Setting reference{
-    .name = "reference", .unit = "NAME", .help = "how the empty scene is found", .may_be_file = true};
+    .name = "reference", .unit = "NAME", .help = "source of the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{
     "threshold", "GREY", "smallest difference that counts; the default depends on --filter", {0, 255}, "the filter's"};
 inline constexpr Setting norm{"norm", "NAME", "distance between two colours"};
@@ -26,11 +26,9 @@ inline constexpr Setting min_area{"min-area", "PIXELS", "remove blobs of fewer f
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that are compensated"};
 inline constexpr Setting shadows{"shadows", "NAME", "what to do with cast shadows"};
 inline constexpr Setting stabilize{"stabilize", "NAME", "what to do when the camera shakes"};
-inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "look only inside this area", .may_be_file = true};
-inline constexpr Setting mask{.name = "mask",
-                              .unit = "AREA",
-                              .help = "ignore this area, for example the camera's burnt-in clock",
-                              .may_be_file = true};
+inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "use only this area", .may_be_file = true};
+inline constexpr Setting mask{
+    .name = "mask", .unit = "AREA", .help = "ignore this area, for example a clock in the video", .may_be_file = true};
 
 inline constexpr Setting flow{"flow", "NAME", "method of the optical flow"};
 inline constexpr Setting flow_area{"flow-area", "NAME", "where flow is computed"};
@@ -84,8 +82,9 @@ inline constexpr Setting threads{
 
 namespace vvr::fields {
 
-/// Calls `each` for every setting of SeedOptions with the member that holds its value and, if there is one, the table
-/// whose row has its default, with that default. The command line and the validation follow this list.
+/// Calls `each` for every setting of SeedOptions with the member that holds its value, and the table if that is the
+/// name of a row. A number whose default depends on another setting has that setting's row, its table and the default
+/// of a row. The command line, the record and the validation follow this list.
 template <class Options, class Each>
 void each_seed_setting(Options& options, const Each& each) {
     each(setting::grid, options.grid);
@@ -101,7 +100,8 @@ void each_field_setting(Options& options, const Each& each) {
     each(setting::filter, options.filter, filters());
     each(setting::reference, options.reference, reference_kinds());
     each(setting::norm, options.norm, norms());
-    each(setting::threshold, options.threshold, filters(), [](const FilterRow& row) { return row.traits.threshold; });
+    each(setting::threshold, options.threshold, *options.filter, filters(),
+         [](const FilterRow& row) { return row.traits.threshold; });
     each(setting::smooth, options.smooth);
     each(setting::min_area, options.min_area);
     each(setting::illumination, options.illumination, illuminations());
@@ -113,10 +113,11 @@ void each_field_setting(Options& options, const Each& each) {
     each(setting::flow_area, options.flow.area, flow_areas());
     each(setting::solver, options.flow.solver, flow_solvers());
     each(setting::derivatives, options.flow.derivatives, derivative_kinds());
-    each(setting::alpha, options.flow.alpha, flow_solvers(), [](const SolverRow& row) { return row.defaults.alpha; });
-    each(setting::iterations, options.flow.iterations, flow_solvers(),
+    each(setting::alpha, options.flow.alpha, *options.flow.solver, flow_solvers(),
+         [](const SolverRow& row) { return row.defaults.alpha; });
+    each(setting::iterations, options.flow.iterations, *options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.iterations; });
-    each(setting::pre_smooth, options.flow.pre_smooth, flow_solvers(),
+    each(setting::pre_smooth, options.flow.pre_smooth, *options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.pre_smooth; });
     each_seed_setting(options.seeds, each);
 }

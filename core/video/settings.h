@@ -34,11 +34,9 @@ inline constexpr Setting between{.name = "between",
                                  .help =
                                      "only this part of each day, in wall-clock time: 02:00-05:00, or across midnight: "
                                      "22:00-05:00",
-                                 .not_live_reason = "a stream is drawn as it comes"};
+                                 .not_live_reason = "a stream is drawn as it arrives"};
 
 inline constexpr Setting duration{"duration", "TIME", "stop after this time; default: stop on SIGTERM or SIGINT"};
-inline constexpr Setting lag{
-    "lag", "TIME", "drop frames that have waited longer than this to be processed; a pipe waits instead", {0.1, 60}};
-inline constexpr Setting patience{"patience", "TIME", "reconnect when no frame has come for this long", {0.5, 3600}};
+inline constexpr Setting patience{"patience", "TIME", "reconnect if no frame arrives for this long", {0.5, 3600}};
 
 }  // namespace vvr::setting

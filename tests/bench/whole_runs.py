@@ -211,7 +211,7 @@ def archive(setting):
     rows, numbers, said = [], {}, []
     for name, rate in (("camera", 25), ("sd", 10)):
         clips, out = setting.made(f"archive/{name}"), setting.scratch / "archive"
-        drawn = f"rm -rf {out}; {setting.vvr} archive {clips} -o {out} --backend {setting.backend} --settle 0s --quiet"
+        drawn = f"rm -rf {out}; {setting.vvr} archive {clips} -o {out} --backend {setting.backend} --quiet"
         results = in_turn({"ffmpeg": ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'],
                            "pictures": ["bash", "-ec", f"{drawn} --no-pages"], "pages": ["bash", "-ec", drawn]}, setting.runs)
         again = in_turn({"again": ["bash", "-ec", drawn.split("; ")[1]]}, setting.runs)["again"]

@@ -132,7 +132,9 @@ def archive_of_ten_kinds(t, count):
         check(f"{name}': Too many levels" in first.err, f"{name} is not named: {first}")
     expected = [clip + ending for clip in good for ending in ENDINGS] + [f"{clip}.json" for clip in bad] + ["index.html"]
     check(outputs(t) == sorted(expected), "exactly the good ones have pictures")
-    archive(t, "--tries", "1").expect(6, f"nothing to do; {len(good)} done before, {len(bad)} failed too often")
+    for _ in range(2):
+        archive(t, timeout=800).expect(6, f"0 clips drawn, {len(bad)} failed")
+    archive(t).expect(6, f"nothing to do; {len(good)} done before, {len(bad)} failed three times")
     return good
 
 
@@ -146,7 +148,7 @@ def test_archive_of_200_clips_of_ten_kinds(t):
     check(len(good) == 80, f"{len(good)}")
     before = {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}
     begin = time.monotonic()
-    archive(t, "--tries", "1").expect(6, "nothing to do; 80 done before, 100 failed too often")
+    archive(t).expect(6, "nothing to do; 80 done before, 100 failed three times")
     took = time.monotonic() - begin
     check(took < 1, f"it takes {took:.2f} s to find that there is nothing to do")
     check(before == {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}, "files were written for nothing")
@@ -208,10 +210,11 @@ def test_archive_uses_the_contents_of_files_of_settings(t):
 def test_archive_leaves_what_is_still_written(t):
     clips(t, "a.avi", "b.avi")
     os.utime(t.path("in/b.avi"))
-    archive(t).expect(0, "1 clip drawn, 0 failed", "1 still being written (--settle)")
+    archive(t).expect(0, "1 clip drawn, 0 failed", "1 still being written")
     check(archive(t, "--dry-run").out == "still written   b.avi  camera not known, time of day not known\n", "dry run")
     check("out/b.avi.png" not in t.files(), "b.avi was drawn")
-    archive(t, "--settle", "0s").expect(0, "1 clip drawn", "1 done before")
+    age(t, "in/b.avi")
+    archive(t).expect(0, "1 clip drawn", "1 done before")
 
 
 def test_archive_tries_again(t):
@@ -224,11 +227,10 @@ def test_archive_tries_again(t):
         archive(t).expect(6, "1/1 bad.avi failed", "1 done before", code="not-video")
         check(sidecar(t, "bad.avi")["tries"] == tries, str(sidecar(t, "bad.avi")))
     # A service that runs every ten minutes has not failed for a clip that is known to be dead.
-    result = archive(t).expect(0, "nothing to do; 1 done before, 1 failed too often (--tries)")
+    result = archive(t).expect(0, "nothing to do; 1 done before, 1 failed three times")
     check("is not a video" not in result.err, "told again and again")
     check(archive(t, "--quiet").expect(0).err == "", "a dead clip is news")
     check(archive(t, "--dry-run").out.startswith("given up        bad.avi: 'in/bad.avi' is not"), "dry run")
-    archive(t, "--tries", "4").expect(6, "1/1 bad.avi failed", code="not-video")
     t.path("in/bad.avi").write_bytes(t.path("in/a.avi").read_bytes())
     age(t, "in/bad.avi")
     archive(t).expect(0, "1/1 bad.avi: ")
@@ -237,7 +239,7 @@ def test_archive_tries_again(t):
     before = sidecar(t, "a.avi")
     t.write("in/a.avi", "no video")
     age(t, "in/a.avi")
-    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "stays", code="not-video")
+    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "is kept", code="not-video")
     check([name for name in outputs(t) if name.startswith("a.")] == sorted(f"a.avi{ending}" for ending in ENDINGS), str(outputs(t)))
     after = sidecar(t, "a.avi")
     check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
@@ -304,7 +306,7 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "file/out").expect(2, "'file/out'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "'/proc/out'", "-o", code="file-not-found")
     t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard", "'3/2'", "2/8", code="option-value")
-    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle", "'soon'", "90s", code="option-value")
+    t.vvr("archive", "in", "-o", "out", "--redraw", "soon").expect(1, "--redraw", "'soon'", "90s", code="option-value")
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory", "'much'", "500M", code="option-value")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only", "--prune", code="options-conflict")
     t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(
@@ -565,12 +567,11 @@ def killed_at_random(t, count, seed):
         done = stamps(t) if t.path("out").exists() else {}
         if way == "disk full":
             # A limit on the size of files is met where a full disk would be, and says much the same.
-            full = start(t, "--tries", "1000",
-                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((100, 4000, 20000)),) * 2))
+            full = start(t, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((100, 4000, 20000)),) * 2))
             said = full.communicate(timeout=60)[1].decode()
             check(full.returncode == 2 or len(done) == len(names), f"status {full.returncode}: {said}")
         else:
-            run = start(t, "--tries", "1000")
+            run = start(t)
             time.sleep(random.uniform(0.02, 2.0))
             workers = workers_of(run)
             way(run)
@@ -584,7 +585,7 @@ def killed_at_random(t, count, seed):
             if "/." not in f"/{name}":
                 whole(t, name)
     done = stamps(t)
-    check(archive(t, "--tries", "1000", timeout=300).status == 0, "the last run")
+    check(archive(t, timeout=300).status == 0, "the last run")
     check(done.items() <= stamps(t).items(), "something was done twice")
     complete(t, names)
     archive(t).expect(0, f"nothing to do; {len(names)} done before")
@@ -649,7 +650,7 @@ def test_archive_draws_no_playlists(t):
     t.path("in").mkdir()
     t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
     t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
-    result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
+    result = t.archive("in", "-o", "out", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
     result.expect(6, "'in/list.m3u8'", "playlist")
     check(t.path("out/seg.ts.png").exists(), "the video was not drawn")
 
@@ -812,7 +813,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
     t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=600, size="384x288")
     os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
-    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "stays", code="worker-timeout")
+    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "is kept", code="worker-timeout")
     after = sidecar(t, day)
     check(whole_before == {name: t.path(f"out/{name}").read_bytes() for name in whole_before}, f"{outputs(t)}")
     check((after["state"], after["tries"], after["frames"], after["day"]["clips"]) == ("failed", 1, before["frames"], 3), f"{after}")
@@ -837,7 +838,7 @@ def test_archive_says_that_clips_are_of_the_future(t):
     check(known["day"]["clips"] == 3 and known["frames"] == 60, f"{known}")
     archive(t, "--per", "day").expect(0, "nothing to do; 1 done before")
     os.utime(t.path("in/2026-11-21/08/gate/00.04.avi"))
-    archive(t, "--per", "day").expect(0, "1 still being written (--settle)")
+    archive(t, "--per", "day").expect(0, "1 still being written")
 
 
 def test_archive_without_clips_says_what_it_looked_for(t):

@@ -51,7 +51,8 @@ def test_cluster_draws_an_archive(t):
         t.path(f"in/{name}").mkdir(parents=True)
         t.clip(f"in/{name}/clip.avi", seconds=1)
     t.write("in/bad.avi", "no video")
-    small = ("--", "--settle", "0s", "--size", "160x100")
+    t.age("in")
+    small = ("--", "--size", "160x100")
     submit(t, "submit-archive", "in", "out", "--shards", "3", "--cpus", "2", *small).expect(0, "then the index as job 7", out="7\n")
     for name in ("gate/clip.avi.png", "hall/clip.avi.png", "index.html", "bad.avi.json"):
         check(t.path(f"out/{name}").exists(), f"{name} is not there\n{text_of(t, 'out/.logs/*')}")
@@ -86,9 +87,10 @@ def test_cluster_waits_for_the_run_that_slurm_lost(t):
     t.path("in").mkdir()
     t.path("out").mkdir()
     t.clip("in/a.avi", seconds=1)
+    t.age("in")
 
     def started_again(**environment):
-        return submit(t, "submit-archive", "in", "out", "--shards", "1", "--", "--settle", "0s", "--size", "160x100",
+        return submit(t, "submit-archive", "in", "out", "--shards", "1", "--", "--size", "160x100",
                       SLURM_RESTART_COUNT="1", RESTARTS="1", **environment).expect(0, out=None)
 
     with open(t.path(f"out/{lock_name('a.avi')}"), "w") as lock:

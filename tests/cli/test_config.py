@@ -64,10 +64,10 @@ def test_workers_of_an_archive_read_no_config_file(t, places):
     """What an archive is drawn with stands in its sidecars; a [render] of its own is not among that."""
     t.path("in").mkdir()
     t.clip("in/a.avi")
-    t.vvr("archive", "in", "-o", "drawn", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
+    t.archive("in", "-o", "drawn", "--size", "90x60", env=places).expect(0, "1 clip drawn")
     check(t.picture_size("drawn/a.avi.png") == (90, 60), "the size that archive was given")
     t.path("home/.config/vvr/vvr.toml").write_text("[render]\nfilter = 'nonsense'\n")
-    t.vvr("archive", "in", "-o", "again", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
+    t.archive("in", "-o", "again", "--size", "90x60", env=places).expect(0, "1 clip drawn")
 
 
 def test_config_says_what_is_in_force(t, places):
@@ -91,7 +91,7 @@ def test_top_level_keys_are_for_the_commands_that_have_them(t):
     t.write("vvr.toml", 'size = "40x30"\nnames = ["{camera}-%s"]\ntolerance = 0.5\nquiet = false\n')
     config = ("--config", "vvr.toml")
     t.vvr("doctor", *config).expect(0, out=None)
-    t.vvr("cut", "clip.avi", "--from", "0.5s", "-o", "cut.avi", *config).expect(0)
+    t.vvr("cut", "clip.avi", "--start", "0.5s", "-o", "cut.avi", *config).expect(0)
     t.vvr("extract", "clip.avi", "-o", "data", *config).expect(0)
     t.vvr("seeds", "data", "-o", "lists", *config).expect(0)
     t.vvr("render", "clip.avi", "-o", "a.png", *config).expect(0)

@@ -80,7 +80,7 @@ def test_cut_copies_an_event(t):
 def test_cut_follows_the_ending(t):
     clip = bag(t)
     for name in ("piece.mkv", "piece.mov", "piece.m4v", "PIECE.MP4"):
-        t.vvr("cut", clip, "--from", "5s", "--to", "00:00:08", "-o", name).expect(0, f"'{name}': ")
+        t.vvr("cut", clip, "--start", "5s", "--end", "00:00:08", "-o", name).expect(0, f"'{name}': ")
         check_copied(t, clip, name, 125, 199)
     probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format=format_name", "-of", "csv=p=0", "piece.mkv"])
     check("matroska" in probe.out, str(probe))
@@ -94,7 +94,7 @@ def test_cut_of_groups_that_lean_on_the_one_before(t):
     frames = grey_frames(t, "open.mkv")
     for clip in ("open.mkv", "open.ts"):
         for first, last in ((100, 110), (98, 99), (126, 180), (0, 3)):
-            t.vvr("cut", clip, "--from", f"{first / RATE:.2f}s", "--to", f"{(last + 1) / RATE:.2f}s", "-o", "piece.mp4").expect(0)
+            t.vvr("cut", clip, "--start", f"{first / RATE:.2f}s", "--end", f"{(last + 1) / RATE:.2f}s", "-o", "piece.mp4").expect(0)
             decoded = t.run(["ffmpeg", "-v", "error", "-i", "piece.mp4", "-f", "null", "-"])
             check(decoded.status == 0 and decoded.err == "", str(decoded))
             part = grey_frames(t, "piece.mp4")
@@ -105,8 +105,8 @@ def test_cut_of_groups_that_lean_on_the_one_before(t):
 
 def test_cut_copies_avi(t):
     t.clip("clip.avi", seconds=6)
-    t.vvr("cut", "clip.avi", "--from", "33f", "--to", "47f", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins at a key frame 0.300 s before the piece")
-    t.vvr("cut", "clip.avi", "--from", "3s", "--to", "47f", "-o", "same.avi").expect(0, "it begins at a key frame\n")
+    t.vvr("cut", "clip.avi", "--start", "33f", "--end", "47f", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins at a key frame 0.300 s before the piece")
+    t.vvr("cut", "clip.avi", "--start", "3s", "--end", "47f", "-o", "same.avi").expect(0, "it begins at a key frame\n")
     check(t.path("same.avi").read_bytes() == t.path("piece.avi").read_bytes(), "the same piece by other words")
     whole, part = packets(t, "clip.avi"), packets(t, "piece.avi")
     check([p[2] for p in part] == [p[2] for p in whole[30:47]], "other packets")
@@ -118,9 +118,9 @@ def test_cut_with_a_margin(t):
     came = events(t, clip)[1]
     t.vvr("cut", clip, "--event", "2", "--margin", "1.5", "--report", "report.json", "-o", "wide.mp4").expect(0)
     check_copied(t, clip, "wide.mp4", came["first"]["frame"] - 37, came["last"]["frame"] + 37)
-    t.vvr("cut", clip, "--from", "5s", "--to", "6s", "--margin", "1", "--exact", "-o", "wide.mp4").expect(
+    t.vvr("cut", clip, "--start", "5s", "--end", "6s", "--margin", "1", "--exact", "-o", "wide.mp4").expect(
         0, "75 frames encoded again without sound, 4.000 s to 6.960 s")
-    t.vvr("cut", clip, "--from", "0.5s", "--to", "6s", "--margin", "60", "-o", "wide.mp4").expect(
+    t.vvr("cut", clip, "--start", "0.5s", "--end", "6s", "--margin", "60", "-o", "wide.mp4").expect(
         0, "ends at 15.960 s, earlier than the requested end", "400 frames copied, 0.000 s to 15.960 s")
 
 
@@ -145,8 +145,8 @@ def test_cut_exactly(t):
 
 def test_cut_exactly_between_frames(t):
     clip = bag(t)
-    t.vvr("cut", clip, "--from", "101f", "--to", "151f", "--exact", "-o", "a.mp4").expect(0, "50 frames encoded", "4.040 s to 6.000 s")
-    t.vvr("cut", clip, "--from", "4.04s", "--to", "6.04s", "--exact", "-o", "b.mp4").expect(0, "50 frames encoded")
+    t.vvr("cut", clip, "--start", "101f", "--end", "151f", "--exact", "-o", "a.mp4").expect(0, "50 frames encoded", "4.040 s to 6.000 s")
+    t.vvr("cut", clip, "--start", "4.04s", "--end", "6.04s", "--exact", "-o", "b.mp4").expect(0, "50 frames encoded")
     check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
 
 
@@ -167,7 +167,7 @@ def test_cut_keeps_when_it_was_recorded_and_how_it_is_turned(t):
     t.ffmpeg("-display_rotation", "90", "-i", "plain.mp4", "-c", "copy", "-metadata", "creation_time=2026-11-21T07:12:00Z", "clip.mp4") \
         if "display_rotation" in t.run(["ffmpeg", "-h", "full"]).out else \
         t.ffmpeg("-i", "plain.mp4", "-c", "copy", "-metadata", "creation_time=2026-11-21T07:12:00Z", "-metadata:s:v", "rotate=90", "clip.mp4")
-    t.vvr("cut", "clip.mp4", "--from", "2s", "-o", "piece.mp4").expect(0)
+    t.vvr("cut", "clip.mp4", "--start", "2s", "-o", "piece.mp4").expect(0)
     whole, piece = (json.loads(t.vvr("info", "--json", name).out) for name in ("clip.mp4", "piece.mp4"))
     check((whole["width"], whole["height"]) == (48, 64) == (piece["width"], piece["height"]), f"{whole} {piece}")
     check(piece["recorded"] is None and piece["written"] == "2026-11-21 07:12:02" and piece["frames"] == 20, str(piece))
@@ -179,11 +179,11 @@ def test_cut_of_a_damaged_clip(t):
     for k in range(len(data) // 2, len(data) // 2 + 400):
         data[k] ^= 0x5A
     t.write("damaged.mkv", bytes(data))
-    t.vvr("cut", "damaged.mkv", "--from", "2s", "-o", "piece.mkv").expect(0, "frames copied, 1.600 s to 15.960 s")
+    t.vvr("cut", "damaged.mkv", "--start", "2s", "-o", "piece.mkv").expect(0, "frames copied, 1.600 s to 15.960 s")
     t.vvr("render", "piece.mkv", "--report", "piece.json").expect(0, "frames in")
-    t.vvr("cut", "damaged.mkv", "--from", "2s", "--exact", "-o", "exact.mp4").expect(0, "damaged packet", "the piece has the frames that could be decoded")
+    t.vvr("cut", "damaged.mkv", "--start", "2s", "--exact", "-o", "exact.mp4").expect(0, "damaged packet", "the piece has the frames that could be decoded")
     t.write("half.mkv", bytes(data[:len(data) // 3]))
-    t.vvr("cut", "half.mkv", "--from", "1s", "--to", "15s", "-o", "piece.mkv").expect(
+    t.vvr("cut", "half.mkv", "--start", "1s", "--end", "15s", "-o", "piece.mkv").expect(
         0, "warning: 'half.mkv' ends at ", "earlier than the requested end", "frames copied")
 
 
@@ -195,7 +195,7 @@ def test_cut_refuses_events_that_are_not_there(t):
     t.vvr("cut", clip, "--event", "9", "--report", "report.json", "-o", "x.mp4").expect(
         1, "--event", "event 9", "'report.json'", "3 events", "1 to 3", code="event-unknown")
     t.vvr("cut", clip, "--event", "0", "-o", "x.mp4").expect(1, "--event", "'0'", "1", code="option-value-out-of-range")
-    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "--filter", "'edges'", code="options-conflict")
+    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "--filter edges", code="options-conflict")
     t.expect_files(clip, "report.json")
 
 
@@ -220,17 +220,17 @@ def test_cut_refuses_reports_that_are_none(t):
 def test_cut_refuses_pieces_that_are_empty(t):
     t.clip("clip.mkv", seconds=4)
     for exact in ((), ("--exact",)):
-        t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv'", "5 s", code="span-empty")
-        t.vvr("cut", "clip.mkv", "--from", "40f", "--to", "90f", "-o", "x.mkv", *exact).expect(
+        t.vvr("cut", "clip.mkv", "--start", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv'", "5 s", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--start", "40f", "--end", "90f", "-o", "x.mkv", *exact).expect(
             1, "'clip.mkv'", "frame 40", "frame 90", code="span-empty")
-        t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "3s", "-o", "x.mkv", *exact).expect(1, "3 s", "--from", "--to", code="span-empty")
-        t.vvr("cut", "clip.mkv", "--from", "20f", "--to", "10f", "-o", "x.mkv", *exact).expect(1, "10", "--from", "--to", code="span-empty")
-        t.vvr("cut", "clip.mkv", "--from", "3.02s", "--to", "3.05s", "-o", "x.mkv", *exact).expect(
+        t.vvr("cut", "clip.mkv", "--start", "3s", "--end", "3s", "-o", "x.mkv", *exact).expect(1, "3 s", "--start", "--end", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--start", "20f", "--end", "10f", "-o", "x.mkv", *exact).expect(1, "10", "--start", "--end", code="span-empty")
+        t.vvr("cut", "clip.mkv", "--start", "3.02s", "--end", "3.05s", "-o", "x.mkv", *exact).expect(
             1, "'clip.mkv'", "3.02 s", "3.05 s", code="span-empty")
-    t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv").expect(1, "'clip.mkv'", "3.900 s", code="span-empty")
-    t.vvr("cut", "clip.mkv", "--from", "1s", "--to", "10f", "--margin", "2", "-o", "x.mkv").expect(
+    t.vvr("cut", "clip.mkv", "--start", "5s", "-o", "x.mkv").expect(1, "'clip.mkv'", "3.900 s", code="span-empty")
+    t.vvr("cut", "clip.mkv", "--start", "1s", "--end", "10f", "--margin", "2", "-o", "x.mkv").expect(
         1, "--margin", "10", "12.5s", code="options-conflict")
-    t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "9s", "-o", "x.mkv").expect(0, "warning: 'clip.mkv' ends at 3.900 s")
+    t.vvr("cut", "clip.mkv", "--start", "3s", "--end", "9s", "-o", "x.mkv").expect(0, "warning: 'clip.mkv' ends at 3.900 s")
 
 
 def test_cut_refuses_what_cannot_be_cut(t):
@@ -239,10 +239,10 @@ def test_cut_refuses_what_cannot_be_cut(t):
     t.clip("clip.avi")
     t.vvr("extract", "clip.avi", "-o", "data").expect(0)
     os.mkfifo(t.path("pipe"))
-    cut = lambda name: t.vvr("cut", name, "--from", "0", "-o", "x.mkv", timeout=20)
+    cut = lambda name: t.vvr("cut", name, "--start", "0", "-o", "x.mkv", timeout=20)
     cut("frames").expect(1, "'frames'", "pictures", code="input-unsuitable")
     cut("frames/%03d.png").expect(1, "'frames/%03d.png'", "pictures", code="input-unsuitable")
-    cut("data").expect(1, "'data'", "`vvr extract`", code="input-unsuitable")
+    cut("data").expect(1, "'data'", "extraction", code="input-unsuitable")
     cut("-").expect(1, "'-'", "stdin", code="input-unsuitable")
     cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream'", "address", code="input-unsuitable")
     cut("pipe").expect(1, "'pipe'", code="input-unsuitable")
@@ -258,13 +258,14 @@ def test_cut_refuses_what_cannot_be_cut(t):
 
 def test_cut_needs_a_piece_and_an_output(t):
     t.clip("clip.avi")
-    t.vvr("cut", "clip.avi", "--from", "0").expect(1, "-o FILE", code="output-missing")
-    t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "--event N", "--from TIME and --to TIME", code="usage")
-    t.vvr("cut", "clip.avi", "--event", "1", "--from", "0", "-o", "x.avi").expect(1, "--from", "--event", code="usage")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.png").expect(1, "'x.png'", ".mp4, .mov", code="output-format-unknown")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.avi", "--exact").expect(1, ".avi", ".mp4", "--exact", code="output-format-unknown")
-    t.vvr("cut", "clip.avi", "--from", "0", "-o", "no/x.mkv").expect(2, "'no/x.mkv'", "mkdir -p 'no'", code="file-not-found")
-    t.vvr("cut", "-o", "x.avi", "--from", "0").expect(1, "INPUT", code="input-missing")
+    t.vvr("cut", "clip.avi", "--start", "0").expect(1, "-o FILE", code="output-missing")
+    t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "--event N", "--start TIME and --end TIME", code="usage")
+    t.vvr("cut", "clip.avi", "--event", "1", "--report", "clip.avi", "--start", "0", "-o", "x.avi").expect(1, "--start", "--report", code="usage")
+    t.vvr("cut", "clip.avi", "--start", "0", "--between", "02:00-05:00", "-o", "x.avi").expect(1, "--between", "--event", code="option-needs-another")
+    t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.png").expect(1, "'x.png'", ".mp4, .mov", code="output-format-unknown")
+    t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.avi", "--exact").expect(1, ".avi", ".mp4", "--exact", code="output-format-unknown")
+    t.vvr("cut", "clip.avi", "--start", "0", "-o", "no/x.mkv").expect(2, "'no/x.mkv'", "mkdir -p 'no'", code="file-not-found")
+    t.vvr("cut", "-o", "x.avi", "--start", "0").expect(1, "INPUT", code="input-missing")
     t.expect_files("clip.avi")
 
 
@@ -275,33 +276,33 @@ def test_cut_never_writes_over_its_input(t):
     os.symlink("clip.mkv", t.path("soft.mkv"))
     for name in ("clip.mkv", "./clip.mkv", "hard.mkv", "soft.mkv"):
         for exact in ((), ("--exact",)):
-            t.vvr("cut", "clip.mkv", "--from", "1s", "-o", name, *exact).expect(
+            t.vvr("cut", "clip.mkv", "--start", "1s", "-o", name, *exact).expect(
                 1, f"-o '{name}'", "'clip.mkv'", code="output-replaces-input")
     check(t.path("clip.mkv").read_bytes() == before, "the input has changed")
 
 
 def test_cut_names_containers_that_can_hold_the_codec(t):
     t.clip("clip.mkv", codec=("-c:v", "ffv1"))
-    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4").expect(1, "'x.mp4'", "ffv1", ".mkv", "--exact", code="options-conflict")
-    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4", "--exact").expect(0, "10 frames encoded")
+    t.vvr("cut", "clip.mkv", "--start", "1s", "-o", "x.mp4").expect(1, "'x.mp4'", "ffv1", ".mkv", "--exact", code="options-conflict")
+    t.vvr("cut", "clip.mkv", "--start", "1s", "-o", "x.mp4", "--exact").expect(0, "10 frames encoded")
     bag(t)
-    t.vvr("cut", "bag.mp4", "--from", "1s", "-o", "x.webm").expect(1, ".webm", "h264", ".mp4, .mov", code="options-conflict")
+    t.vvr("cut", "bag.mp4", "--start", "1s", "-o", "x.webm").expect(1, ".webm", "h264", ".mp4, .mov", code="options-conflict")
     t.ffmpeg("-i", "bag.mp4", "-c:v", "copy", "-c:a", "pcm_mulaw", "-ar", "8000", "law.mkv")
-    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mp4").expect(1, ".mp4", "pcm_mulaw", ".mov", code="options-conflict")
-    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mkv").expect(0, "frames copied")
+    t.vvr("cut", "law.mkv", "--start", "1s", "-o", "x.mp4").expect(1, ".mp4", "pcm_mulaw", ".mov", code="options-conflict")
+    t.vvr("cut", "law.mkv", "--start", "1s", "-o", "x.mkv").expect(0, "frames copied")
 
 
 def test_cut_refuses_to_copy_without_times(t):
     t.clip("clip.mp4", codec=("-c:v", "libx264", "-pix_fmt", "yuv420p"))
     t.ffmpeg("-i", "clip.mp4", "-c", "copy", "-bsf:v", "h264_mp4toannexb", "raw.h264")
-    t.vvr("cut", "raw.h264", "--from", "1s", "-o", "x.mp4").expect(3, "'raw.h264'", "--exact", code="copy-impossible")
-    t.vvr("cut", "raw.h264", "--from", "10f", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded again")
+    t.vvr("cut", "raw.h264", "--start", "1s", "-o", "x.mp4").expect(3, "'raw.h264'", "--exact", code="copy-impossible")
+    t.vvr("cut", "raw.h264", "--start", "10f", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded again")
 
 
 def test_cut_of_a_full_disk_leaves_nothing(t):
     clip = bag(t)
     for exact in ((), ("--exact",)):
-        command = f'ulimit -f 4; "{t.vvr_path}" cut {clip} --from 0 -o x.mp4 {" ".join(exact)}'
+        command = f'ulimit -f 4; "{t.vvr_path}" cut {clip} --start 0 -o x.mp4 {" ".join(exact)}'
         t.run(["bash", "-c", command]).expect(2, "'x.mp4'", "File too large", code="disk-full")
         t.expect_files(clip)
 
@@ -309,7 +310,7 @@ def test_cut_of_a_full_disk_leaves_nothing(t):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_cut_is_stopped_by_signals(t, number):
     t.clip("long.mkv", seconds=60, size="640x480")
-    child = subprocess.Popen([t.vvr_path, "cut", "long.mkv", "--from", "0", "--exact", "-o", "x.mp4"], cwd=t.folder,
+    child = subprocess.Popen([t.vvr_path, "cut", "long.mkv", "--start", "0", "--exact", "-o", "x.mp4"], cwd=t.folder,
                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + 20
     while not any(name.endswith(".part") for name in t.files()):
@@ -324,5 +325,5 @@ def test_cut_of_hostile_names(t):
     for name in ("-x.mkv", "a'b\"<c>.mkv", "ü\u202eivom.mkv", "%03d.mkv"):
         t.clip("clip.mkv")
         os.rename(t.path("clip.mkv"), t.path(name))
-        t.vvr("cut", "./" + name, "--from", "1s", "-o", "./piece-" + name).expect(0, "10 frames copied")
+        t.vvr("cut", "./" + name, "--start", "1s", "-o", "./piece-" + name).expect(0, "10 frames copied")
         check(pathlib.Path(t.path("piece-" + name)).exists(), f"no piece of {name}")

@@ -56,7 +56,7 @@ def test_cut_joins_the_files_of_a_recording(t):
     whole = pictures(t, "-i", "bag.mp4")
     for given in (["day"], names, ["day/*/*/gate"], ["day/*/*/*/*.mp4"], ["day/all.txt"]):
         for ending in (".mp4", ".mkv"):
-            t.vvr("cut", *given, "--from", "3s", "--to", "12s", "-o", "piece" + ending).expect(
+            t.vvr("cut", *given, "--start", "3s", "--end", "12s", "-o", "piece" + ending).expect(
                 0, "frames copied, 1.600 s to ", "it begins at a key frame 1.400 s before the piece")
             made = pictures(t, "-i", "piece" + ending)
             check(300 - KEYS <= len(made) <= 303 - KEYS and made == whole[KEYS:KEYS + len(made)], f"{given}: {len(made)} other pictures")
@@ -66,7 +66,7 @@ def test_cut_joins_the_files_of_a_recording(t):
     known = {packet[2] for packet in packets(t, "bag.mp4", "a")}
     check(all(packet[2] in known for packet in sound) and len(sound) > 10 / 1024 * 44100 * 0.98, "sound is missing")
     # Exactly these frames: a second of the second and a second of the third file.
-    t.vvr("cut", "day", "--from", "8.6s", "--to", "10.6s", "--exact", "-o", "exact.mp4").expect(
+    t.vvr("cut", "day", "--start", "8.6s", "--end", "10.6s", "--exact", "-o", "exact.mp4").expect(
         0, "50 frames encoded again without sound, 8.600 s to 10.560 s of 'day'")
     check([round(at * RATE) for at in times(t, "exact.mp4")] == list(range(50)), f"{times(t, 'exact.mp4')}")
 
@@ -78,7 +78,7 @@ def test_cut_keeps_gaps_and_says_them(t):
     whole = pictures(t, "-i", "bag.mp4")
     for ending, exact in ((".mp4", ()), (".mkv", ()), (".mp4", ("--exact",))):
         # By their names the third file begins 9 s after the first: the names tell whole seconds.
-        t.vvr("cut", "day", "--from", "3.2s", "--to", "10s", "-o", "piece" + ending, *exact).expect(
+        t.vvr("cut", "day", "--start", "3.2s", "--end", "10s", "-o", "piece" + ending, *exact).expect(
             0, "warning: 'day' has no frames from 4.800 s to 9.000 s")
         shown = times(t, "piece" + ending)
         gap = max(b - a for a, b in zip(shown, shown[1:]))
@@ -95,8 +95,8 @@ def test_cut_of_files_that_overlap(t):
     # The third file is the second one as well: it begins before that has ended.
     t.ffmpeg("-i", "bag.mp4", "-ss", "4.8", "-t", "9.5", "-c", "copy", "long.mp4")
     t.path("long.mp4").rename(t.path(names[1]))
-    t.vvr("cut", "day", "--from", "6s", "--to", "14s", "-o", "x.mp4").expect(1, f"'{names[2]}'", "--exact", code="input-unsuitable")
-    t.vvr("cut", "day", "--from", "6s", "--to", "14s", "--exact", "-o", "x.mp4").expect(0, "6.000 s to 13.960 s of 'day'")
+    t.vvr("cut", "day", "--start", "6s", "--end", "14s", "-o", "x.mp4").expect(1, f"'{names[2]}'", "--exact", code="input-unsuitable")
+    t.vvr("cut", "day", "--start", "6s", "--end", "14s", "--exact", "-o", "x.mp4").expect(0, "6.000 s to 13.960 s of 'day'")
     shown = times(t, "x.mp4")
     check(all(b - a < 0.08 for a, b in zip(shown, shown[1:])), "there is a gap")
 
@@ -106,8 +106,8 @@ def test_cut_knows_the_footage_of_a_file_whose_clock_goes_back(t):
     names = segments(t, ending=".ts")
     t.ffmpeg("-i", names[1], "-c", "copy", "-f", "segment", "-segment_time", "1.5", "-reset_timestamps", "1", "part%d.ts")
     t.path(names[1]).write_bytes(b"".join(t.path(f"part{k}.ts").read_bytes() for k in range(3)))
-    t.vvr("cut", "day", "--from", "6s", "--to", "8s", "-o", "x.mp4").expect(3, f"'{names[1]}'", "1.", "--exact", code="copy-impossible")
-    t.vvr("cut", "day", "--from", "6s", "--to", "8s", "--exact", "-o", "x.mp4").expect(0, "50 frames encoded again")
+    t.vvr("cut", "day", "--start", "6s", "--end", "8s", "-o", "x.mp4").expect(3, f"'{names[1]}'", "1.", "--exact", code="copy-impossible")
+    t.vvr("cut", "day", "--start", "6s", "--end", "8s", "--exact", "-o", "x.mp4").expect(0, "50 frames encoded again")
 
 
 def test_cut_refuses_to_join_what_differs(t):
@@ -115,16 +115,16 @@ def test_cut_refuses_to_join_what_differs(t):
     names = segments(t)
     t.ffmpeg("-i", names[1], "-vf", "scale=96:72", *H264, "-c:a", "copy", "small.mp4")
     t.path("small.mp4").rename(t.path(names[1]))
-    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "-o", "x.mp4").expect(
+    t.vvr("cut", "day", "--start", "1s", "--end", "8s", "-o", "x.mp4").expect(
         1, f"'{names[1]}'", "h264 96x72", "h264 192x144", "--exact", code="input-unsuitable")
     check(not t.path("x.mp4").exists(), "something was written")
-    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "--exact", "-o", "x.mp4").expect(0, "175 frames encoded")
+    t.vvr("cut", "day", "--start", "1s", "--end", "8s", "--exact", "-o", "x.mp4").expect(0, "175 frames encoded")
     check(t.picture_size("x.mp4") == (192, 144), f"{t.picture_size('x.mp4')}")
     t.ffmpeg("-i", "bag.mp4", "-ss", "4.8", "-t", "4.8", "-c:v", "libx264", "-crf", "40", "-bf", "0", "-c:a", "copy", "other.mp4")
     t.path("other.mp4").rename(t.path(names[1]))
-    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "-o", "y.mp4").expect(
+    t.vvr("cut", "day", "--start", "1s", "--end", "8s", "-o", "y.mp4").expect(
         1, f"'{names[1]}'", "h264 192x144", "--exact", code="input-unsuitable")
-    t.vvr("cut", "day", "--from", "5f", "--to", "9s", "-o", "y.mp4").expect(1, "--from 5", "12.5s", code="option-value")
+    t.vvr("cut", "day", "--start", "5f", "--end", "9s", "-o", "y.mp4").expect(1, "--start 5", "12.5s", code="option-value")
 
 
 def test_cut_takes_an_event_of_a_recordings_report(t):
@@ -219,31 +219,31 @@ def test_cut_keeps_camera_date_and_time(t):
     names = segments(t)
     zone = {"env": os.environ | {"TZ": "Europe/Berlin"}}  # Frigate's names are in UTC
     for ending in (".mp4", ".mkv", ".mov"):
-        t.vvr("cut", "day", "--from", "8s", "--to", "12s", "-o", "a" + ending, **zone).expect(
+        t.vvr("cut", "day", "--start", "8s", "--end", "12s", "-o", "a" + ending, **zone).expect(
             0, "frames copied, 8.000 s to ", "of 'day', which is 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0")
         told = tags(t, "a" + ending)
         check(told["creation_time"].startswith("2026-11-21T07:59:58"), f"{ending}: {told}")
         check(told["title"] == "gate" and told["comment"].startswith("gate; 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0"), f"{ending}: {told}")
         check("cut by vvr from 59.54.mp4, 59.59.mp4" in told["comment"], f"{ending}: {told}")
-    t.vvr("cut", names[1], "--from", "1.6s", "--to", "2s", "--exact", "-o", "b.mp4", **zone).expect(0, "which is 2026-11-21T08:59:55+01:00 to")
+    t.vvr("cut", names[1], "--start", "1.6s", "--end", "2s", "--exact", "-o", "b.mp4", **zone).expect(0, "which is 2026-11-21T08:59:55+01:00 to")
     check(tags(t, "b.mp4")["creation_time"].startswith("2026-11-21T07:59:55"), f"{tags(t, 'b.mp4')}")
     # Who knows better says so.
-    t.vvr("cut", "bag.mp4", "--from", "8s", "--start-time", "2026-06-01 12:00:00", "-o", "c.mkv", **zone).expect(
+    t.vvr("cut", "bag.mp4", "--start", "8s", "--start-time", "2026-06-01 12:00:00", "-o", "c.mkv", **zone).expect(
         0, "which is 2026-06-01T12:00:08 to ")
     check(tags(t, "c.mkv")["creation_time"].startswith("2026-06-01T10:00:08"), f"{tags(t, 'c.mkv')}")
-    t.vvr("cut", "day", "--from", "8s", "--start-time", "none", "-o", "d.mkv").expect(0)
+    t.vvr("cut", "day", "--start", "8s", "--start-time", "none", "-o", "d.mkv").expect(0)
     check("creation_time" not in tags(t, "d.mkv") and tags(t, "d.mkv")["title"] == "gate", f"{tags(t, 'd.mkv')}")
     shutil.copy(t.path("bag.mp4"), t.path("till__20261121_0930.mp4"))
-    t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--from", "8s", "-o", "e.mp4", **zone).expect(
+    t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--start", "8s", "-o", "e.mp4", **zone).expect(
         0, "which is 2026-11-21T09:30:08+01:00")
     check(tags(t, "e.mp4")["title"] == "till" and tags(t, "e.mp4")["creation_time"].startswith("2026-11-21T08:30:08"), f"{tags(t, 'e.mp4')}")
-    t.vvr("cut", "bag.mp4", "--from", "8s", "-o", "f.mp4").expect(0)
+    t.vvr("cut", "bag.mp4", "--start", "8s", "-o", "f.mp4").expect(0)
     check("creation_time" not in tags(t, "f.mp4") and "title" not in tags(t, "f.mp4"), "a time or a camera that nobody told")
 
 
 def test_cut_of_an_avi_keeps_the_day(t):
     t.clip("gate_2026-11-21_07-12-00.avi", seconds=4)
-    t.vvr("cut", "gate_2026-11-21_07-12-00.avi", "--names", "{camera}_%Y-%m-%d_%H-%M-%S", "--from", "2s", "-o", "x.avi",
+    t.vvr("cut", "gate_2026-11-21_07-12-00.avi", "--names", "{camera}_%Y-%m-%d_%H-%M-%S", "--start", "2s", "-o", "x.avi",
           env=os.environ | {"TZ": "UTC"}).expect(0, "which is 2026-11-21T07:12:02+00:00")
     check("2026-11-21T07:12:02" in json.dumps(tags(t, "x.avi")), f"{tags(t, 'x.avi')}")
 
@@ -251,7 +251,7 @@ def test_cut_of_an_avi_keeps_the_day(t):
 def test_cut_chooses_the_ending(t):
     bag(t)
     t.clip("old.avi", codec=("-c:v", "msmpeg4"))
-    cut = lambda name, to, *more: t.vvr("cut", name, "--from", "1s", "-o", to, *more)
+    cut = lambda name, to, *more: t.vvr("cut", name, "--start", "1s", "-o", to, *more)
     cut("old.avi", "x.mp4").expect(1, ".mp4", "msmpeg4v3", ".avi", code="options-conflict")
     cut("old.avi", "x").expect(0, "'x.avi': ")
     cut("old.avi", "y", "--exact").expect(0, "'y.mp4': ")
@@ -271,7 +271,7 @@ def test_cut_never_writes_what_shows_something_else(t):
     for clip in ("anim.mov", "alpha.mov", "flags.avi"):
         whole = pictures(t, "-i", clip)
         for ending in (".mov", ".mkv", ".avi"):
-            done = t.vvr("cut", clip, "--from", "0.7s", "--to", "1.6s", "-o", "x" + ending)
+            done = t.vvr("cut", clip, "--start", "0.7s", "--end", "1.6s", "-o", "x" + ending)
             if done.status == 0:
                 made = pictures(t, "-i", "x" + ending)
                 begin = whole.index(made[0])
@@ -279,15 +279,15 @@ def test_cut_never_writes_what_shows_something_else(t):
                 t.path("x" + ending).unlink()
             else:
                 check(done.status in (1, 3) and "--exact" in done.err and not t.path("x" + ending).exists(), str(done))
-        t.vvr("cut", clip, "--from", "0.7s", "--to", "1.6s", "--exact", "-o", "exact.mp4").expect(0, "9 frames encoded")
+        t.vvr("cut", clip, "--start", "0.7s", "--end", "1.6s", "--exact", "-o", "exact.mp4").expect(0, "9 frames encoded")
 
 
 def test_cut_exactly_where_each_packet_says_that_it_is_a_key_frame(t):
     t.clip("flags.avi", seconds=6, size="176x144", codec=("-c:v", "h263", "-g", "60"))
     check({packet[1] for packet in packets(t, "flags.avi")} == {"K"}, "the flags are right, so this shows nothing")
-    t.vvr("cut", "flags.avi", "--from", "4s", "--to", "5s", "-o", "x.avi").expect(
+    t.vvr("cut", "flags.avi", "--start", "4s", "--end", "5s", "-o", "x.avi").expect(
         3, "'x.avi'", "'flags.avi'", "4.000 s", "--exact", code="copy-impossible")
-    t.vvr("cut", "flags.avi", "--from", "4s", "--to", "5s", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded")
+    t.vvr("cut", "flags.avi", "--start", "4s", "--end", "5s", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded")
     worst = max(apart(a, b) for a, b in zip(grey_frames(t, "x.mp4"), grey_frames(t, "flags.avi")[40:50]))
     check(worst <= 6, f"a frame is off by {worst} grey levels")
 
@@ -298,13 +298,13 @@ def test_cut_by_the_clock_on_the_wall(t):
     zone = {"env": os.environ | {"TZ": "UTC"}}
     whole = pictures(t, "-i", "bag.mp4")
     for first, last in (("2026-11-21 07:59:58", "2026-11-21 08:00:02"), ("@07:59:58", "@08:00:02")):
-        t.vvr("cut", "day", "--from", first, "--to", last, "-o", "a.mkv", **zone).expect(
+        t.vvr("cut", "day", "--start", first, "--end", last, "-o", "a.mkv", **zone).expect(
             0, "100 frames copied, 8.000 s to 11.960 s of 'day', which is 2026-11-21T07:59:58+00:00 to 2026-11-21T08:00:01+00:00")
         check(pictures(t, "-i", "a.mkv") == whole[200:300], "other pictures")
-    t.vvr("cut", "bag.mp4", "--from", "@08:00", "-o", "b.mkv").expect(1, "@08:00", "'bag.mp4'", "--start-time", code="time-of-day-unknown")
-    t.vvr("cut", "bag.mp4", "--from", "@08:00:02", "--start-time", "2026-11-21 08:00:00", "--exact", "-o", "c.mp4").expect(
+    t.vvr("cut", "bag.mp4", "--start", "@08:00", "-o", "b.mkv").expect(1, "@08:00", "'bag.mp4'", "--start-time", code="time-of-day-unknown")
+    t.vvr("cut", "bag.mp4", "--start", "@08:00:02", "--start-time", "2026-11-21 08:00:00", "--exact", "-o", "c.mp4").expect(
         0, "350 frames encoded again without sound, 2.000 s to 15.960 s")
-    t.vvr("cut", "day", "--from", "2026-11-21 07:00", "--to", "@08:00:02", "-o", "d.mkv", **zone).expect(
+    t.vvr("cut", "day", "--start", "2026-11-21 07:00", "--end", "@08:00:02", "-o", "d.mkv", **zone).expect(
         0, "warning: 'day' begins at 2026-11-21T07:59:50+00:00, later than the requested start", "0.000 s to ")
     # An offset stays one, and the log says which time of day that is.
-    t.vvr("cut", "day", "--from", "00:00:08", "-o", "e.mkv", **zone).expect(0, "which is 2026-11-21T07:59:58+00:00 to ")
+    t.vvr("cut", "day", "--start", "00:00:08", "-o", "e.mkv", **zone).expect(0, "which is 2026-11-21T07:59:58+00:00 to ")

@@ -72,7 +72,7 @@ def test_font_that_is_none(t):
         t.render("clip.avi", "--font", font).expect(2, *facts, code=code)
         t.vvr("inspect", "clip.avi", "--frame", "1s", "-o", "out.png", "--font", font).expect(2, *facts, code=code)
         t.vvr("watch", "clip.avi", "-o", "out.png", "--font", font).expect(2, *facts, code=code)
-        t.vvr("archive", ".", "-o", "pictures", "--settle", "0s", "--font", font).expect(2, *facts, code=code)
+        t.archive(".", "-o", "pictures", "--font", font).expect(2, *facts, code=code)
     t.expect_files("clip.avi", "words.ttf")
 
 
@@ -85,7 +85,7 @@ def test_archive_draws_again_with_another_font(t, fonts):
     t.path("clip.avi").rename(t.path("in/clip.avi"))
 
     def archive():
-        return t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--no-pages", "--font", fonts[0], "--size", "320x200")
+        return t.archive("in", "-o", "out", "--no-pages", "--font", fonts[0], "--size", "320x200")
 
     archive().expect(0, "1 clip drawn")
     archive().expect(0, "nothing to do")
@@ -99,6 +99,6 @@ def test_golden_of_other_settings_says_so(t):
     t.vvr(*options, "--bless").expect(0)
     done = t.vvr(*options).expect(0)
     check("other settings" not in done.err, str(done))
-    t.vvr(*options, "--threshold", "25", "--tolerance-percent", "100", "--tolerance-patch", "1").expect(
+    t.vvr(*options, "--threshold", "25", "--tolerance", "100").expect(
         0, "'golden.png' was drawn with other settings: threshold was 24, now 25")
     t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png'", "opacity", "1", "0.1", code="picture-differs")

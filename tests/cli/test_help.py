@@ -49,8 +49,8 @@ def sample(option):
 
 
 TOGETHER = {  # options that are for other outputs, or go with others
-    "--plain-name": [], "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--page-camera": ["--page", "page.html"], "--bless": ["--golden", "golden.png"],
-    "--index-only": ["-o", "out"], "--from": None, "--to": None,  # in place of --event
+    "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--bless": ["--golden", "golden.png"],
+    "--index-only": ["-o", "out"], 
     "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
 }
 
@@ -108,12 +108,12 @@ def test_times_are_written_alike_everywhere(t):
             t.vvr("inspect", "clip.avi", "--frame", time, "-o", f"frame{number}.png").expect(0, f"frame {same[1][:-1]} at")
             pictures.add(bytes(str(t.rgb(f"{number}.png")), "ascii"))
         check(len(pictures) == 1, f"{same} are not the same")
-    for option, value in [("--lag", "0.5"), ("--lag", "0.5s"), ("--patience", "1m"), ("--duration", "00:00:09")]:
+    for option, value in [("--patience", "0.5"), ("--patience", "0.5s"), ("--patience", "1m"), ("--duration", "00:00:09")]:
         t.vvr("watch", "missing.avi", "-o", "out.png", option, value).expect(2, "missing.avi")
-    t.vvr("watch", "missing.avi", "-o", "out.png", "--lag", "2m").expect(1, "--lag: '2m' is not a length of time from 0.1s to 60s")
+    t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "2h").expect(1, "--patience: '2h' is not a length of time from 0.5s to 3600s")
     t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "20f").expect(1, "--patience: '20f' is not a length of time")
-    t.vvr("cut", "clip.avi", "-o", "piece.avi", "--from", "5").expect(1, "--from: '5' has no unit: write 5f for frames or 5s for seconds")
-    t.render("clip.avi", "--start-time", "00:00:01").expect(1, "To begin later in the clip, take --start")
+    t.vvr("cut", "clip.avi", "-o", "piece.avi", "--start", "5").expect(1, "--start: '5' has no unit: write 5f for frames or 5s for seconds")
+    t.render("clip.avi", "--start-time", "00:00:01").expect(1, "To begin later in the clip, use --start")
 
 
 HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 9s"}

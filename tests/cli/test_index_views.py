@@ -72,7 +72,7 @@ def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
     t.path("clips/gate").mkdir(parents=True)
     for name in ("a.avi", "b.avi"):
         t.clip(f"clips/gate/{name}", 1)
-    t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0").expect(0)
+    t.archive("clips", "-o", "out", "--size", "320x200").expect(0)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 3")
         check(page.texts(".card:has(.gone) .name") == ["gone.avi"], str(page.texts(".card:has(.gone) .name")))
@@ -92,7 +92,7 @@ def test_index_leads_from_clip_to_clip(t):
     t.path("clips/hall").mkdir(parents=True)
     for name in ("gate/20261120T080000", "hall/20261120T083000", "gate/20261120T090000", "gate/20261120T100000"):
         t.clip(f"clips/{name}.avi", 2)
-    t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0", "--backend", "software").expect(0)
+    t.archive("clips", "-o", "out", "--size", "320x200", "--backend", "software").expect(0)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 4")
         page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('09:00:00')).click()")

@@ -117,7 +117,7 @@ def test_playlist_on_disk_is_refused(t):
     for name in ("list.m3u8", "list.avi", "list.m3u"):
         for text in texts:
             t.write(name, text)
-            others = (("render", name, "-o", "out.png"), ("cut", name, "--from", "0s", "-o", "out.mkv"), ("watch", name, "-o", "out.png"))
+            others = (("render", name, "-o", "out.png"), ("cut", name, "--start", "0s", "-o", "out.mkv"), ("watch", name, "-o", "out.png"))
             for command in (("info", name), *(others if text == texts[-1] else ())):
                 t.vvr(*command, timeout=20).expect(3, f"'{name}'", ".txt", code="playlist")
     for name in (f"/{t.path('list.avi')}", f"file://{t.path('list.avi')}"):

@@ -29,7 +29,7 @@ def test_a_log_is_no_input(t):
     clip = Kept(t, "clip.avi")
     for log in ("clip.avi", "log.txt", "link.txt"):
         for command in (("render", "clip.avi", "-o", "out.png", *SMALL), ("info", "clip.avi"), ("extract", "clip.avi", "-o", "data"),
-                        ("cut", "clip.avi", "--from", "0s", "-o", "out.avi"), ("inspect", "clip.avi", "--frame", "1f", "-o", "out.png"),
+                        ("cut", "clip.avi", "--start", "0s", "-o", "out.avi"), ("inspect", "clip.avi", "--frame", "1f", "-o", "out.png"),
                         ("watch", "clip.avi", "-o", "out.png"), ("compare", "clip.avi", "clip.avi"), ("archive", ".", "-o", "out")):
             clip.refuses(*command, "--log-file", log)
     clip.refuses("render", "-", "-o", "out.png", "--log-file", "log.txt", read="clip.avi")
@@ -48,7 +48,7 @@ def test_a_file_of_a_recording_is_no_output(t):
     t.write("list.txt", deep + "\n")
     segment = Kept(t, deep)
     for given in ("day", "day/*/*.avi", "day/*", "list.txt"):
-        for outputs in (("--report", deep), ("-o", "hard.png"), ("-o", "out.png", "--thumbnail", "hard.png"),
+        for outputs in (("--report", deep), ("-o", "hard.png"), ("-o", "out.png", "--still", "hard.png"),
                         ("-o", "out.png", "--log-file", deep)):
             segment.refuses("render", given, *outputs, *SMALL)
     listed = Kept(t, "list.txt")

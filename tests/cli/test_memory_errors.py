@@ -13,10 +13,10 @@ COMMANDS = {
     "inspect": ("inspect", "clip.avi", "--frame", "3f", "-o", "out.png"),
     "info": ("info", "clip.avi", "--json"),
     "seeds": ("seeds", "data", "-o", "lists"),
-    "cut": ("cut", "clip.avi", "--from", "0s", "--to", "0.5s", "--exact", "-o", "out.mp4"),
+    "cut": ("cut", "clip.avi", "--start", "0s", "--end", "0.5s", "--exact", "-o", "out.mp4"),
     "compare": ("compare", "one.png", "one.png"),
     # Workers of an archive are runs of render, and have limits that leave valgrind no room.
-    "archive": ("archive", "clips", "-o", "pictures", "--settle", "0", "--dry-run"),
+    "archive": ("archive", "clips", "-o", "pictures", "--dry-run"),
     "watch": ("watch", "clip.avi", "-o", "out.png", "--size", "64x40", "--reference", "first"),
     "config": ("config", "render"),
     "doctor": ("doctor", "--json"),

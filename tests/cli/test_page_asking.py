@@ -201,7 +201,7 @@ def test_page_copies_a_command_that_works_as_it_stands(t):
             longest = page.run("return [...events.keys()].sort(orders.longest)[0]")
             first, last = page.run(f"choose({longest}); return [data.events[{longest}].first, data.events[{longest}].last]")
             program, command, *arguments = shlex.split(copied(page, "#copycut"))
-        check(arguments[:arguments.index("--from")] == (files if clip == "bag.avi" else files[first // 125:last // 125 + 1]), f"{arguments}")
+        check(arguments[:arguments.index("--start")] == (files if clip == "bag.avi" else files[first // 125:last // 125 + 1]), f"{arguments}")
         done = t.vvr(command, *arguments).expect(0, "frames copied")
         shown = t.run(["ffprobe", "-v", "error", "-select_streams", "v", "-count_frames", "-show_entries", "stream=nb_read_frames",
                        "-of", "csv=p=0", arguments[-1]])

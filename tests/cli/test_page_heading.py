@@ -85,12 +85,6 @@ def test_page_heading_of_a_stream(t):
     check(summary.endswith("; times of day live"), summary)
 
 
-def test_page_camera_needs_a_page(t):
-    clips(t, "plain.avi")
-    t.vvr("render", "plain.avi", "-o", "out.png", "--page-camera", "gate").expect(
-        1, "--page-camera", "--page FILE", "-o FILE.html", code="option-needs-another")
-
-
 @pytest.mark.parametrize("hours", [0, 2])
 def test_page_events_do_not_span_time_without_signal(t, hours):
     """Somebody stands there at the end of one file and at the beginning of the next."""

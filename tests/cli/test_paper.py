@@ -90,7 +90,7 @@ def test_orders_of_seeds(t):
     check(sum(ages[:8]) < sum(ages[-8:]), "what was covered for longest is not first")
 
 
-def test_size_and_cap_of_arrows(t):
+def test_size_of_arrows(t):
     texture(t)
     look = (*ALONG, *one_seed(t), "--show", "arrows")
 
@@ -99,8 +99,6 @@ def test_size_and_cap_of_arrows(t):
         return extent(t)
     usual = length()
     check(abs(length("--glyph-scale", "2") / usual - 2) < 0.1, "--glyph-scale 2 is not twice as long")
-    check(abs(length("--glyph-cap", "0.02") / length("--glyph-cap", "0.04") - 0.5) < 0.05, "the cap is not the length")
-    check(length("--glyph-cap", "1") == usual, "a cap beyond the length changes it")
 
 
 def test_steps_of_tracelines(t):
@@ -112,12 +110,8 @@ def test_steps_of_tracelines(t):
         return extent(t)
     ten = length("--trace-steps", "10")
     check(abs(length("--trace-steps", "20") / ten - 2) < 0.15, "twice the steps are not twice as long")
-    check(abs(length("--trace-steps", "10", "--trace-dt", "2") / ten - 2) < 0.15, "steps twice as long are not twice as long")
     pixels_per_column = 960 / 96  # at most: the frame does not fill the picture
     check(ten < 1.1 * 10 * SPEED * pixels_per_column, f"ten steps are {ten} pixels long")
-    t.render("shift.y4m", *look, "--trace-rest", "2").expect(0)
-    nothing = {pixel for row in t.rgb("out.png") for pixel in row}
-    check(nothing == {(255, 255, 255)}, "a line where the flow is slower than --trace-rest")
 
 
 def test_velocity_along_time(t):
@@ -134,15 +128,11 @@ def test_velocity_along_time(t):
     check_ten_frames(line, width("tracelines", "--time-velocity", "1", "--trace-steps", "100"))
 
 
-def test_a_thing_at_rest_has_a_path_along_time(t):
+def test_a_thing_at_rest_has_no_path_along_time(t):
     t.scene("still", "still.y4m", "--size", "96x64", "--frames", str(FRAMES))
     look = (*ASIDE, *one_seed(t), "--show", "tracelines", "--time-velocity", "1", "--trace-steps", "10")
     t.render("still.y4m", *look).expect(0)
-    check({pixel for row in t.rgb("out.png") for pixel in row} == {(255, 255, 255)}, "by default its line ends at once")
-    t.render("still.y4m", *look, "--trace-rest", "0").expect(0)
-    line = extent(t)
-    t.render("still.y4m", *look, "--trace-rest", "0", "--trace-steps", "100").expect(0)
-    check_ten_frames(line, extent(t))
+    check({pixel for row in t.rgb("out.png") for pixel in row} == {(255, 255, 255)}, "its line does not end at once")
 
 
 def test_the_preset_is_the_paper(t):

@@ -100,7 +100,7 @@ def test_tree_tells_camera_begin_and_order(t, part):
     for tree in list(TREES)[part::3]:
         files = make_tree(t, tree, tree)
         # An archive lists each clip with what it takes for true.
-        lines = t.vvr("archive", tree, "-o", "pictures", "--settle", "0s", "--dry-run").expect(0, out=None).out.splitlines()
+        lines = t.archive(tree, "-o", "pictures", "--dry-run").expect(0, out=None).out.splitlines()
         expected = {f"new             {path.removeprefix(tree + '/')}  camera {camera}, {begin} by file name"
                     for camera, clips in files.items() for path, begin in clips}
         check({line.rsplit(" (", 1)[0] for line in lines} == expected, f"{tree}: {lines}\n{expected}")
@@ -145,7 +145,7 @@ def test_cameras_of_one_folder_are_several_days(t):
         os.link(t.path("clip.avi"), t.path(f"in/{camera}_2026-11-21_20-00-00.avi"))
     for command in (["render", "in", "-o", "x.png"], ["extract", "in", "-o", "data"], ["inspect", "in", "--frame", "0", "-o", "i.png"]):
         t.vvr(*command).expect(1, "'in'", "2 cameras", "back-door, front-door", "'in/back-door*.avi'", "--join", code="recording-mixed")
-    out = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--per", "day", "--dry-run").expect(0, out=None).out
+    out = t.archive("in", "-o", "out", "--per", "day", "--dry-run").expect(0, out=None).out
     check("new             back-door/2026-11-21\n                  back-door_2026-11-21_20-00-00.avi  camera back-door, "
           "2026-11-21 20:00:00 by file name (a date and a time)\nnew             front-door/2026-11-21\n" in out, out)
     # All the same as one: then what is dropped is named.
@@ -166,9 +166,9 @@ def test_files_of_the_same_second_are_named(t):
     check(any("8 files were omitted" in problem for problem in report["problems"]), f"{report['problems']}")
     check(report["frames"]["used"] == 10, f"{report['frames']}")
     t.vvr("extract", "d", "-o", "data").expect(6, "8 files", code="partial")
-    t.vvr("archive", ".", "-o", "out", "--settle", "0s", "--per", "day", "--match", "d/*.avi", "--size", "160x100", "--backend", "software").expect(
+    t.archive(".", "-o", "out", "--per", "day", "--match", "d/*.avi", "--size", "160x100", "--backend", "software").expect(
         6, "8 files", "1 clip drawn, 0 failed", code="partial")
-    t.vvr("archive", ".", "-o", "out", "--settle", "0s", "--per", "day", "--match", "d/*.avi", "--size", "160x100", "--backend", "software").expect(
+    t.archive(".", "-o", "out", "--per", "day", "--match", "d/*.avi", "--size", "160x100", "--backend", "software").expect(
         0, "nothing to do; 1 done before")
 
 
@@ -195,6 +195,6 @@ def test_dry_run_shows_what_names_hide(t):
     little_clip(t)
     t.path("in").mkdir()
     os.link(t.path("clip.avi"), t.path("in/a\u202eiva.\n.avi"))
-    out = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--dry-run").expect(0, out=None).out
+    out = t.archive("in", "-o", "out", "--dry-run").expect(0, out=None).out
     check("\u202e" not in out and len(out.splitlines()) == 1 and "\\u202e" in out, repr(out))
     check(out.endswith("camera not known, time of day not known\n"), repr(out))

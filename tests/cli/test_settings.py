@@ -61,7 +61,7 @@ def test_settings_of_each_solver_can_be_given_back(t):
 @pytest.mark.parametrize("options", [
     ("--brick", "5f"), ("--time", "busy"), ("--preset", "paper"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"),
     ("--color", "signed", "--filter", "edges"), ("--transfer", "heat"), ("--flow", "none"), ("--field-size", "32x24", "--step", "2"),
-    ("--start", "3f", "--end", "1.5s"), ("--slices", "40", "--height", "0.4", "--slice-view", "0,46")])
+    ("--start", "3f", "--end", "1.5s"), ("--slices", "40", "--height", "0.4")])
 def test_settings_of_other_options_can_be_given_back(t, options):
     t.clip()
     given_back(t, "clip.avi", *options)
@@ -89,10 +89,10 @@ def test_presets_set_what_a_command_has(t):
     check(t.rgb("clip.png") == t.rgb("data.png"), "data of the preset give another picture")
     # One error, of all that is not so.
     said = t.render("usual", *look).expect(
-        1, "'usual'", "illumination none (not global)", "solver jacobi (not pyramid)",
+        1, "'usual'", "illumination none (extracted: global)", "solver jacobi (extracted: pyramid)",
         "`vvr extract --preset paper`", code="extraction-unsuitable")
     check("there is no option" not in said.err, str(said))
-    for command in (("inspect", "clip.avi", "-o", "frame.png"), ("cut", "clip.avi", "-o", "cut.avi", "--from", "0.5s")):
+    for command in (("inspect", "clip.avi", "-o", "frame.png"), ("cut", "clip.avi", "-o", "cut.avi", "--start", "0.5s")):
         t.vvr(*command, "--preset", "paper").expect(0)
     said = t.vvr("config", "render", "--preset", "paper").expect(0, out=None).out
     for line in ("solver               jacobi (preset paper)", "preset               paper (preset paper)",

@@ -27,7 +27,7 @@ def test_output_never_replaces_what_is_read(t):
     frame = t.path("frames/003.png").read_bytes()
     for option, name in (("-o", "clip.png"), ("-o", "link.html"), ("--report", "clip.avi")):
         t.vvr("render", "clip.avi", option, name).expect(1, f"{option} '{name}'", "'clip.avi'", code="output-replaces-input")
-    for option, name in (("--thumbnail", "clip.jpg"), ("--still", "clip.jpg"), ("--page", "link.html")):
+    for option, name in (("--still", "clip.jpg"), ("--page", "link.html")):
         t.vvr("render", "clip.avi", "-o", "out.png", option, name).expect(1, f"{option} '{name}'", "'clip.avi'", code="output-replaces-input")
     t.vvr("render", "frames", "-o", "frames/003.png").expect(1, "-o 'frames/003.png'", "'frames'", code="output-replaces-input")
     t.vvr("render", "clip.avi", "-o", "frames/003.png", "--reference", "frames/003.png").expect(
@@ -100,7 +100,7 @@ def test_no_output_tells_the_secrets_of_an_address(t):
     server = server_of(content)
     secrets = ("Wh0-Is-It", "s3cret-w0rd", "t0ken-0f-mine")
     address = "http://{}:{}@127.0.0.1:{}/hall.ts?token={}".format(*secrets[:2], server.server_port, secrets[2])
-    outputs = ("-o", "a.png", "--page", "a.html", "--thumbnail", "a.jpg", "--still", "s.jpg", "--report", "a.json", "--log-file", "log")
+    outputs = ("-o", "a.png", "--page", "a.html", "--still", "s.jpg", "--report", "a.json", "--log-file", "log")
     runs = {
         ("info", address): 0, ("info", address, "--json"): 0,
         ("render", address, *outputs, "--size", "320x200", "--backend", "software", "--verbose"): 0,
@@ -110,7 +110,7 @@ def test_no_output_tells_the_secrets_of_an_address(t):
         ("inspect", address, "--frame", "5f", "-o", "inspect.png"): None,
         ("watch", address, "-o", "w.png", "--log-file", "watch.log", "--duration", "2s", *SMALL[:4]): None,
         ("render", address, "-o", "late.png", "--start", "100s"): None, ("render", address, address, "-o", "two.png"): 1,
-        ("seeds", address, "-o", "seeds"): None, ("cut", address, "--from", "0", "-o", "cut.avi"): 1,
+        ("seeds", address, "-o", "seeds"): None, ("cut", address, "--start", "0", "-o", "cut.avi"): 1,
         ("archive", address, "-o", "out"): None}
     for command, status in runs.items():
         run = t.vvr(*command)
@@ -221,7 +221,7 @@ def test_archive_keeps_to_its_folder(t):
     t.clip("in/clip.avi", seconds=1)
     for name, to in (("root", "/"), ("above", ".."), ("proc", "/proc"), ("sys", "/sys")):
         os.symlink(to, t.path("in") / name)
-    run = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--dry-run", timeout=20)
+    run = t.archive("in", "-o", "out", "--dry-run", timeout=20)
     for name in ("root", "above"):
         check(f"'in/{name}': it is a symbolic link" in run.err, run.err)
     check(run.err.count("vvr: ") == 2, run.err)
@@ -276,7 +276,7 @@ def test_archive_writes_through_no_link(t):
     t.vvr(*archive).expect(
         2, "a/a.avi failed, ", "'out/a/a.avi.json'", "c/c.avi failed, ", "'out/c/c.avi.png'", "b/b.avi failed, ", "'out/b'",
         "[not-a-folder]", "'out/index.html'", "1 clip drawn, 3 failed", code="not-a-file")
-    t.vvr(*archive, "--settle", "0s", "--opacity", "0.5", "--prune").expect(
+    t.vvr(*archive, "--opacity", "0.5", "--prune").expect(
         2, "'out/index.html'", "1 clip drawn, 3 failed", code="not-a-file")
     check([t.path(name).read_text() for name in victims] == ["precious"] * 5, "a link was followed")
     check(sorted(os.listdir(t.path("victim/dir"))) == ["b.avi.png"], "files were made behind a link")
@@ -330,7 +330,7 @@ def test_a_page_without_its_preview_is_a_page(t):
     t.vvr("render", "in/jump.flv", "-o", "out.png", "--page", "out.html", "--size", "160x100", "--backend", "software").expect(
         0, "warning: the page has stills but no video preview, because FFmpeg could not encode one: cannot encode 'preview': Invalid argument")
     check(t.path("out.html").exists() and t.path("out.png").exists(), f"{t.files()}")
-    t.vvr("archive", "in", "-o", "out", *QUICK, "--settle", "0s").expect(0, "1 clip drawn, 0 failed")
+    t.archive("in", "-o", "out", *QUICK).expect(0, "1 clip drawn, 0 failed")
 
 
 def test_too_little_memory_is_refused_at_once(t):

@@ -294,7 +294,7 @@ def test_watch_while_nobody_sends_ends_too(t):
 def test_watch_falls_behind_gracefully(t):
     # Sent as fast as can be, at a size at which no machine keeps up.
     source(t, seconds=20, size="1280x720")
-    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--field-size", "source", "--lag", "0.2", "--duration", "18s", "--reference",
+    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--field-size", "source", "--duration", "18s", "--reference",
                    "first", real_time=False)
     now = figures(said)
     check(now["dropped"] > 20 and now["frames"] + now["dropped"] > 300, said)
@@ -326,7 +326,7 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "choice-unknown", "--start-time"),
         (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "options-conflict", "--seeds"),
         (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "option-value", "--duration", "'30x'", "90s"),
-        (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "option-value-out-of-range", "--lag", "0.1s to 60s"),
+        (("clip.avi", "-o", "out.png", "--patience", "0"), 1, "option-value-out-of-range", "--patience", "0.5s to 3600s"),
         (("missing.ts", "-o", "out.png"), 2, "file-not-found", "'missing.ts'", "No such file", "rtsp://camera/stream"),
         (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "stream-unreachable", "'tcp://127.0.0.1:1'", "Connection refused"),
         (("folder", "-o", "out.png"), 1, "input-unsuitable", "'folder'", "`vvr render`"),

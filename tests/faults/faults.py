@@ -59,7 +59,7 @@ SCENES = (
                      "--sandbox", "off"), (), "worker"),
     Scene("recording", ("render", "{in}/day", "-o", "out.png", "--report", "out.json", *SMALL), ("out.png", "out.json")),
     Scene("day", ("archive", "{in}/days", "-o", "pictures", "--per", "day", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
-    Scene("cut", ("cut", "{in}/day", "--from", "0.5s", "--to", "1.5s", "-o", "piece.avi"), ("piece.avi",)),
+    Scene("cut", ("cut", "{in}/day", "--start", "0.5s", "--end", "1.5s", "-o", "piece.avi"), ("piece.avi",)),
     Scene("watch", ("watch", "{in}/cam.ts", "-o", "out.png", "--brick", "1s", "--reference", "first", "--start-time",
                     "2026-11-21 08:00:00", *SMALL), ("out.png",)),
 )

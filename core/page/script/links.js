@@ -76,7 +76,7 @@ function cutCommand(number) {
     const time = seconds => (Math.max(seconds, begin) - begin).toFixed(3) + 's';
     const overlap = files.some(([, from], i) => i > 0 && from < files[i - 1][2] - 0.001);
     return ['vvr cut', ...files.map(([file]) => quoted(file)), ...data.cut.names.map(names => `--names ${quoted(names)}`),
-            `--from ${time(secondsOf(events[number].first))} --to ${time(Math.min(endOf(events[number]), files.at(-1)[2]))}`,
+            `--start ${time(secondsOf(events[number].first))} --end ${time(Math.min(endOf(events[number]), files.at(-1)[2]))}`,
             overlap ? '--exact' : [], `-o ${quoted(`${stem}-event-${numberOf(number)}${overlap ? '.mp4' : data.cut.ending}`)}`].flat().join(' ');
 }
 at('copycut').addEventListener('click', () => { if (chosen !== null) copy(cutCommand(chosen), 'the command'); });

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "cli/options/config_file.h"
 #include "tests/fuzz/input.h"
 
@@ -21,7 +23,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         return std::vector<options::CommandNames>{{"render", [&app] { return options::configurable_names(app); }},
                                                   {"info", [] { return std::vector<std::string>{"threshold"}; }}};
     };
-    app.config_formatter(std::make_shared<options::ConfigFile>(app, "render", "vvr.toml", commands));
+    app.config_formatter(options::config_file_reader(app, "render", "vvr.toml", commands));
     std::istringstream input{std::string(fuzz::text_of(data, size))};
     try {
         fuzz::parsed([&] {

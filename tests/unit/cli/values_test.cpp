@@ -1,9 +1,13 @@
+#include <chrono>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "cli/exit_status.h"
 #include "cli/options/parse_value.h"
+#include "cli/options/value_types.h"
 
 namespace vvr {
 namespace {
@@ -125,6 +129,45 @@ TEST(ParsePair, NeedsBothNumbers) {
     EXPECT_EQ(options::parse_pair("-20,35", ',', {-360, 360}, {-90, 90}), std::pair(-20.0, 35.0));
     for (const char* text : {"", ",", "1", "1,", ",1", "1,2,3", "1:2", "400,0", "0,100"}) {
         EXPECT_THROW(options::parse_pair(text, ',', {-360, 360}, {-90, 90}), Error) << text;
+    }
+}
+
+/// A value of the type, printed after it was parsed.
+template <class Value>
+std::string printed(const std::string& text, const Setting& setting = {.name = "a", .unit = "", .help = ""}) {
+    Value value{};
+    options::set_value(setting, text, value);
+    return options::value_text(setting, value);
+}
+
+TEST(ValueText, IsWhatOneWouldType) {
+    const Setting time{.name = "a", .unit = "TIME", .help = ""};
+    EXPECT_EQ(printed<double>("1m30s", time), "90s");
+    EXPECT_EQ(printed<std::chrono::seconds>("900", time), "15m");
+    EXPECT_EQ(printed<app::Time>("250f"), "250f");
+    EXPECT_EQ(printed<Size>("64x48"), "64x48");
+    EXPECT_EQ(printed<space::View>("-20,35.5"), "-20,35.5");
+    EXPECT_EQ(printed<glm::vec4>("none"), "none");
+    EXPECT_EQ(printed<app::StartTime>("container"), "container");
+    EXPECT_EQ(printed<app::StartTime>("2026-11-21T08:00"), "2026-11-21 08:00:00");
+    EXPECT_EQ(printed<app::Parts>("outline,volume"), "volume,outline") << "in the order of the table";
+    EXPECT_EQ(printed<std::optional<app::NamedTransfer>>("heat"), "heat");
+    EXPECT_EQ(printed<fields::SeedSelection>("random:3"), "random:3:1");
+    EXPECT_EQ(printed<fields::SeedFlags>("100"), "100");
+    for (unsigned grey = 0; grey < 256; ++grey) {
+        const std::string colour = fmt::format("#{0:02x}{0:02x}{0:02x}", grey);
+        EXPECT_EQ(printed<glm::vec4>(colour), colour);
+    }
+}
+
+TEST(ValueText, OfPlacesInAClipHasTheUnitThatWasGiven) {
+    const Setting setting{.name = "a", .unit = "TIME", .help = ""};
+    for (const char* text : {"0s", "1.5s", "25f", "@02:00", "2026-11-22 02:00"}) {
+        video::FrameSpan span;
+        options::set_value(setting, text, app::SpanStart{span});
+        options::set_value(setting, text, app::SpanEnd{span});
+        EXPECT_EQ(options::value_text(setting, app::SpanStart{span}), text);
+        EXPECT_EQ(options::value_text(setting, app::SpanEnd{span}), text);
     }
 }
 
