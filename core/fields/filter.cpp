@@ -10,8 +10,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/background_segm.hpp>
 
-#include "core/base/setting.h"
 #include "core/base/cv_view.h"
+#include "core/base/setting.h"
 #include "core/fields/illumination.h"
 
 namespace vvr::fields {
