@@ -195,7 +195,7 @@ def test_cut_refuses_events_that_are_not_there(t):
     t.vvr("cut", clip, "--event", "9", "--report", "report.json", "-o", "x.mp4").expect(
         1, "--event", "event 9", "'report.json'", "3 events", "1 to 3", code="event-unknown")
     t.vvr("cut", clip, "--event", "0", "-o", "x.mp4").expect(1, "--event", "'0'", "1", code="option-value-out-of-range")
-    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "--filter edges", code="options-conflict")
+    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "--filter 'edges'", "choose another filter", code="options-conflict")
     t.expect_files(clip, "report.json")
 
 
@@ -242,9 +242,9 @@ def test_cut_refuses_what_cannot_be_cut(t):
     cut = lambda name: t.vvr("cut", name, "--start", "0", "-o", "x.mkv", timeout=20)
     cut("frames").expect(1, "'frames'", "pictures", code="input-unsuitable")
     cut("frames/%03d.png").expect(1, "'frames/%03d.png'", "pictures", code="input-unsuitable")
-    cut("data").expect(1, "'data'", "extraction", code="input-unsuitable")
+    cut("data").expect(1, "'data'", "`vvr extract`", "name video files", code="input-unsuitable")
     cut("-").expect(1, "'-'", "stdin", code="input-unsuitable")
-    cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream'", "address", code="input-unsuitable")
+    cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream'", "URL", code="input-unsuitable")
     cut("pipe").expect(1, "'pipe'", code="input-unsuitable")
     t.path("empty").mkdir()
     cut("empty").expect(1, "'empty'", code="input-unsuitable")
