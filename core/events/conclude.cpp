@@ -248,12 +248,16 @@ class Conclusion {
                });
     }
 
-    /// Whether an object can have brought or taken a thing: it is large enough, and whoever takes a thing comes from
-    /// elsewhere. Somebody who stood there until then only uncovers the place.
+    /// Whether an object can have brought or taken a thing: it is large enough, whoever takes a thing comes from
+    /// elsewhere, and whoever leaves one goes elsewhere. Somebody who stood there only uncovers the place, and somebody
+    /// who ends there is the thing.
     static bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) {
-        const double away = glm::distance(bearer.begin.place, thing.settled->patch.centre);
-        return bearer.area >= things.least_share * thing.settled->patch.area &&
-               (kind != EventKind::taken || away > std::max(thresholds.least_length, thing.length));
+        if (bearer.area < things.least_share * thing.settled->patch.area) return false;
+        const glm::dvec2 place = kind == EventKind::taken ? bearer.begin.place : bearer.end.place;
+        const glm::ivec2 low(glm::floor(place - 0.5 * bearer.size));
+        const glm::ivec2 high(glm::ceil(place + 0.5 * bearer.size));
+        const int around = static_cast<int>(std::max(thresholds.least_length, thing.length));
+        return !thing.settled->patch.box.inflated(around, around).intersects({low.x, low.y, high.x, high.y});
     }
 
     /// Finds who put a thing down or took it. A thing that appears with nobody beside it is light, a caption or a
@@ -267,17 +271,20 @@ class Conclusion {
             return;
         }
         if (const auto parent = own.from ? object_of_.find(*own.from) : object_of_.end(); parent != object_of_.end()) {
-            candidate.carried = can_carry(candidates_[parent->second].whole, own, candidate.kind);
+            const Candidate& bearer = candidates_[parent->second];
+            candidate.carried = bearer.wanted && can_carry(bearer.whole, own, candidate.kind);
             return;
         }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
             const Tracklet& bearer = candidates_[other].whole;
-            if (other == k || bearer.stood_from_start || !can_carry(bearer, own, candidate.kind)) continue;
+            if (other == k || !candidates_[other].wanted || bearer.stood_from_start ||
+                !can_carry(bearer, own, candidate.kind))
+                continue;
             if (!was_beside(bearer, own)) continue;
             candidate.carried = true;
             const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
-            if (!candidates_[other].wanted || away >= nearest) continue;
+            if (away >= nearest) continue;
             nearest = away;
             own.from = bearer.number;
         }

@@ -358,6 +358,7 @@ double EventFinder::share_at(const Moment& moment) const {
 }
 
 Findings EventFinder::finish() {
+    clocks_.finish();
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
     Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_, clocks_.found()}, options_);

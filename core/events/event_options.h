@@ -186,7 +186,7 @@ struct Thresholds {
     struct {
         double before = 3;         ///< seconds before a thing appears: its bearer is beside it from then …
         double after = 0.5;        ///< … until this many seconds after
-        double least_share = 0.5;  ///< share of the thing's area; a smaller bearer can't have brought it
+        double least_share = 1;    ///< areas of the thing; a smaller object can't have carried it
     } thing;
 
     /// Small events that crowd one part of the picture.

@@ -83,25 +83,32 @@ void ClockFinder::look() {
             }
         }
         phase /= std::abs(phase);
-        // The tens of seconds and the minutes change less often, at the same phase.
+        // The strokes that change less often, the tens of seconds and the minutes change at the same phase.
         PixelBox line{digit.x, digit.y, digit.x + digit.width, digit.y + digit.height};
-        const auto changes_with_it = [&](int i) {
+        const auto changes_with_it = [&](const PixelBox& strip) {
             int in_phase = 0;
             int others = 0;
-            for (int j = line.top; j < line.bottom; ++j) {
-                const Changes& changes = changes_.at(i, j);
-                if (changes.count == 0) continue;
-                const float along = (changes.phases * std::conj(phase)).real();
-                (along >= static_cast<float>(limit.in_phase * changes.count) ? in_phase : others) += 1;
+            for (int j = strip.top; j < strip.bottom; ++j) {
+                for (int i = strip.left; i < strip.right; ++i) {
+                    const Changes& changes = changes_.at(i, j);
+                    if (changes.count == 0) continue;
+                    const float along = (changes.phases * std::conj(phase)).real();
+                    (along >= static_cast<float>(limit.in_phase * changes.count) ? in_phase : others) += 1;
+                }
             }
-            return in_phase > others;
+            return in_phase > 2 * others;
         };
+        for (int step = 0; step < line.width(); ++step) {
+            if (line.top > 0 && changes_with_it({line.left, line.top - 1, line.right, line.top})) --line.top;
+            if (line.bottom < size.height && changes_with_it({line.left, line.bottom, line.right, line.bottom + 1}))
+                ++line.bottom;
+        }
         const int reach = 2 * line.height();
         for (int i = line.left; i >= 0 && i >= line.left - reach; --i) {
-            if (changes_with_it(i)) line.left = i;
+            if (changes_with_it({i, line.top, i + 1, line.bottom})) line.left = i;
         }
         for (int i = line.right - 1; i < size.width && i < line.right + reach; ++i) {
-            if (changes_with_it(i)) line.right = i + 1;
+            if (changes_with_it({i, line.top, i + 1, line.bottom})) line.right = i + 1;
         }
         keep(intersection(line.inflated(limit.stroke, limit.stroke), {0, 0, size.width, size.height}));
     }

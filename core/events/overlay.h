@@ -21,6 +21,11 @@ class ClockFinder {
     /// The boxes of all clocks found so far, in pixels of the picture.
     const std::vector<PixelBox>& found() const { return found_; }
 
+    /// Looks for a last time, after the last picture.
+    void finish() {
+        if (!before_.empty()) look();
+    }
+
   private:
     /// How a pixel changed in the current window.
     struct Changes {

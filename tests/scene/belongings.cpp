@@ -74,19 +74,19 @@ Interval faint_bag_stands() {
 }
 
 Scene make_faint_bag(const Options& options) {
-    constexpr double levels = 12;
+    constexpr double levels = 30;
     const double scale = scale_of(options);
     const Point middle{72, 108};
     const Actor bag{"bag", at_place(middle, faint_bag_stands()),
                     [=, hall = paint_hall(options.size, options.seed, options.detail)](Canvas& canvas, double) {
                         const Point m{middle.x * scale, middle.y * scale};
                         const Point half{8 * scale, 10 * scale};
-                        const auto darker = [](std::uint8_t value) { return (value - levels) / 255; };
+                        const auto paler = [](std::uint8_t value) { return std::min(1.0, (value + levels) / 255); };
                         canvas.paint(
                             m, half.x + half.y, [&](Point p) { return round_box(p, m, half, 2 * scale); },
                             [&](Point p) {
                                 const Bgr floor = hall.at(static_cast<int>(p.x), static_cast<int>(p.y));
-                                return Colour{darker(floor[0]), darker(floor[1]), darker(floor[2])};
+                                return Colour{paler(floor[0]), paler(floor[1]), paler(floor[2])};
                             });
                     }};
     const int put_down = faint_bag_stands().first;
@@ -109,24 +109,6 @@ Scene make_bag_of_two(const Options& options) {
     return make_happening(options, 800,
                           {walker("person 0", options, bringer), walker("person 1", options, taker),
                            carried_bag(options, bringer, taker)});
-}
-
-Interval suitcase_stands() {
-    return {150, 519};
-}
-
-Scene make_suitcase(const Options& options) {
-    const int put_down = suitcase_stands().first;
-    const Way way = with_stop(80, put_down, put_down + 150, 1.1, 118);
-    // It rolls behind its owner.
-    const Way rolls = [=](double frame) -> std::optional<Point> {
-        const auto owner = way(std::min<double>(frame, put_down));
-        if (!owner) return std::nullopt;
-        return Point{owner->x - 15, 110};
-    };
-    return make_happening(
-        options, 520,
-        {walker("person", options, {way, 9, -1, sway}), box("suitcase", options, rolls, {6, 9}, {0.45, 0.15, 0.1})});
 }
 
 }  // namespace vvr::generator

@@ -93,7 +93,7 @@ Scene make_waits_early(const Options& options = {});
 Scene make_people_from_first(const Options& options, int frames);
 Interval stand_from_first();
 
-/// Somebody puts down a bag that is 12 grey levels darker than the floor, and leaves. Objects "person" and "bag". 450
+/// Somebody puts down a bag that is 30 grey levels paler than the floor, and leaves. Objects "person" and "bag". 450
 /// frames.
 Scene make_faint_bag(const Options& options = {});
 Interval faint_bag_stands();
@@ -102,10 +102,5 @@ Interval faint_bag_stands();
 /// frames.
 Scene make_bag_of_two(const Options& options = {});
 Interval bag_of_two_stands();
-
-/// Somebody comes with a suitcase on wheels, stands beside it for six seconds, and goes on without it. Objects "person"
-/// and "suitcase". 520 frames.
-Scene make_suitcase(const Options& options = {});
-Interval suitcase_stands();
 
 }  // namespace vvr::generator

@@ -186,6 +186,59 @@ TEST_P(LowRate, LeavesOnlyTheBag) {
     }
 }
 
+TEST(Clock, IsCoveredWhole) {
+    for (const std::uint64_t seed : {1U}) {
+        const Found found = found_in(generator::make_clock(small(seed)));
+        ASSERT_EQ(found.all.overlays.size(), 1U) << seed << found;
+        EXPECT_TRUE(found.all.overlays[0].contains(generator::clock_seconds())) << seed << found;
+    }
+}
+
+TEST(ClockAndWalker, HasTheClockAsAnOverlay) {
+    for (const std::uint64_t seed : {1U, 2U}) {
+        expect_clock(found_in(generator::make_clock_and_walker(small(seed))), 117);
+    }
+}
+
+TEST_P(LowRate, LeavesNobodyWhoWaitsEarly) {
+    for (const Found& found : thinned(generator::make_waits_early(small()))) {
+        EXPECT_FALSE(claims_a_thing(found)) << found;
+    }
+}
+
+TEST(ClockOverLeaves, IsOneOverlayAndNoThing) {
+    for (const std::uint64_t seed : {1U, 2U}) {
+        const Found found = found_in(generator::make_clock_over_leaves(small(seed)));
+        ASSERT_EQ(found.all.overlays.size(), 1U) << seed << found;
+        EXPECT_TRUE(found.all.overlays[0].contains(generator::clock_seconds())) << seed << found;
+        EXPECT_FALSE(claims_a_thing(found)) << seed << found;
+    }
+}
+
+TEST(PeopleFromTheFirstFrame, LeaveNoThingInAShortClip) {
+    for (const std::uint64_t seed : {1U, 2U}) {
+        const Found found = found_in(generator::make_people_from_first(small(seed), 750));
+        EXPECT_FALSE(claims_a_thing(found)) << seed << found;
+    }
+}
+
+TEST(WhoWaitsForAMinute, IsNoThingIfTheyWaitForMostOfTheClip) {
+    const Found found = found_in(generator::make_waits_early(small()));
+    EXPECT_FALSE(claims_a_thing(found)) << found;
+}
+
+TEST(FaintBag, IsLeft) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const Found found = found_in(generator::make_faint_bag(small(seed, seed == 2 ? 3 : 0)));
+        ASSERT_EQ(kinds_of(found.all.events), (std::vector{EventKind::moved, EventKind::left})) << seed << found;
+        const events::Event& bag = found.all.events[1];
+        const generator::Interval stands = generator::faint_bag_stands();
+        EXPECT_NEAR(static_cast<double>(bag.first.frame), stands.first, second) << seed << found;
+        EXPECT_NEAR(static_cast<double>(bag.last.frame), stands.last, second) << seed << found;
+        EXPECT_EQ(bag.by, 0U) << seed << found;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, LowRate,
                          testing::Values(Rate{"five_per_second", 5}, Rate{"two_per_second", 12},
                                          Rate{"one_per_second", 25}, Rate{"one_in_two_seconds", 50}),

@@ -75,7 +75,7 @@ TEST(PaleBag, IsOneThingThatWasLeft) {
 
 TEST(TakenBox, IsTakenAndNotLeft) {
     const Found found = found_in(generator::make_taken_box, small());
-    ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
+    ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken})) << found;
     const events::Event& box = found.all.events[1];
     expect_near(box.first, generator::box_is_gone().first);
     expect_near(box.last, generator::box_is_gone().last);
