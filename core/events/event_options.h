@@ -196,7 +196,11 @@ struct Thresholds {
     } clutter;
 };
 
+#ifdef VVR_THRESHOLDS_VARY
+inline Thresholds thresholds{};  // tests/bench/sensitivity.cpp walks through them
+#else
 inline constexpr Thresholds thresholds{};
+#endif
 
 /// What the thresholds can't know of a clip.
 struct EventOptions {

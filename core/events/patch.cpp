@@ -92,7 +92,7 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int 
 }
 
 double edge_strength(const Patch& patch, const FrameView& sight) {
-    constexpr int across = thresholds.blob.edge;
+    const int across = thresholds.blob.edge;
     const Size picture = sight.field.size();
     double sum = 0;
     int count = 0;
