@@ -35,7 +35,7 @@ class Crop {
     double score() const { return score_; }  ///< of the portrait
     std::size_t bytes() const { return jpeg_.size(); }
 
-    static constexpr int longest_side = 416;
+    static constexpr int longest_side = 560;  ///< a still of 336 pixels, as in a picture of 3840x2160
 
   private:
     Moment at_;
@@ -61,7 +61,7 @@ class Crops {
     std::size_t bytes() const { return bytes_; }
 
     // A day at a busy gate has thousands of tracks; a picture has room for about ten, and a page for 200. Crops have
-    // about 25 kB.
+    // about 30 kB.
     static constexpr std::size_t max_crops = 1024;
     static constexpr std::size_t max_bytes = 32'000'000;
 

@@ -40,8 +40,9 @@ void check(int result, const char* what) {
     if (result >= 0) return;
     std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
     av_strerror(result, words.data(), words.size());
-    throw Error(result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
-                fmt::format("cannot {} a picture in memory: {}; use an FFmpeg with its codec mjpeg", what, words.data()));
+    throw Error(
+        result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
+        fmt::format("cannot {} a picture in memory: {}; use an FFmpeg with its codec mjpeg", what, words.data()));
 }
 
 template <class T>

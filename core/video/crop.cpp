@@ -26,16 +26,13 @@ namespace {
 
 /// The frame's own pixels.
 Plane<Bgr> small_crop_of(const Frame& frame, const PixelBox& box, int longest_side) {
+    const cv::Rect place(box.left, box.top, box.width(), box.height());
     Plane<Bgr> part = Plane<Bgr>::for_overwrite(box.size());
-    for (int j = 0; j < box.height(); ++j) {
-        const auto from = static_cast<std::size_t>(box.left);
-        const std::span<Bgr> row = part.row(j);
-        if (frame.colour.empty()) {
-            std::ranges::transform(frame.grey.row(box.top + j).subspan(from, row.size()), row.begin(),
-                                   [](std::uint8_t grey) { return Bgr{grey, grey, grey}; });
-        } else {
-            std::ranges::copy(frame.colour.row(box.top + j).subspan(from, row.size()), row.begin());
-        }
+    cv::Mat own = cv_view(part);
+    if (frame.colour.empty()) {
+        cv::cvtColor(cv_view(frame.grey)(place), own, cv::COLOR_GRAY2BGR);
+    } else {
+        cv_view(frame.colour)(place).copyTo(own);
     }
     const Size size = fit_into(box.size(), longest_side);
     if (size == box.size()) return part;

@@ -14,7 +14,7 @@ struct DecodedFrame;
 /// `compute_fields` runs, so frames that are kept longer hold no large buffers.
 struct FullSize {
     std::weak_ptr<const DecodedFrame> picture{};  ///< empty for frames without one
-    double left = 0;  ///< the frame's left edge in the picture, in field pixels: not 0 where a shaking camera is aligned
+    double left = 0;  ///< the frame's left edge in the picture, field pixels; not 0 if a shaking camera is aligned
     double top = 0;
 };
 

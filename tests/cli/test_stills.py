@@ -6,15 +6,15 @@ import statistics
 
 from harness import check
 
-OBJECT = 240  # pixels
-SQUARES = 8   # pixels: less than two of the fields, whose long side has 384
+OBJECT = 160  # pixels
+SQUARES = 4   # pixels: smaller than a pixel of the fields, whose long side has 384
 
 
 def checkerboard_clip(t, name="board.mp4"):
     """An object with a fine checkerboard crosses an empty scene at 1920x1080, 10 frames per second."""
     squares = f"if(mod(floor(X/{SQUARES})+floor(Y/{SQUARES})\\,2)\\,235\\,16)"
-    t.ffmpeg("-f", "lavfi", "-i", "color=0x506050:size=1920x1080:rate=10:duration=6",
-             "-f", "lavfi", "-i", f"color=gray:size={OBJECT}x{OBJECT}:rate=10:duration=6",
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x506050:size=1920x1080:rate=10:duration=4",
+             "-f", "lavfi", "-i", f"color=gray:size={OBJECT}x{OBJECT}:rate=10:duration=4",
              "-filter_complex", f"[1]geq=lum='{squares}':cb=128:cr=128[board];[0][board]overlay=x='24*n':y=400",
              "-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-pix_fmt", "yuv420p", name)
     return name

@@ -1,3 +1,5 @@
+#include "core/glance/crops.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -5,8 +7,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "core/glance/crops.h"
 
 namespace vvr {
 namespace {
@@ -90,9 +90,9 @@ TEST(Crops, HaveALongestSide) {
     glance::Crops crops;
     crops.keep(7, {{1, 1}, {0, 0, 600, 300}, 5}, frame_of(1, {1200, 1000}));
     const glance::ObjectPicture wide = crops.find(event_of({7}))->surroundings();
-    EXPECT_EQ(wide.picture.size(), (Size{416, 416}));
-    EXPECT_EQ(wide.scale, 0.416);
-    EXPECT_EQ(wide.object, PixelBox(0, 0, 250, 125));
+    EXPECT_EQ(wide.picture.size(), (Size{560, 560}));
+    EXPECT_EQ(wide.scale, 0.56);
+    EXPECT_EQ(wide.object, PixelBox(0, 0, 336, 168));
 }
 
 TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
@@ -123,13 +123,13 @@ TEST(Crops, OfDetailTakeNoMoreMemoryThanTheirLimit) {
     std::mt19937 random(3);
     for (Bgr& pixel : frame.colour.pixels()) pixel[1] = static_cast<std::uint8_t>(random());
     glance::Crops crops;
-    for (std::size_t track = 0; track < 400; ++track) {
+    for (std::size_t track = 0; track < 260; ++track) {
         crops.keep(track, {{1, 1}, {100, 100, 300, 300}, static_cast<double>(track)}, frame);
         ASSERT_LE(crops.bytes(), glance::Crops::max_bytes);
     }
     EXPECT_GT(crops.bytes(), glance::Crops::max_bytes - 500'000);
     EXPECT_EQ(crops.find(event_of({0})), nullptr);
-    EXPECT_NE(crops.find(event_of({399})), nullptr);
+    EXPECT_NE(crops.find(event_of({259})), nullptr);
 }
 
 }  // namespace

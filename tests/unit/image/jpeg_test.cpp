@@ -1,3 +1,5 @@
+#include "core/image/jpeg.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/image/jpeg.h"
 
 namespace vvr {
 namespace {
