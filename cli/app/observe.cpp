@@ -153,7 +153,7 @@ const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fiel
 
 ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
-      keeps_crops_(plan.products.portraits || plan.shows(Part::portraits)),
+      keeps_crops_(needs.full_size),
       voxel_colours_(plan) {
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
@@ -191,6 +191,7 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects()) && source.has_pictures());
     // The header's number of frames may be far too large; limit the interval to that of the setting.
     constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
+    needs.full_size = plan.products.portraits || plan.shows(Part::portraits);
     needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
 }

@@ -34,7 +34,7 @@ class ClipReader {
   public:
     /// \param source at its first frame
     /// \param from_first whether all frames before the span are needed too
-    ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first);
+    ClipReader(video::FrameSource& source, const FieldOptions& options, int context, bool from_first);
 
     /// The next frame's job; an empty function at the end.
     FrameJob operator()();
@@ -53,6 +53,7 @@ class ClipReader {
     std::size_t context_;
     bool begun_ = false;
     bool from_first_;
+    bool full_size_;
     std::size_t past_end_ = 0;
     std::int64_t last_index_ = -1;
     double last_pts_ = 0;
@@ -60,11 +61,12 @@ class ClipReader {
     oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
 };
 
-ClipReader::ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first)
+ClipReader::ClipReader(video::FrameSource& source, const FieldOptions& options, int context, bool from_first)
     : source_(source),
-      span_(span),
+      span_(options.span),
       context_(static_cast<std::size_t>(context)),
       from_first_(from_first),
+      full_size_(options.full_size),
       scalers_([&source] { return video::Scaler(source); }) {}
 
 std::shared_ptr<video::DecodedFrame> ClipReader::read() {
@@ -114,7 +116,12 @@ FrameJob ClipReader::operator()() {
     }
     if (!decoded) return {};
     if (video::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
-    return [this, decoded] { return scalers_.local()(*decoded); };
+    return [this, decoded]() -> ReadFrame {
+        video::Frame frame = scalers_.local()(*decoded);
+        if (!full_size_) return {std::move(frame)};
+        frame.full_size.picture = decoded;
+        return {std::move(frame), decoded};
+    };
 }
 
 namespace {
@@ -199,6 +206,7 @@ class FirstError {
 struct Result {
     video::SharedFrame frame;
     Field field;
+    std::shared_ptr<const video::DecodedFrame> decoded;  ///< while the sink runs
 };
 
 int threads_of(const FieldOptions& options) {
@@ -217,7 +225,19 @@ void on_threads(int threads, const Work& work) {
     oneapi::tbb::task_arena(threads).execute(work);
 }
 
-std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions& options, const FieldSink& sink) {
+/// The number of frames in the pipeline at a time: twice as many as threads, so that all threads stay busy while frames
+/// wait for a serial stage. Where frames keep their decoded pictures, these have a limit of memory.
+std::size_t frames_at_a_time(const FieldOptions& options, std::int64_t pixels) {
+    constexpr std::int64_t pixels_in_flight = 128'000'000;
+    constexpr std::int64_t fewest = 4;
+    const std::int64_t busy = 2 * threads_of(options);
+    if (!options.full_size || pixels <= 0) return static_cast<std::size_t>(busy);
+    return static_cast<std::size_t>(std::min(busy, std::max(fewest, pixels_in_flight / pixels)));
+}
+
+/// \param pixels of a decoded picture; 0 = there are none
+std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions& options, std::int64_t pixels,
+                 const FieldSink& sink) {
     int turns_left = work.reach();  // empty turns after the last frame, which give the last frames their neighbours
     bool ended = false;
     std::int64_t frames = 0;
@@ -237,18 +257,26 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
             if (turns_left-- == 0) control.stop();
             return {};
         });
+    const auto begun = [&](ReadFrame&& read_frame) {
+        auto shot = work.begin(std::move(read_frame.frame));
+        shot->decoded = std::move(read_frame.decoded);
+        return shot;
+    };
     const auto begin =
         make_filter<FrameJob, std::shared_ptr<PipelineFrame>>(filter_mode::parallel, [&](const FrameJob& job) {
-            return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<PipelineFrame>{}; });
+            return first.guard([&] { return job ? begun(job()) : std::shared_ptr<PipelineFrame>{}; });
         });
     const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
         filter_mode::serial_in_order,
         [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
     const auto result_of = [&](const Neighbourhood& neighbours) -> std::shared_ptr<Result> {
         if (neighbours.empty()) return nullptr;  // something has failed
-        const PipelineFrame* const here = neighbours[static_cast<std::size_t>(work.reach())].get();
-        if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
-        return std::make_shared<Result>(Result{here->frame, work.finish(neighbours)});
+        PipelineFrame* const here = neighbours[static_cast<std::size_t>(work.reach())].get();
+        if (here == nullptr) return nullptr;
+        // Its later neighbours keep the frame, but not the picture.
+        std::shared_ptr<const video::DecodedFrame> decoded = std::move(here->decoded);
+        if (!is_wanted(*here->frame)) return nullptr;
+        return std::make_shared<Result>(Result{here->frame, work.finish(neighbours), std::move(decoded)});
     };
     const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
         filter_mode::parallel,
@@ -261,11 +289,9 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     const auto deliver = make_filter<std::shared_ptr<Result>, void>(
         filter_mode::serial_in_order,
         [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
-    const int threads = threads_of(options);
-    // Twice as many frames as threads: all threads stay busy while frames wait for a serial stage.
-    on_threads(threads, [&] {
-        oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
-                                       source & begin & gather & finish & deliver, first.context());
+    on_threads(threads_of(options), [&] {
+        oneapi::tbb::parallel_pipeline(frames_at_a_time(options, pixels), source & begin & gather & finish & deliver,
+                                       first.context());
     });
     first.rethrow();
     return frames;
@@ -278,7 +304,7 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
     validate(options);
     const SingleThreadedOpenCv one_thread;
     FieldStages work(scene, options);
-    return run(read, work, options, sink);
+    return run(read, work, options, 0, sink);
 }
 
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
@@ -293,9 +319,10 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
         if (scene_sink) scene_sink(scene.reference);
     }
     FieldStages work(scene, options);
-    ClipReader read(source, options.span, work.reach(), work.is_stateful());
+    ClipReader read(source, options, work.reach(), work.is_stateful());
+    const Size decoded = source.info().size;
     FieldSummary summary;
-    summary.frames = run([&] { return read(); }, work, options, sink);
+    summary.frames = run([&] { return read(); }, work, options, std::int64_t{decoded.width} * decoded.height, sink);
     summary.damaged = source.damaged();
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
@@ -318,6 +345,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     FieldOptions options = options_;
     options.flow.every = needs.every;
     options.flow.every_frame = needs.flow_of_every_frame;
+    options.full_size = needs.full_size;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
     if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
     return compute_fields(*clip_, options, sink, needs.scene);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fields/field.h"
@@ -36,8 +37,17 @@ struct FieldSummary {
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
                             const SceneSink& scene_sink = {});
 
+/// A frame, and the decoded picture to which it refers, if that is kept.
+struct ReadFrame {
+    ReadFrame(video::Frame made, std::shared_ptr<const video::DecodedFrame> kept = nullptr)
+        : frame(std::move(made)), decoded(std::move(kept)) {}
+
+    video::Frame frame;
+    std::shared_ptr<const video::DecodedFrame> decoded;
+};
+
 /// Makes one frame. Called once, on any thread.
-using FrameJob = std::function<video::Frame()>;
+using FrameJob = std::function<ReadFrame()>;
 
 /// Returns the next frame's job, from one thread at a time; an empty function at the end.
 using FrameReader = std::function<FrameJob()>;
@@ -53,6 +63,7 @@ struct FieldNeeds {
     bool flow = true;
     bool flow_of_every_frame = false;  ///< flow at all frames
     bool colour = false;               ///< every frame's picture; else those of the first and last frame suffice
+    bool full_size = false;            ///< decoded pictures in full size, for `video::crop_of` in the sink
     std::int64_t every = 1;            ///< seeds and flow at frames whose number is a multiple of this
     SceneSink scene{};                 ///< who wants the empty scene
 };

@@ -19,7 +19,8 @@ namespace vvr::fields {
 
 /// A frame in the pipeline. The frames before and after it read it too, so nothing may be moved out of it.
 struct PipelineFrame {
-    video::SharedFrame frame;            ///< aligned with the reference if the camera shakes
+    video::SharedFrame frame;                            ///< aligned with the reference if the camera shakes
+    std::shared_ptr<const video::DecodedFrame> decoded;  ///< the frame's picture in full size, if kept
     std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, if needed

@@ -87,6 +87,7 @@ struct FieldOptions {
     SeedOptions seeds{};
     video::FrameSpan span{};  ///< frames outside serve as neighbours only
     int threads = 0;          ///< 0 = one per core
+    bool full_size = false;   ///< frames refer to their decoded pictures, for `video::crop_of`
 };
 
 /// Checks every value. `compute_fields` calls it first.

@@ -141,6 +141,8 @@ VisibleArea Stabilizer::align(video::Frame& frame, const Shift& shift) const {
     const int height = frame.grey.height();
     move_back(frame.grey, reference_.grey, shift);
     move_back(frame.colour, reference_.colour, shift);
+    frame.full_size.left += shift.x;
+    frame.full_size.top += shift.y;
     const auto cut = [](double edge, int most) { return std::clamp(static_cast<int>(std::ceil(edge)), 0, most); };
     return {.left = cut(-shift.x, width),
             .right = width - cut(shift.x, width),

@@ -8,67 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/image/picture.h"
-
 namespace vvr::glance {
-
-namespace {
-
-Plane<Bgr> crop_of(const Plane<Bgr>& from, const PixelBox& box) {
-    Plane<Bgr> part(box.size());
-    for (int j = 0; j < box.height(); ++j) {
-        const auto row = from.row(box.top + j).subspan(static_cast<std::size_t>(box.left), part.row(j).size());
-        std::ranges::copy(row, part.row(j).begin());
-    }
-    return part;
-}
-
-}  // namespace
-
-PixelBox still_box(const PixelBox& object, Size frame) {
-    constexpr double around = 1.5;  // side of the square / longer side of the object
-    constexpr int min_side = 40;    // pixels; smaller stills show no context
-    const int longer = std::max(object.width(), object.height());
-    const int shorter_of_frame = std::min(frame.width, frame.height);
-    const int side = std::min(std::max(min_side, static_cast<int>(longer * around)), shorter_of_frame);
-    const int left = std::clamp((object.left + object.right - side) / 2, 0, frame.width - side);
-    const int top = std::clamp((object.top + object.bottom - side) / 2, 0, frame.height - side);
-    return {left, top, left + side, top + side};
-}
-
-void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {
-    if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
-    const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
-    const PixelBox box = still_box(portrait.box, size);
-    const Plane<Bgr> part = frame.colour.empty() ? crop_of(video::picture_of(frame), box) : crop_of(frame.colour, box);
-    crops_[track] = {portrait.at, portrait.score, portrait.box.translated(-box.left, -box.top), part};
-    if (crops_.size() <= max_crops) return;
-    crops_.erase(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score; }));
-}
-
-std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops) {
-    constexpr std::size_t many = 200;
-    const int side = events.size() < many ? 72 : 40;
-    std::vector<Plane<Bgr>> portraits;
-    portraits.reserve(events.size());
-    for (const events::Event& event : events) {
-        const Crop* const crop = crops.find(event);
-        portraits.push_back(crop == nullptr ? Plane<Bgr>() : image::resized(crop->picture, {side, side}));
-    }
-    return portraits;
-}
-
-const Crop* Crops::find(const events::Event& event) const {
-    const Crop* best = nullptr;
-    for (const std::size_t track : event.tracks) {
-        const auto found = crops_.find(track);
-        if (found == crops_.end()) continue;
-        const Crop& crop = found->second;
-        if (event.portrait && crop.at.frame == event.portrait->at.frame) return &crop;
-        if (best == nullptr || crop.score > best->score) best = &crop;
-    }
-    return best;
-}
 
 namespace {
 
@@ -259,16 +199,17 @@ struct Candidate {
 };
 
 /// Marks the corners of the object's bounding box, because a still may show other objects too.
-void mark_object(const Crop& crop, const PixelBox& still, const image::Rgba& colour, labels::Lettering& lettering) {
-    const double scale = static_cast<double>(still.width()) / crop.picture.width();
+void mark_object(const ObjectPicture& shown, const PixelBox& still, const image::Rgba& colour,
+                 labels::Lettering& lettering) {
+    const double scale = static_cast<double>(still.width()) / shown.picture.width();
     const glm::dvec2 low(still.left + 1, still.top + 1);
     const glm::dvec2 high(still.right - 2, still.bottom - 2);
     const auto at = [&](double x, double y) {
         return glm::clamp(glm::dvec2(still.left + x * scale, still.top + y * scale), low, high);
     };
-    constexpr double around = 2;  // field pixels
-    const glm::dvec2 from = at(crop.object.left - around, crop.object.top - around);
-    const glm::dvec2 to = at(crop.object.right + around, crop.object.bottom + around);
+    const double around = 2 * shown.scale;  // two field pixels
+    const glm::dvec2 from = at(shown.object.left - around, shown.object.top - around);
+    const glm::dvec2 to = at(shown.object.right + around, shown.object.bottom + around);
     const double length = std::min({still.width() / 15.0, (to.x - from.x) / 3, (to.y - from.y) / 3});
     const double width = std::max(1.5, still.width() / 80.0);
     for (const auto& [wide, ink] : {std::pair{2 * width, image::Rgba{1, 1, 1, 1}}, std::pair{width, colour}}) {
@@ -293,8 +234,9 @@ void label_portrait(const Objects& objects, const Candidate& candidate, const Pi
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
     const image::Rgba colour = objects.colour_of(candidate.event);
-    lettering.pictures.push_back({still.inflated(-border, -border), candidate.crop->picture, colour, border});
-    mark_object(*candidate.crop, still.inflated(-border, -border), colour, lettering);
+    ObjectPicture shown = candidate.crop->still();
+    mark_object(shown, still.inflated(-border, -border), colour, lettering);
+    lettering.pictures.push_back({still.inflated(-border, -border), std::move(shown.picture), colour, border});
     const double middle = still.top - 1.5 * line + size * 0.1;
     labels::Badge badge =
         labels::make_badge(fmt::format("{}", objects.numbers[candidate.event]), {still.left, middle}, size, colour);
@@ -330,7 +272,7 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& cr
         const Crop* const crop = crops.find(event);
         if (crop == nullptr) continue;
         candidates.push_back({k, crop});
-        wanted.push_back({event.first.seconds, anchors_of(event, crop->at.seconds, trails)});
+        wanted.push_back({event.first.seconds, anchors_of(event, crop->at().seconds, trails)});
     }
     PixelBox row = sheet.portraits;
     row.top += 2 * (sheet.small * 4 / 3);

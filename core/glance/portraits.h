@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,43 +9,12 @@
 
 #include "core/base/plane.h"
 #include "core/events/event.h"
+#include "core/glance/crops.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
 #include "core/labels/sheet.h"
-#include "core/video/frame.h"
 
 namespace vvr::glance {
-
-/// A crop of a frame around an object.
-struct Crop {
-    Moment at;
-    double score = 0;  ///< the portrait's score
-    PixelBox object;   ///< bounding box within `picture`
-    Plane<Bgr> picture;
-};
-
-/// Keeps a crop per track while the fields are read, because frames aren't kept.
-class Crops {
-  public:
-    /// Crops a track's object from a frame and replaces the track's earlier crop.
-    /// \param portrait its time must be the frame's
-    void keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame);
-
-    /// The crop of an event: at its portrait's time if kept, else the best of its tracks. Null if none is kept.
-    const Crop* find(const events::Event& event) const;
-
-  private:
-    // A crop has about 15 kB. A day at a busy gate has thousands of tracks; a picture has room for about ten.
-    static constexpr std::size_t max_crops = 1024;
-
-    std::map<std::size_t, Crop> crops_;
-};
-
-/// A square still per event, for lists: smaller if there are many events, empty if an event has no crop.
-std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops);
-
-/// The square part of a frame that a still of an object shows: the object with some of its surroundings.
-PixelBox still_box(const PixelBox& object, Size frame);
 
 /// A point on an object's trail to which its portrait's leader line may go.
 struct Anchor {

@@ -55,6 +55,11 @@ AvFrame make_frame() {
     return frame;
 }
 
+AVColorSpace colour_space_of(const AVFrame& frame) {
+    if (frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB) return frame.colorspace;
+    return frame.height > 576 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
+}
+
 Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
                              std::int64_t (*seek)(void*, std::int64_t, int)) {
     constexpr int buffer_size = 1 << 16;

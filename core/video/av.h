@@ -78,6 +78,9 @@ class Dictionary {
 Ptr<AVPacket> make_packet();
 AvFrame make_frame();
 
+/// The frame's colour space. If unspecified, players assume BT.709 for large pictures and BT.601 for small ones.
+AVColorSpace colour_space_of(const AVFrame& frame);
+
 /// An I/O context that calls `read`, and `seek` if it is not null, with `self`.
 /// \throws Error limit when there is no memory
 Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),

@@ -8,12 +8,23 @@
 
 namespace vvr::video {
 
+struct DecodedFrame;
+
+/// Refers to a frame's decoded picture in full size, for `crop_of`. The picture is there only while the sink of
+/// `compute_fields` runs, so frames that are kept longer hold no large buffers.
+struct FullSize {
+    std::weak_ptr<const DecodedFrame> picture{};  ///< empty for frames without one
+    double left = 0;  ///< the frame's left edge in the picture, field pixels; not 0 if a shaking camera is aligned
+    double top = 0;
+};
+
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
     std::int64_t index = 0;
     double pts = 0;            ///< seconds from the clip's first frame, by the container's timestamps
     Plane<std::uint8_t> grey;  ///< luma
     Plane<Bgr> colour;         ///< same size as `grey`; empty unless requested
+    FullSize full_size{};
 };
 
 /// An immutable frame with several readers.

@@ -133,12 +133,6 @@ bool is_full_range(const AVFrame& frame) {
     return frame.color_range == AVCOL_RANGE_JPEG;
 }
 
-/// The frame's colour space. If unspecified, players assume BT.709 for large pictures and BT.601 for small ones.
-AVColorSpace colour_space(const AVFrame& frame) {
-    if (frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB) return frame.colorspace;
-    return frame.height > 576 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
-}
-
 /// Converts any pixel format to 8-bit full-range luma, with chroma on request, at the frame's size.
 class PixelConverter {
   public:
@@ -158,7 +152,7 @@ class PixelConverter {
 };
 
 const AVFrame& PixelConverter::operator()(const AVFrame& from, bool colour) {
-    const Key key{from.width, from.height, from.format, from.color_range, colour_space(from), colour};
+    const Key key{from.width, from.height, from.format, from.color_range, av::colour_space_of(from), colour};
     if (key_ != key) {
         key_.reset();
         prepare(from, colour);
@@ -174,7 +168,7 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     to_->height = from.height;
     to_->format = colour ? AV_PIX_FMT_YUV444P : AV_PIX_FMT_GRAY8;
     to_->color_range = AVCOL_RANGE_JPEG;
-    to_->colorspace = colour_space(from);
+    to_->colorspace = av::colour_space_of(from);
     if (av_frame_get_buffer(to_.get(), 0) < 0) {
         throw Error(
             ErrorCode::out_of_memory,
@@ -274,7 +268,7 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
         if (layout.comp[1].offset > layout.comp[2].offset) std::swap(chroma[0], chroma[1]);
     }
     for (cv::Mat& plane : chroma) plane = upright(plane, orientation);
-    const kernels::ColourMatrix matrix(colour_space(image), is_full_range(image));
+    const kernels::ColourMatrix matrix(av::colour_space_of(image), is_full_range(image));
     for (int j = 0; j < size_.height; ++j) {
         kernels::to_bgr(matrix, frame.grey.row(j), row(chroma[0], j), row(chroma[1], j), frame.colour.row(j));
     }

@@ -66,6 +66,20 @@ TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
     for (const int p : summary.reference.grey.pixels()) ASSERT_NEAR(p, 50, 1);
 }
 
+TEST_F(Clip, DecodedPicturesAreThereOnlyInTheSink) {
+    std::vector<video::SharedFrame> kept;
+    run({.threads = 2, .full_size = true}, [&](const video::SharedFrame& frame, fields::Field&&) {
+        EXPECT_FALSE(frame->full_size.picture.expired()) << "frame " << frame->index;
+        for (const video::SharedFrame& earlier : kept) EXPECT_TRUE(earlier->full_size.picture.expired());
+        kept.push_back(frame);
+    });
+    EXPECT_EQ(kept.size(), count);
+    EXPECT_TRUE(kept.back()->full_size.picture.expired());
+    run({.threads = 2}, [&](const video::SharedFrame& frame, fields::Field&&) {
+        EXPECT_TRUE(frame->full_size.picture.expired()) << "nobody has asked for it";
+    });
+}
+
 TEST_F(Clip, ReferenceFromAPicture) {
     std::int64_t lit = 0;
     fields::FieldOptions options{.reference = path("full.pgm"), .illumination = "none", .threads = 2};

@@ -1,6 +1,12 @@
-#include <gtest/gtest.h>
+#include "core/glance/crops.h"
 
-#include "core/glance/portraits.h"
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 namespace vvr {
 namespace {
@@ -30,18 +36,63 @@ TEST(StillBox, IsASquareAroundTheObjectWithinTheFrame) {
     EXPECT_EQ(glance::still_box({0, 0, 200, 60}, {200, 60}), PixelBox(70, 0, 130, 60));
 }
 
+/// Compression changes values a little.
+void expect_near(const Bgr& pixel, const Bgr& expected) {
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(pixel[c], expected[c], 4) << "channel " << c;
+}
+
 TEST(Crops, AreOfTheFrameInWhichTheObjectIsSeenBest) {
     glance::Crops crops;
     const video::Frame early = frame_of(1, {200, 200});
-    const video::Frame late = frame_of(2, {200, 200});
+    const video::Frame late = frame_of(200, {200, 200});
     crops.keep(7, {{1, 1}, {100, 90, 120, 130}, 5}, early);
-    crops.keep(7, {{2, 2}, {100, 90, 120, 130}, 6}, late);
+    crops.keep(7, {{200, 200}, {100, 90, 120, 130}, 6}, late);
     const glance::Crop* const crop = crops.find(event_of({3, 7}));
     ASSERT_NE(crop, nullptr);
-    EXPECT_EQ(crop->at.frame, 2);
-    EXPECT_EQ(crop->picture.at(0, 0), (Bgr{80, 80, 2}));
-    EXPECT_EQ(crop->object, PixelBox(20, 10, 40, 50));
+    EXPECT_EQ(crop->at().frame, 200);
+    EXPECT_EQ(crops.bytes(), crop->bytes());
     EXPECT_EQ(crops.find(event_of({3})), nullptr);
+}
+
+TEST(Crops, ShowTheObjectWithLittleOrMuchAroundIt) {
+    glance::Crops crops;
+    crops.keep(7, {{1, 1}, {100, 90, 120, 130}, 5}, frame_of(1, {200, 200}));
+    const glance::Crop& crop = *crops.find(event_of({7}));
+    const glance::ObjectPicture still = crop.still();
+    EXPECT_EQ(still.picture.size(), (Size{60, 60}));
+    EXPECT_EQ(still.object, PixelBox(20, 10, 40, 50));
+    EXPECT_EQ(still.scale, 1);
+    expect_near(still.picture.at(0, 0), {80, 80, 1});
+    expect_near(still.picture.at(59, 59), {139, 139, 1});
+    const glance::ObjectPicture wide = crop.surroundings();
+    EXPECT_EQ(wide.picture.size(), (Size{100, 100}));
+    EXPECT_EQ(wide.object, PixelBox(40, 30, 60, 70));
+    expect_near(wide.picture.at(0, 0), {60, 60, 1});
+    expect_near(wide.picture.at(99, 99), {159, 159, 1});
+}
+
+TEST(Crops, StayWithinTheFrame) {
+    for (const PixelBox& object : {PixelBox{0, 0, 10, 60}, PixelBox{190, 150, 200, 160}, PixelBox{0, 0, 200, 160},
+                                   PixelBox{33, 71, 90, 80}, PixelBox{0, 0, 1, 1}}) {
+        glance::Crops crops;
+        crops.keep(7, {{1, 1}, object, 5}, frame_of(1, {200, 160}));
+        const glance::Crop& crop = *crops.find(event_of({7}));
+        const PixelBox still = glance::still_box(object, {200, 160});
+        EXPECT_EQ(crop.still().picture.size(), still.size());
+        EXPECT_EQ(crop.still().object, object.translated(-still.left, -still.top));
+        expect_near(crop.still().picture.at(0, 0),
+                    {static_cast<std::uint8_t>(still.left), static_cast<std::uint8_t>(still.top), 1});
+        EXPECT_EQ(crop.surroundings().object.size(), object.size());
+    }
+}
+
+TEST(Crops, HaveALongestSide) {
+    glance::Crops crops;
+    crops.keep(7, {{1, 1}, {0, 0, 600, 300}, 5}, frame_of(1, {1200, 1000}));
+    const glance::ObjectPicture wide = crops.find(event_of({7}))->surroundings();
+    EXPECT_EQ(wide.picture.size(), (Size{560, 560}));
+    EXPECT_EQ(wide.scale, 0.56);
+    EXPECT_EQ(wide.object, PixelBox(0, 0, 336, 168));
 }
 
 TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
@@ -50,9 +101,9 @@ TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
     crops.keep(1, {{1, 1}, {10, 10, 20, 20}, 9}, frame);
     crops.keep(2, {{4, 4}, {10, 10, 20, 20}, 5}, frame);
     events::Event event = event_of({1, 2});
-    EXPECT_EQ(crops.find(event)->at.frame, 1);
+    EXPECT_EQ(crops.find(event)->at().frame, 1);
     event.portrait = events::Portrait{{4, 4}, {10, 10, 20, 20}, 5};
-    EXPECT_EQ(crops.find(event)->at.frame, 4);
+    EXPECT_EQ(crops.find(event)->at().frame, 4);
 }
 
 TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
@@ -65,6 +116,20 @@ TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
     EXPECT_NE(crops.find(event_of({2999})), nullptr);
     EXPECT_NE(crops.find(event_of({1976})), nullptr);
     EXPECT_EQ(crops.find(event_of({1975})), nullptr);
+}
+
+TEST(Crops, OfDetailTakeNoMoreMemoryThanTheirLimit) {
+    video::Frame frame{1, 1, Plane<std::uint8_t>({416, 416}), Plane<Bgr>({416, 416})};
+    std::mt19937 random(3);
+    for (Bgr& pixel : frame.colour.pixels()) pixel[1] = static_cast<std::uint8_t>(random());
+    glance::Crops crops;
+    for (std::size_t track = 0; track < 260; ++track) {
+        crops.keep(track, {{1, 1}, {100, 100, 300, 300}, static_cast<double>(track)}, frame);
+        ASSERT_LE(crops.bytes(), glance::Crops::max_bytes);
+    }
+    EXPECT_GT(crops.bytes(), glance::Crops::max_bytes - 500'000);
+    EXPECT_EQ(crops.find(event_of({0})), nullptr);
+    EXPECT_NE(crops.find(event_of({259})), nullptr);
 }
 
 }  // namespace

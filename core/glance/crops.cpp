@@ -1,0 +1,111 @@
+#include "core/glance/crops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/image/jpeg.h"
+#include "core/image/picture.h"
+#include "core/video/crop.h"
+
+namespace vvr::glance {
+
+namespace {
+
+// Side of a square / longer side of the object in it.
+constexpr double around_still = 1.5;
+constexpr double around_wide = 2.5;
+
+/// The square around an object, moved into the frame. A square with a larger `around` contains one with a smaller.
+PixelBox square_around(const PixelBox& object, double around, Size frame) {
+    constexpr double shortest = 40 / around_still;  // pixels; in a still of a smaller object, its surroundings are lost
+    const double longer = std::max<double>(shortest, std::max(object.width(), object.height()));
+    const int side = std::min({static_cast<int>(longer * around), frame.width, frame.height});
+    const int left = std::clamp((object.left + object.right - side) / 2, 0, frame.width - side);
+    const int top = std::clamp((object.top + object.bottom - side) / 2, 0, frame.height - side);
+    return {left, top, left + side, top + side};
+}
+
+PixelBox scaled(const PixelBox& box, double scale) {
+    const auto at = [scale](int value) { return static_cast<int>(std::lround(value * scale)); };
+    return {at(box.left), at(box.top), at(box.right), at(box.bottom)};
+}
+
+Plane<Bgr> part_of(const Plane<Bgr>& picture, const PixelBox& box) {
+    Plane<Bgr> part = Plane<Bgr>::for_overwrite(box.size());
+    for (int j = 0; j < box.height(); ++j) {
+        const auto row = picture.row(box.top + j).subspan(static_cast<std::size_t>(box.left), part.row(j).size());
+        std::ranges::copy(row, part.row(j).begin());
+    }
+    return part;
+}
+
+}  // namespace
+
+PixelBox still_box(const PixelBox& object, Size frame) {
+    return square_around(object, around_still, frame);
+}
+
+Crop::Crop(const events::Portrait& portrait, const video::Frame& frame) : at_(portrait.at), score_(portrait.score) {
+    const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
+    const PixelBox wide = square_around(portrait.box, around_wide, size);
+    const Plane<Bgr> picture = video::crop_of(frame, wide, longest_side);
+    scale_ = static_cast<double>(picture.width()) / wide.width();
+    object_ = portrait.box.translated(-wide.left, -wide.top);
+    still_ = still_box(portrait.box, size).translated(-wide.left, -wide.top);
+    jpeg_ = image::compress(picture);
+}
+
+ObjectPicture Crop::surroundings() const {
+    return {image::decompress(jpeg_), scaled(object_, scale_), scale_};
+}
+
+ObjectPicture Crop::still() const {
+    const ObjectPicture wide = surroundings();
+    PixelBox box = scaled(still_, scale_);
+    const int side = std::min({box.width(), wide.picture.width() - box.left, wide.picture.height() - box.top});
+    box = {box.left, box.top, box.left + side, box.top + side};
+    return {part_of(wide.picture, box), wide.object.translated(-box.left, -box.top), scale_};
+}
+
+void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {
+    if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
+    const auto remove = [this](std::map<std::size_t, Crop>::iterator place) {
+        bytes_ -= place->second.bytes();
+        crops_.erase(place);
+    };
+    Crop crop(portrait, frame);
+    if (const auto earlier = crops_.find(track); earlier != crops_.end()) remove(earlier);
+    bytes_ += crop.bytes();
+    crops_.emplace(track, std::move(crop));
+    while (crops_.size() > max_crops || bytes_ > max_bytes) {
+        remove(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score(); }));
+    }
+}
+
+const Crop* Crops::find(const events::Event& event) const {
+    const Crop* best = nullptr;
+    for (const std::size_t track : event.tracks) {
+        const auto found = crops_.find(track);
+        if (found == crops_.end()) continue;
+        const Crop& crop = found->second;
+        if (event.portrait && crop.at().frame == event.portrait->at.frame) return &crop;
+        if (best == nullptr || crop.score() > best->score()) best = &crop;
+    }
+    return best;
+}
+
+std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops) {
+    constexpr std::size_t few = 60;
+    constexpr std::size_t many = 200;
+    const int side = events.size() <= few ? 144 : events.size() < many ? 72 : 40;
+    std::vector<Plane<Bgr>> portraits;
+    portraits.reserve(events.size());
+    for (const events::Event& event : events) {
+        const Crop* const crop = crops.find(event);
+        portraits.push_back(crop == nullptr ? Plane<Bgr>() : image::resized(crop->still().picture, {side, side}));
+    }
+    return portraits;
+}
+
+}  // namespace vvr::glance

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/base/plane.h"
+#include "core/events/event.h"
+#include "core/video/frame.h"
+
+namespace vvr::glance {
+
+/// A square picture of an object and its surroundings.
+struct ObjectPicture {
+    Plane<Bgr> picture;
+    PixelBox object;   ///< bounding box within `picture`
+    double scale = 1;  ///< pixels of `picture` per field pixel
+};
+
+/// A crop of a frame around an object, compressed.
+class Crop {
+  public:
+    /// \param portrait its box is within the frame
+    Crop(const events::Portrait& portrait, const video::Frame& frame);
+
+    /// The object with as much around it as a portrait shows.
+    ObjectPicture still() const;
+
+    /// The object with more around it, as detectors of objects need it: 2.5 times its longer side, if the frame has as
+    /// much, and at most `longest_side` pixels.
+    ObjectPicture surroundings() const;
+
+    const Moment& at() const { return at_; }
+    double score() const { return score_; }  ///< of the portrait
+    std::size_t bytes() const { return jpeg_.size(); }
+
+    static constexpr int longest_side = 560;  ///< a still of 336 pixels, as in a picture of 3840x2160
+
+  private:
+    Moment at_;
+    double score_;
+    std::vector<std::byte> jpeg_;  ///< of the surroundings
+    double scale_ = 1;             ///< pixels per field pixel
+    PixelBox object_;              ///< within the surroundings, in field pixels
+    PixelBox still_;               ///< likewise
+};
+
+/// Keeps the best crop of each track while the fields are read, because frames aren't kept.
+class Crops {
+  public:
+    /// Crops a track's object from a frame and replaces the track's earlier crop.
+    /// \param portrait its time must be the frame's
+    /// \throws Error io or out_of_memory, as `image::compress`
+    void keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame);
+
+    /// The crop of an event: at its portrait's time if kept, else the best of its tracks. Null if none is kept.
+    const Crop* find(const events::Event& event) const;
+
+    /// Memory of all crops.
+    std::size_t bytes() const { return bytes_; }
+
+    // A day at a busy gate has thousands of tracks; a picture has room for about ten, and a page for 200. Crops have
+    // about 30 kB.
+    static constexpr std::size_t max_crops = 1024;
+    static constexpr std::size_t max_bytes = 32'000'000;
+
+  private:
+    std::map<std::size_t, Crop> crops_;
+    std::size_t bytes_ = 0;
+};
+
+/// A square still per event, for lists: smaller if there are many events, empty if an event has no crop.
+std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops);
+
+/// The square part of a frame that a still of an object shows: the object with some of its surroundings.
+PixelBox still_box(const PixelBox& object, Size frame);
+
+}  // namespace vvr::glance
