@@ -159,7 +159,7 @@ bool wants_colour(const RenderJob& job) {
     const ColourRow& colour = *job.look.colour;
     // Objects are found by colour too; this must not depend on what the picture shows.
     return job.fields.filter->traits.colour || fields::needs_reference(field_options_of(job)) ||
-           job.look.show.any(&PartRow::needs_pictures) || colour.needs_pictures ||
+           job.look.show.any(&PartRow::needs_pictures) || !job.detector.model.empty() || colour.needs_pictures ||
            (colour.filter != nullptr && colour.filter->traits.colour);
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli/app/colour.h"
 #include "cli/app/part.h"
+#include "core/detector/detector.h"
 #include "core/events/event.h"
 #include "core/fields/options.h"
 #include "core/image/comparison.h"
@@ -153,6 +154,12 @@ struct LookOptions {
     scene::TraceOptions traces;
 };
 
+/// The object detector that looks at events.
+struct DetectorOptions {
+    std::filesystem::path model;                                   ///< empty = none
+    detector::Trial trial = detector::Trial::in_child;
+};
+
 /// The OpenGL to draw with.
 struct BackendOptions {
     Choice<gl::Backend> row = "auto";
@@ -171,6 +178,7 @@ struct RenderJob {
     space::LayoutOptions shape;
     LookOptions look;
     gl::RenderOptions picture;  ///< camera, background and glyphs come from the other members
+    DetectorOptions detector;
     BackendOptions backend;
     OutputOptions output;
     image::Metadata settings;  ///< the record of all settings; make_plan completes it

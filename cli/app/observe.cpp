@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -37,12 +36,11 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
 /// Takes stills from the empty scene for objects that it contains: those left for most of the clip, and those taken
 /// away.
 void take_stills_from_scene(std::span<const events::Event> events, const Plane<Bgr>& scene, glance::Crops& crops) {
-    constexpr double best = std::numeric_limits<double>::max();
     const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
     for (const events::Event& event : events) {
         const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
-        crops.keep(event.tracks.front(), {event.first, event.box, best}, frame);
+        crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene}, frame);
     }
 }
 
@@ -61,15 +59,17 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 }
 
 /// After the last frame: links the tracks of each object and computes its events.
-void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) {
-    seen.findings = finder.finish();
+void conclude(const Plan& plan, ObservationBuilder& builder) {
+    Observation& seen = builder.seen;
+    seen.findings = builder.finder->finish();
+    take_stills_from_scene(seen.findings.events, seen.scene, seen.crops);
+    builder.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen.findings.events), plan.job.output.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);
         seen.identify = objects_of(events, seen.volume);
     }
-    take_stills_from_scene(events, seen.scene, seen.crops);
     seen.events = events_between(events, seen.begin.seconds, seen.last->pts);
 }
 
@@ -101,7 +101,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     seen.volume.settle();
     seen.info = source.info();
     seen.scene = scene_of(seen);
-    if (builder.finder) conclude(plan, *builder.finder, seen);
+    if (builder.finder) conclude(plan, builder);
     return std::move(seen);
 }
 
@@ -158,6 +158,11 @@ ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions r
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
                                                                   .labels = plan.colours_objects()});
+    if (plan.finds_objects && plan.detector) identifier_.emplace(*plan.detector, plan.job.fields.threads);
+}
+
+void ObservationBuilder::identify() {
+    if (identifier_) seen.detector = identifier_->identify(seen.findings, seen.crops);
 }
 
 fields::SceneSink ObservationBuilder::scene_sink() {
@@ -188,10 +193,10 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     needs.flow_of_every_frame = plan.colour->needs_flow;
     const bool stand = plan.shows(Part::frames) && plan.job.look.keyframes > 0;
     // Colours help to tell objects apart, if available.
-    needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects()) && source.has_pictures());
+    needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects() || plan.detector != nullptr) && source.has_pictures());
     // The header's number of frames may be far too large; limit the interval to that of the setting.
     constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
-    needs.full_size = plan.products.portraits || plan.shows(Part::portraits);
+    needs.full_size = plan.products.portraits || plan.shows(Part::portraits) || plan.detector != nullptr;
     needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
 }

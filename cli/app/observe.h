@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/app/identify.h"
 #include "cli/app/objects.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
@@ -39,6 +40,7 @@ struct Observation {
     events::Findings findings{};                        ///< all that was found besides the chosen events
     bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
     glance::Crops crops{};                              ///< pictures of the objects
+    std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                 ///< the scene without objects
     fields::FieldSummary summary{};
 
@@ -79,6 +81,9 @@ class ObservationBuilder {
     /// \returns the objects of its pixels
     const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field, bool moves = true);
 
+    /// Lets the detector look at the events that were found, if there is one.
+    void identify();
+
     /// Gives the empty scene to the search for events. It refers to this object.
     fields::SceneSink scene_sink();
 
@@ -89,6 +94,7 @@ class ObservationBuilder {
     bool keeps_crops_;
     VoxelColours voxel_colours_;
     events::FrameLabels labels_;  ///< of the last field
+    std::optional<Identifier> identifier_;
 };
 
 }  // namespace vvr::app

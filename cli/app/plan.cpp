@@ -243,7 +243,7 @@ void check_memory(const Extent& extent) {
                 {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
-Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
+Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<detector::Detector> detector) {
     take_extracted(clip.extracted, job);
     if (clip.extracted.empty()) job.fields.span = clip.span;
     const fields::FilterRow& filter = *job.fields.filter;
@@ -266,6 +266,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
               .transfer = transfer,
               .drawn_transfer = transfer.scaled(job.look.opacity),
               .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};
+    plan.detector = std::move(detector);
     plan.products = products_of(job, marks_objects, purpose);
     plan.finds_objects = plan.products.events || plan.colours_objects() || job.look.show.any(&PartRow::needs_events);
     plan.nonuniform = !plan.products.series && wants_room_for_motion(job.bricks, clip);

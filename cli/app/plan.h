@@ -9,6 +9,7 @@
 #include "cli/app/framing.h"
 #include "cli/app/input.h"
 #include "cli/app/job.h"
+#include "core/detector/detector.h"
 #include "core/fields/filter.h"
 #include "core/fields/reference.h"
 
@@ -65,6 +66,7 @@ struct Plan {
     const ColourRow* colour = nullptr;
     const fields::FilterRow* second = nullptr;        ///< the filter whose values are coloured; null = none
     const fields::ReferenceRow* reference = nullptr;  ///< null if the reference is a picture file
+    std::shared_ptr<detector::Detector> detector{};   ///< null = none
     bool finds_objects = false;                       ///< the run tracks objects
     bool nonuniform = false;                          ///< layers have unequal lengths: more room where something moves
     scene::TransferFunction transfer;                 ///< of the filter's values
@@ -83,9 +85,11 @@ struct Plan {
 
 /// Makes the plan, for all commands.
 /// \param job valid, see validate()
+/// \param detector from open_detector; null = none
 /// \throws Error usage for an unknown colour, object colours when the filter marks no objects, flow colours without
 /// flow, and bricks or a clock for which the clip lacks data
-Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose = Purpose::files);
+Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose = Purpose::files,
+               std::shared_ptr<detector::Detector> detector = nullptr);
 
 /// Frames per layer, from the header's length of the clip; 0 = unknown.
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames);

@@ -7,6 +7,7 @@
 #include "cli/app/compose.h"
 #include "cli/app/draw.h"
 #include "cli/app/golden.h"
+#include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/app/settings.h"
@@ -127,9 +128,11 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput files(job.output, observer);
     check_golden_picture(job.output.golden);
+    auto detector = open_detector(job.detector);
     OpenedFields fields = open_fields(job);
     check_has_end(fields.source->info(), observer);
-    const Plan plan = make_plan(job, fields.facts(), on_picture ? Purpose::caller : Purpose::files);
+    const Plan plan =
+        make_plan(job, fields.facts(), on_picture ? Purpose::caller : Purpose::files, std::move(detector));
     if (!fields.day_times.empty()) observer.info(fields.day_times);
     Writer writer(files, watch(job.output, fields), on_picture, observer);
     check_memory(plan.extent);

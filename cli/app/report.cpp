@@ -152,7 +152,8 @@ Json json_of(const events::Evidence& evidence) {
             {"flicker", rounded(evidence.flicker)},
             {"changed", rounded(evidence.changed)},
             {"carried", evidence.carried},
-            {"confidence", rounded(evidence.confidence)}};
+            {"confidence", rounded(evidence.confidence)},
+            {"refuted", evidence.refuted ? Json(events::name_of(*evidence.refuted)) : Json()}};
 }
 
 Json json_of(const events::Change& change, const Scale& scale) {
@@ -166,6 +167,10 @@ Json json_of(const events::Change& change, const Scale& scale) {
 Json json_of(const events::Event& event, std::size_t place, const Scale& scale, const Place& where) {
     Json json{{"number", place + 1},
               {"kind", events::name_of(event.kind)},
+              {"class", Json()},
+              {"group", Json()},
+              {"score", Json()},
+              {"looks", Json()},
               {"first", json_of(event.first, where)},
               {"last", json_of(event.last, where)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
@@ -179,6 +184,12 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
               {"field_box", json_of(event.box)},
               {"path_length", rounded(scale.length(event.path))},
               {"field_path_length", rounded(event.path_length)}};
+    if (const auto& identity = event.identity) {
+        json["class"] = identity->what->name;
+        json["group"] = detector::name_of(identity->what->group);
+        json["score"] = rounded(identity->score);
+        json["looks"] = identity->looks;
+    }
     json["path"] = Json::array();
     for (const events::PathPoint& point : event.path) {
         Json there = json_of(point.at);
@@ -189,6 +200,11 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
     json["stays"] = Json::array();
     for (const events::Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
     return json;
+}
+
+Json json_of(const DetectorUse& use) {
+    return {
+        {"format", use.format}, {"events", use.events}, {"looks", use.looks}, {"seconds", rounded(use.seconds)}};
 }
 
 Json json_of(const labels::Label& label) {
@@ -218,6 +234,18 @@ image::Metadata settings_and_font(const RunContext& context) {
     const bool text = !lettering.labels.empty() || !lettering.badges.empty();
     if (text) image::put(settings, setting::font.name, image::font_name());
     return settings;
+}
+
+/// The classes of the objects by their numbers: "1 person, 4 car". Empty without a detector.
+std::string classes_text(const Observation& seen) {
+    std::string text;
+    if (!seen.events) return text;
+    for (std::size_t k = 0; k < seen.events->events.size(); ++k) {
+        const auto& identity = seen.events->events[k].identity;
+        if (!identity) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", seen.events->numbers[k], identity->what->name);
+    }
+    return text;
 }
 
 Json json_of_clip(const video::VideoInfo& info, const WallClock& clock) {
@@ -287,6 +315,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     json["seconds"]["total"] = rounded(seconds);
     json["peak_memory_bytes"] = peak_memory();
     json["advice"] = advice;
+    json["detector"] = seen.detector ? json_of(*seen.detector) : Json();
     for (const char* key : {"events", "changes", "overlays"}) json[key] = Json();
     if (seen.events) {
         for (const char* key : {"events", "changes", "overlays"}) json[key] = Json::array();
@@ -316,6 +345,7 @@ image::Metadata record_of(const RunContext& context) {
     record.emplace_back("frames-per-layer", fmt::to_string(volume.step()));
     record.emplace_back("layers-drawn", fmt::to_string(volume.layers()));
     record.emplace_back("renderer", run.renderer);
+    if (const std::string classes = classes_text(seen); !classes.empty()) record.emplace_back("classes", classes);
     return record;
 }
 

@@ -18,6 +18,12 @@
 // video in core/video/settings.h.
 namespace vvr::setting {
 
+inline constexpr Setting detector{.name = "detector",
+                                  .unit = "MODEL",
+                                  .help = "object detector that says what an event is, a person, a car: a model of "
+                                          "YOLOX in ONNX format (.onnx)",
+                                  .may_be_file = true};
+
 inline constexpr Setting step{
     "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};
 
@@ -184,6 +190,12 @@ void each_seed_list_setting(Job& job, const Each& each) {
     each(setting::seed_flags, job.seed_flags);
 }
 
+/// What finds out about events.
+template <class Job, class Each>
+void each_event_setting(Job& job, const Each& each) {
+    each(setting::detector, job.detector.model);
+}
+
 template <class Bricks, class Each>
 void each_brick_setting(Bricks& bricks, const Each& each) {
     each(setting::brick, bricks.length);
@@ -239,6 +251,7 @@ void each_picture_setting(Job& job, const Each& each) {
     each(setting::step, job.bricks.step);
     fields::each_field_setting(job.fields, each);
     each_seed_list_setting(job, each);
+    each_event_setting(job, each);
     each_brick_setting(job.bricks, each);
     each_view_setting(job, each);
     each_look_setting(job, each);

@@ -1,9 +1,14 @@
 #include "cli/app/summary.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,6 +46,19 @@ std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation
         seen.info.name, scraps->at.seconds);
 }
 
+/// The classes of the events, the most frequent first: " (3 person, 1 car)". Empty without a detector.
+std::string classes_of(const std::vector<events::Event>& events) {
+    std::map<std::string_view, std::int64_t> counts;
+    for (const events::Event& event : events) {
+        if (event.identity) ++counts[event.identity->what->name];
+    }
+    std::vector<std::pair<std::string_view, std::int64_t>> sorted(counts.begin(), counts.end());
+    std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string_view, std::int64_t>::second);
+    std::string text;
+    for (const auto& [name, count] : sorted) text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", count, name);
+    return text.empty() ? text : text + ")";
+}
+
 }  // namespace
 
 std::string result_text(const RunContext& context) {
@@ -59,7 +77,7 @@ std::string events_summary(const std::vector<events::Event>& events, const WallC
     const double first = longest->first.seconds;
     const double last = longest->last.seconds;
     std::string text = fmt::format(
-        "{}; the longest from {}", counted(std::ssize(events), "event"),
+        "{}{}; the longest from {}", counted(std::ssize(events), "event"), classes_of(events),
         clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
     const double still = events::stationary_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/app/render.h"
@@ -183,6 +184,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     validate(job);
     validate_series(job);
     image::choose_font(job.look.font);
+    auto detector = open_detector(job.detector);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
     const std::string& name = stream_->info().name;
@@ -195,7 +197,8 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     opened.span = job.fields.span;
     opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
                                       job, *job.fields.filter);
-    plan_ = std::make_unique<const Plan>(make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream));
+    plan_ = std::make_unique<const Plan>(
+        make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream, std::move(detector)));
     fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
 }
 

@@ -39,6 +39,7 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     seen_.events.reset();
     if (plan_.products.events) {
         seen_.findings = builder_.finder->finish();
+        builder_.identify();
         const std::vector<events::Event> events =
             events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
         seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
@@ -109,6 +110,7 @@ void Window::look_at_events() {
     if (!plan_.products.events) builder_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
     events::EventFinder until_now = *builder_.finder;
     seen_.findings = until_now.finish();
+    builder_.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
     ShownEvents shown = events_between(events, seen_.begin.seconds, seen_.last->pts);

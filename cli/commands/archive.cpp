@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
@@ -141,7 +142,10 @@ class Archive final : public Command {
                               static_cast<std::uint64_t>(shard_->second)};
         }
         options::finish(line, job_, false);
-        if (!options_.index_only) app::validate(job_);
+        if (!options_.index_only) {
+            app::validate(job_);
+            app::open_detector(job_.detector);
+        }
         options_.settings = digest_of(line, options_);
         for (const options::OptionValue& value : line.given(options::picture_groups)) {
             if (value.name != setting::names.name) pass_on(value);

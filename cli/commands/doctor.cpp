@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@ extern "C" {
 #include <libavutil/ffversion.h>
 }
 
+#include "cli/app/identify.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
@@ -62,12 +65,52 @@ nlohmann::ordered_json json_of(const gl::BackendReport& report) {
             {"devices", report.devices}};
 }
 
+/// The detector that a config file or the command line sets.
+struct DetectorReport {
+    std::filesystem::path model;        ///< empty = none
+    std::string format;                 ///< empty = it can't be used
+    Size input;                         ///< of its images
+    std::optional<Error> error{};
+};
+
+DetectorReport look_at(const app::DetectorOptions& options) {
+    DetectorReport report{options.model, {}, {}};
+    try {
+        if (const auto detector = app::open_detector(options)) {
+            report.format = detector->format();
+            report.input = detector->input();
+        }
+    } catch (const Error& error) {
+        report.error = error;
+    }
+    return report;
+}
+
+std::string describe(const DetectorReport& report) {
+    if (report.model.empty()) return "none: events have no classes; --detector MODEL.onnx sets one";
+    if (report.error) return fmt::format("does not work: {}", report.error->what());
+    return fmt::format("{}, {}x{} pixels: {}", report.format, report.input.width, report.input.height,
+                       report.model.string());
+}
+
+nlohmann::ordered_json json_of(const DetectorReport& report) {
+    if (report.model.empty()) return {};
+    const bool works = !report.error;
+    const auto side = [&](int pixels) { return works ? nlohmann::ordered_json(pixels) : nlohmann::ordered_json(); };
+    return {{"model", report.model.string()},
+            {"works", works},
+            {"format", works ? nlohmann::ordered_json(report.format) : nlohmann::ordered_json()},
+            {"width", side(report.input.width)},
+            {"height", side(report.input.height)},
+            {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(report.error->what())}};
+}
+
 /// The backend that `--backend auto` uses: the first that works.
 auto drawn_with(const std::vector<gl::BackendReport>& reports) {
     return std::ranges::find_if(reports, &gl::BackendReport::works);
 }
 
-std::string as_json(const std::vector<gl::BackendReport>& reports) {
+std::string as_json(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
@@ -79,12 +122,13 @@ std::string as_json(const std::vector<gl::BackendReport>& reports) {
                 {"libraries", libraries},
                 {"font", font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(font)},
                 {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
+                {"detector", json_of(detector)},
                 {"backends", backends}},
                2) +
            "\n";
 }
 
-std::string as_text(const std::vector<gl::BackendReport>& reports) {
+std::string as_text(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector) {
     const std::string font = image::font_name();
     std::string text =
         version_text() + fmt::format("font           {}\n",
@@ -93,6 +137,7 @@ std::string as_text(const std::vector<gl::BackendReport>& reports) {
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; see below how to fix it"
                                                    : fmt::format("{}: {}", drawn->name, drawn->renderer));
+    text += fmt::format("detector       {}\n", describe(detector));
     // List working backends first: without a GPU, a failing GPU backend is not a problem.
     std::vector<gl::BackendReport> sorted = reports;
     std::ranges::stable_partition(sorted, &gl::BackendReport::works);
@@ -108,14 +153,17 @@ class Doctor final : public Command {
         options::AddOptions(line, options::Group::output)(json_option, json_);
         options::add_thread_options(line, threads_);
         options::add_backend_options(line, backend_);
+        options::add_detector_option(line, detector_);
         line.examples({{"vvr doctor", "which OpenGL works here, and what to install for the rest"},
                        {"vvr doctor --json", "the same for programs"},
                        {"vvr doctor --backend software", "check this backend; exit with 4 if it does not work"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment&) override {
+        const DetectorReport detector = look_at(detector_);  // before there are threads
         const std::vector<gl::BackendReport> reports = gl::probe_backends();
-        cli::print(json_ ? as_json(reports) : as_text(reports));
+        cli::print(json_ ? as_json(reports, detector) : as_text(reports, detector));
+        if (detector.error) throw Error(*detector.error);
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
             const bool asked = backend_.row != app::BackendOptions().row || backend_.device >= 0;
             if (asked) gl::open_context(backend_.row, backend_.device);
@@ -128,6 +176,7 @@ class Doctor final : public Command {
   private:
     bool json_ = false;
     app::BackendOptions backend_;
+    app::DetectorOptions detector_;
     int threads_ = 0;  // unused; accepted because config files may set it for all commands
 };
 

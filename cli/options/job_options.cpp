@@ -40,6 +40,12 @@ void add_field_options(CommandLine& line, fields::FieldOptions& options) {
     fields::each_field_setting(options, AddOptions(line, Group::fields));
 }
 
+void add_detector_option(CommandLine& line, app::DetectorOptions& detector) {
+    AddOptions(line, Group::fields)(setting::detector, detector.model);
+    // The run that started this worker has tried the model, and a worker may start no process.
+    line.plan_setting("detector-tried", [&detector](const std::string&) { detector.trial = detector::Trial::none; });
+}
+
 void add_preset_option(CommandLine& line, Group group) {
     line.value(group, setting::preset, "",
                [names = names_of(line.fitting(presets()))](const std::string& given) {
@@ -63,6 +69,7 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
     AddOptions(line, Group::input)(setting::step, job.bricks.step);
     add_field_options(line, job.fields);
     app::each_seed_list_setting(job, AddOptions(line, Group::fields));
+    add_detector_option(line, job.detector);
     app::each_brick_setting(job.bricks, AddOptions(line, Group::bricks));
     app::each_view_setting(job, AddOptions(line, Group::view));
     app::each_look_setting(job, AddOptions(line, Group::look));

@@ -35,6 +35,9 @@ void add_span_options(CommandLine& line, video::FrameSpan& span);
 /// Filter, flow and seeds.
 void add_field_options(CommandLine& line, fields::FieldOptions& options);
 
+/// The object detector for events.
+void add_detector_option(CommandLine& line, app::DetectorOptions& detector);
+
 /// The option --preset. A preset sets several options; those that the command lacks are skipped.
 void add_preset_option(CommandLine& line, Group group);
 

@@ -14,6 +14,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/json_text.h"
 #include "core/base/wall_clock.h"
+#include "core/detector/classes.h"
 #include "core/events/event_kind.h"
 #include "core/page/html.h"
 #include "index_files.h"
@@ -95,6 +96,28 @@ Json tallies_of(const Sidecar& sidecar) {
     return tallies;
 }
 
+/// The classes of a clip's objects; null if none is known.
+Json classes_of(const Sidecar& sidecar) {
+    std::set<std::string_view> names;
+    for (const FoundEvent& event : sidecar.found) {
+        if (event.what != nullptr) names.insert(event.what->name);
+    }
+    return names.empty() ? Json() : Json(names);
+}
+
+/// The classes of all objects, by group.
+Json classes_by_group(const std::vector<Sidecar>& sidecars) {
+    std::map<detector::Group, std::set<std::string_view>> classes;
+    for (const Sidecar& sidecar : sidecars) {
+        for (const FoundEvent& event : sidecar.found) {
+            if (event.what != nullptr) classes[event.what->group].insert(event.what->name);
+        }
+    }
+    Json json = Json::object();
+    for (const auto& [group, names] : classes) json[std::string(detector::name_of(group))] = names;
+    return json;
+}
+
 /// The filters by kind, the most important first.
 std::vector<const events::KindChoice*> choices_of_kinds() {
     std::vector<const events::KindChoice*> choices;
@@ -136,7 +159,8 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
                  (place.begin.source == ClockSource::container ? container_bit : 0) |
                  (place.begin.source == ClockSource::modified ? modified_bit : 0),
-             tallies_of(sidecar)};
+             tallies_of(sidecar),
+             classes_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);
         row.push_back(sidecar.reason);
@@ -227,6 +251,7 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
     Json json{{"cameras", Json::array()},
               {"zone", zone_of(places)},
               {"kinds", page::json_of_kinds()},
+              {"classes", classes_by_group(sidecars)},
               {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
     json["recordings"] = Json::array();

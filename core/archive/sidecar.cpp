@@ -41,6 +41,12 @@ events::EventKind kind_in_sidecar(const std::string& name) {
     return place == std::string_view::npos ? kind_of(name) : static_cast<events::EventKind>(place);
 }
 
+/// \throws Error io for an unknown class
+const detector::ObjectClass* class_of(const std::string& name) {
+    if (const detector::ObjectClass* const found = detector::find_class(name)) return found;
+    throw Error(ErrorCode::file_invalid, fmt::format("the class of objects '{}' is unknown", name));
+}
+
 int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
@@ -64,6 +70,10 @@ FoundEvent event_of(const Json& event, double width, double height) {
                                        {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
     }
     found.path = events::simplified(way);
+    // Older reports have no class.
+    if (const auto what = event.find("class"); what != event.end() && !what->is_null()) {
+        found.what = class_of(what->get<std::string>());
+    }
     return found;
 }
 
@@ -91,6 +101,7 @@ Json json_of(const FoundEvent& event) {
     for (const events::Waypoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
+    if (event.what != nullptr) json.push_back(event.what->name);
     return json;
 }
 
@@ -102,6 +113,7 @@ FoundEvent found_event_of(const Json& json) {
     for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {
         event.path.push_back({whole(json.at(k)), whole(json.at(k + 1)), whole(json.at(k + 2))});
     }
+    if (json.back().is_string() && json.size() > before_path) event.what = class_of(json.back().get<std::string>());
     return event;
 }
 

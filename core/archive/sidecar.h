@@ -13,6 +13,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/base/wall_clock.h"
+#include "core/detector/classes.h"
 #include "core/events/event_kind.h"
 #include "core/events/path.h"
 
@@ -24,18 +25,20 @@ struct FoundEvent {
     int number = 0;                      ///< in the picture, the page and the report
     int still = 0;                       ///< tenths of a second for which it was stationary
     std::vector<events::Waypoint> path;  ///< its simplified path, from its first to its last moment
+    const detector::ObjectClass* what = nullptr;  ///< null = unknown
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;
 };
 
 /// The events of a report (`vvr render --report`) with simplified paths; at most `most`, the longest ones.
-/// \throws nlohmann::json::exception for an invalid report, Error io for an unknown kind of event
+/// \throws nlohmann::json::exception for an invalid report, Error io for an unknown kind of event or class of objects
 std::vector<FoundEvent> found_events(const nlohmann::ordered_json& report, std::size_t most = 1000);
 
 /// The duration, tenths of a second.
 int length_of(const FoundEvent& event);
 
-/// The form in sidecars and the index: ["left", 4, 261, 129, 500, 700, 390, 500, 700].
+/// The form in sidecars and the index: ["left", 4, 261, 129, 500, 700, 390, 500, 700, "suitcase"]. The class comes last,
+/// where it is known.
 nlohmann::ordered_json json_of(const FoundEvent& event);
 
 /// Parses that form. Older sidecars have the first letter of a kind instead of its name.

@@ -1,5 +1,6 @@
 #include "core/detector/classes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -96,6 +97,11 @@ constexpr std::array<std::string_view, 5> group_names{"person", "vehicle", "anim
 
 std::span<const ObjectClass> object_classes() {
     return classes;
+}
+
+const ObjectClass* find_class(std::string_view name) {
+    const auto found = std::ranges::find(classes, name, &ObjectClass::name);
+    return found == classes.end() ? nullptr : &*found;
 }
 
 std::string_view name_of(Group group) {

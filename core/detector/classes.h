@@ -22,6 +22,9 @@ struct ObjectClass {
 /// The 80 classes of the COCO data set; the place of a row is the number that models give the class.
 std::span<const ObjectClass> object_classes();
 
+/// The class of that name; null = there is none.
+const ObjectClass* find_class(std::string_view name);
+
 std::string_view name_of(Group group);
 
 }  // namespace vvr::detector

@@ -43,6 +43,7 @@ class Conclusion {
 
     Findings run() {
         found_.overlays = span_.overlays;
+        for (const Stretch& stretch : span_.stretches) found_.begins.push_back(stretch.first);
         look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_fragments();

@@ -10,6 +10,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
+#include "core/detector/classes.h"
 #include "core/events/event_kind.h"
 
 namespace vvr::events {
@@ -53,6 +54,14 @@ struct Evidence {
     double changed = 0;      ///< share of the picture that differed when it appeared: a train, a lamp
     bool carried = false;    ///< somebody or something was there to bring or take it
     double confidence = 0;   ///< 0 to 1
+    std::optional<EventKind> refuted{};  ///< the claim that was made, before a detector showed that it is no thing
+};
+
+/// What an object is, as a detector tells from pictures of it.
+struct Identity {
+    const detector::ObjectClass* what = nullptr;  ///< never null
+    double score = 0;                             ///< of the best picture, 0 to 1
+    int looks = 0;                                ///< number of pictures that agree on the group
 };
 
 /// Something that differs from the empty scene for a while, without enough evidence to say what it is.
@@ -79,6 +88,7 @@ struct Event {
     std::optional<Portrait> portrait;
     std::optional<ScenePatch> in_scene;  ///< none if the fields show it while it was there
     std::optional<Evidence> evidence;    ///< for what was left or taken
+    std::optional<Identity> identity;    ///< none without a detector, or if it knows no such object
     std::vector<std::size_t> tracks;     ///< the labels of its pixels in `FrameLabels`
 };
 
@@ -87,6 +97,7 @@ struct Findings {
     std::vector<Event> events;       ///< by their first frames
     std::vector<Change> changes;     ///< by their first frames
     std::vector<PixelBox> overlays;  ///< clocks that the camera writes into its pictures, field pixels
+    std::vector<Moment> begins;      ///< of the stretches without a gap
     double largest_share = 0;        ///< largest share of the picture that differs from the empty scene in a frame
 };
 

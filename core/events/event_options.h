@@ -189,6 +189,16 @@ struct Thresholds {
         double least_share = 1;    ///< areas of the thing; a smaller object can't have carried it
     } thing;
 
+    /// What a detector tells of an object.
+    struct {
+        double score = 0.5;    ///< probability; with less, nano-sized models confuse things with people
+        double overlap = 0.3;  ///< share of the object's box, or of both boxes; what overlaps less is something else
+        int looks = 3;         ///< pictures of one object
+        int events = 200;      ///< per clip, the most important ones: a look takes 50 to 100 ms
+        double inside = 0.7;   ///< share of a part's box that lies inside the box of the whole object
+        double shared = 0.7;   ///< share of a part's time for which it does
+    } detector;
+
     /// Small events that crowd one part of the picture.
     struct {
         int size = 8;    ///< picture's longer side / 8: a small event stays within it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/image/jpeg.h"
@@ -93,6 +94,15 @@ const Crop* Crops::find(const events::Event& event) const {
         if (best == nullptr || crop.score() > best->score()) best = &crop;
     }
     return best;
+}
+
+std::vector<std::pair<std::size_t, const Crop*>> Crops::all(const events::Event& event) const {
+    std::vector<std::pair<std::size_t, const Crop*>> all;
+    for (const std::size_t track : event.tracks) {
+        if (const auto found = crops_.find(track); found != crops_.end()) all.emplace_back(track, &found->second);
+    }
+    std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.second->score(); });
+    return all;
 }
 
 std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/plane.h"
@@ -46,6 +48,9 @@ class Crop {
     PixelBox still_;               ///< likewise
 };
 
+/// The score of a crop of the empty scene, which shows what was there better than any frame.
+inline constexpr double score_of_scene = std::numeric_limits<double>::max();
+
 /// Keeps the best crop of each track while the fields are read, because frames aren't kept.
 class Crops {
   public:
@@ -56,6 +61,9 @@ class Crops {
 
     /// The crop of an event: at its portrait's time if kept, else the best of its tracks. Null if none is kept.
     const Crop* find(const events::Event& event) const;
+
+    /// The crops of an event, best first, each with its track.
+    std::vector<std::pair<std::size_t, const Crop*>> all(const events::Event& event) const;
 
     /// Memory of all crops.
     std::size_t bytes() const { return bytes_; }

@@ -71,13 +71,25 @@ glm::dvec2 position_at(const events::Event& event, double seconds) {
     return glm::mix(before.place, after->place, share);
 }
 
-std::vector<std::string> activity_texts(const events::Event& event) {
+namespace {
+
+std::vector<std::string> activities(const events::Event& event) {
     const events::EventKindRow& row = row_of(event.kind);
     const events::Stay* const stay = longest_stay(event);
     const bool has_duration = row.activity.find("{}") != std::string_view::npos;
     if (row.activity.empty() || (has_duration && stay == nullptr)) return direction_texts(event);
     const std::string duration = has_duration ? labels::format_duration(seconds_of(*stay)) : std::string();
     return {fmt::format(fmt::runtime(row.activity), duration), std::string(row.activity_short)};
+}
+
+}  // namespace
+
+std::vector<std::string> activity_texts(const events::Event& event) {
+    std::vector<std::string> texts = activities(event);
+    if (!event.identity) return texts;
+    const std::string name(event.identity->what->name);
+    return {fmt::format("{} · {}", name, texts.front()), fmt::format("{} · {}", name, texts.back()), name,
+            texts.back()};
 }
 
 std::vector<events::Stay> stationary_times(const events::Event& event) {

@@ -40,7 +40,7 @@ const events::Stay* longest_stay(const events::Event& event);
 glm::dvec2 position_at(const events::Event& event, double seconds);
 
 /// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s", "left
-/// behind". The table of event kinds has the words.
+/// behind". The table of event kinds has the words. With what it is, if that is known: "person · stood 14 s".
 std::vector<std::string> activity_texts(const events::Event& event);
 
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.

@@ -192,7 +192,11 @@ Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) 
 }
 
 Json json_of(const events::Event& event, Size field, Size shown) {
+    const auto& identity = event.identity;
     return {{"kind", events::name_of(event.kind)},
+            {"class", identity ? Json(identity->what->name) : Json()},
+            {"group", identity ? Json(detector::name_of(identity->what->group)) : Json()},
+            {"score", identity ? Json(std::round(identity->score * 100) / 100) : Json()},
             {"first", event.first.frame},
             {"last", event.last.frame},
             {"still", rounded(events::stationary_seconds(event))},
@@ -281,9 +285,9 @@ std::string list_of(const PageContent& content) {
     for (const events::Event& event : *content.events) {
         const double still = events::stationary_seconds(event);
         list += fmt::format(
-            "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
+            "<li>{}. {}: {}{}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            row_of(event.kind).words, still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
+            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row_of(event.kind).words, still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
     }
     return list;
 }

@@ -57,6 +57,12 @@ at('text').addEventListener('input', () => {
     typing = setTimeout(() => ask({text: at('text').value.trim()}), 120);
 });
 for (const radio of document.getElementsByName('kind')) radio.addEventListener('change', () => ask({kind: radio.value}));
+at('class').append(...['', ...classesOf.keys()].map(name => {
+    const words = name === '' ? 'everything' : (Object.hasOwn(data.classes, name) ? '' : '\u2013 ') + name;
+    return Object.assign(element('option', '', words), {value: name});
+}));
+at('class').hidden = classesOf.size === 0;
+at('class').addEventListener('change', () => ask({class: at('class').value}));
 at('order').addEventListener('change', () => ask({order: at('order').value}));
 for (const button of at('views').querySelectorAll('button')) button.addEventListener('click', () => ask({view: button.value, day: null}));
 at('tools').addEventListener('submit', event => event.preventDefault());

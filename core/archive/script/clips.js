@@ -40,18 +40,19 @@ function folded(text) {
 }
 
 // Each row: camera, address, begins (seconds since 1970), length, events or null, the kinds of files that there are,
-// what is told of the events of each of `data.kinds` (seconds, or how many; 0 = nothing), and of a failure its status, its
+// what is told of the events of each of `data.kinds` (seconds, or how many; 0 = nothing), the classes of their objects or
+// null, and of a failure its status, its
 // reason and the number of tries, and of one whose picture is there all the same the moment until which that shows the clip.
 const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone, hasDamage] = [1, 2, 4, 16, 256, 512];
 // Where nothing tells when a clip was recorded, it stands where it was written.
 const [byContainer, byFile] = [1024, 2048];
 // A recording is all that a camera recorded on a day, in one picture.
 const rows = [...data.clips.map(row => ({row})), ...data.recordings];
-const clips = rows.map(({row: [camera, url, begins, seconds, events, files, tallies, status, reason, tries, until], date: wholeDay, clips: of}) => {
+const clips = rows.map(({row: [camera, url, begins, seconds, events, files, tallies, classes, status, reason, tries, until], date: wholeDay, clips: of}) => {
     const date = wallOf(begins);
     const path = readable(url).replace(/^\.\//, '');
     const tallyOf = Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0]));
-    const clip = {camera, url, path, begins, seconds, events, files, tallyOf, status, reason: reason && upright(reason), tries,
+    const clip = {camera, url, path, begins, seconds, events, files, tallyOf, classes: classes ?? [], status, reason: reason && upright(reason), tries,
                   wholeDay, of, name: wholeDay ? many(of, 'clip') : path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: wholeDay ?? dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
     clip.until = until === undefined ? '' : dayOf(wallOf(until)) + ' ' + timeOf(wallOf(until));
@@ -59,7 +60,7 @@ const clips = rows.map(({row: [camera, url, begins, seconds, events, files, tall
     clip.gone = (files & hasGone) !== 0;
     clip.damaged = (files & hasDamage) !== 0;
     clip.placedBy = files & byContainer ? 'when its container says it was written' : files & byFile ? 'when it was last written' : '';
-    clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? ''].join(' '));
+    clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? '', ...clip.classes].join(' '));
     return clip;
 }).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
 
@@ -104,11 +105,14 @@ function grouped(list, key) {
 
 // ---- What is asked for: kept in the address, so that going back from a clip's page finds it again
 
-const asked = {view: 'clips', text: '', kind: 'all', order: 'newest', camera: null, day: null};
+const asked = {view: 'clips', text: '', kind: 'all', class: '', order: 'newest', camera: null, day: null};
 // The kinds of events that are chosen together, by what the choice is called.
 const kindsOfChoice = grouped(data.kinds.filter(({choice}) => choice !== null), 'choice');
+// What objects can be asked for: groups of classes, and the classes in them.
+const classesOf = new Map(Object.entries(data.classes).flatMap(([group, names]) => [[group, names], ...names.map(name => [name, [name]])]));
+const isOf = (what, names) => what === '' || classesOf.get(what).some(name => names.includes(name));
 const choices = {view: ['clips', 'days', 'scene'], kind: ['all', 'events', ...kindsOfChoice.keys(), 'unseen', 'failed'],
-                 order: ['newest', ...kindsOfChoice.keys(), 'events']};
+                 class: ['', ...classesOf.keys()], order: ['newest', ...kindsOfChoice.keys(), 'events']};
 
 function readAsked() {
     const parts = new URLSearchParams(location.hash.slice(1));
@@ -119,6 +123,7 @@ function readAsked() {
     asked.camera = camera < 0 ? null : camera;
     at('text').value = asked.text;
     at('order').value = asked.order;
+    at('class').value = asked.class;
     for (const radio of document.getElementsByName('kind')) radio.checked = radio.value === asked.kind;
 }
 
@@ -141,7 +146,7 @@ const isWanted = {
 
 function chosenClips() {
     const words = asked.text.split(/\s+/).filter(Boolean).map(word => folded(word).split('\n'));
-    return clips.filter(clip => (asked.camera === null || clip.camera === asked.camera) && isWanted[asked.kind](clip) &&
+    return clips.filter(clip => (asked.camera === null || clip.camera === asked.camera) && isWanted[asked.kind](clip) && isOf(asked.class, clip.classes) &&
                                 (!asked.day || clip.day === asked.day) &&
                                 words.every(ways => ways.some(word => clip.text.includes(word))));
 }

@@ -142,7 +142,8 @@ function showClips(list) {
 }
 
 function readNothing() {
-    Object.assign(asked, {text: '', kind: 'all', camera: null, day: null});
+    Object.assign(asked, {text: '', kind: 'all', class: '', camera: null, day: null});
     at('text').value = '';
+    at('class').value = '';
     for (const radio of document.getElementsByName('kind')) radio.checked = radio.value === 'all';
 }

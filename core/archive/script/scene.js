@@ -1,7 +1,7 @@
 
 // ---- Scene: what was where over all days of a camera. Events are loaded by day, from files beside the index
 
-const eventsOfDay = new Map();  // day: [{clip, kind, number, still, path, bounds}]; a path is [tenths of a second, x, y, ...]
+const eventsOfDay = new Map();  // day: [{clip, kind, what, number, still, path, bounds}]; a path is [tenths of a second, x, y, ...]
 const waiting = new Map();      // day: what goes on when it is there
 
 /// The box about a path: most paths are nowhere near the place that is asked for.
@@ -23,7 +23,10 @@ function vvrDay(day, list) {
     for (const [url, events] of list) {
         const clip = clipOfUrl.get(url);
         if (!clip) continue;
-        for (const [kind, number, still, ...path] of events) found.push({clip, kind: kindOf(kind), number, still: still / 10, path, bounds: boundsOf(path)});
+        for (const [kind, number, still, ...path] of events) {
+            const what = typeof path.at(-1) === 'string' ? path.pop() : '';
+            found.push({clip, kind: kindOf(kind), what, number, still: still / 10, path, bounds: boundsOf(path)});
+        }
     }
     eventsOfDay.set(day, found);
 }
@@ -84,7 +87,7 @@ async function showScene(list) {
     const days = chosenDays().toReversed();
     await Promise.all(days.map(loadDay));
     if (mine !== asking) return;
-    const events = days.flatMap(day => eventsOfDay.get(day) ?? []).filter(event => wanted.has(event.clip));
+    const events = days.flatMap(day => eventsOfDay.get(day) ?? []).filter(event => wanted.has(event.clip) && isOf(asked.class, [event.what]));
     answer(events);
 }
 
@@ -159,7 +162,7 @@ function listFound(found, count) {
         const when = wallOf(event.clip.begins + how.at);
         const badge = element('span', 'badge ' + event.kind.emphasis, event.kind.words);
         const lasts = (event.path.at(-3) - event.path[0]) / 10;
-        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words() || lengthOf(event.kind.tally === 'still' ? event.still : lasts)));
+        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', event.what ? event.what + ' ' : '', element('small', '', how.words() || lengthOf(event.kind.tally === 'still' ? event.still : lasts)));
         const item = element('li');
         item.append(link);
         return item;

@@ -6,6 +6,7 @@ let chosen = null;      // place in data.events
 let lightened = null;   // the one that the pointer is on
 let wanted = null;      // the places of those that are wanted; made when it is asked for
 let kind = 'all';
+let what = '';          // a class or a group of classes, as the detector says; '' = all, '?' = unknown
 let leastSeconds = 0;
 let order = 'time';
 
@@ -21,13 +22,14 @@ const orders = {
     kind: (a, b) => kindOf(events[a].kind).rank - kindOf(events[b].kind).rank || events[b].still - events[a].still,
 };
 
-const asksForSome = () => kind !== 'all' || leastSeconds > 0 || asked !== null;
+const isOf = (event, name) => name === '' || (name === '?' ? !event.class : event.class === name || event.group === name);
+const asksForSome = () => kind !== 'all' || what !== '' || leastSeconds > 0 || asked !== null;
 
 /// The places in the list of the events that are wanted, in the order of time.
 function wantedEvents() {
     wanted ??= [...events.keys()].filter(number => {
         const event = events[number];
-        return (kind === 'all' || event.kind === kind) && secondsFor(event) >= leastSeconds && answerOf(event) !== null;
+        return (kind === 'all' || event.kind === kind) && isOf(event, what) && secondsFor(event) >= leastSeconds && answerOf(event) !== null;
     });
     return wanted;
 }
@@ -53,6 +55,7 @@ const rowOf = number => number === null ? null : at('events').querySelector(`but
 /// What an event did, in words.
 function textOf(event) {
     const parts = [event.kind, spanOf(secondsFor(event))];
+    if (event.class) parts.push(`${event.class} (${Math.round(event.score * 100)} %)`);
     if (event.still > 0) parts.push('still for ' + spanOf(event.still) + ' in all');
     const answer = answerOf(event);
     if (answer) parts.push(answer);
@@ -122,7 +125,27 @@ function drawChips() {
     }));
     at('filters').hidden = events.length < 2;
     at('kinds').hidden = kinds.length < 2;
+    drawClasses();
 }
+
+/// A choice of each group, and of each class in it, if the detector knows some of the objects.
+function drawClasses() {
+    const counts = new Map();
+    const count = name => counts.set(name, (counts.get(name) ?? 0) + 1);
+    for (const event of events) {
+        if (!event.class) count('?');
+        else new Set([event.group, event.class]).forEach(count);
+    }
+    const groups = [...new Set(events.filter(event => event.class).map(event => event.group))].sort((a, b) => counts.get(b) - counts.get(a));
+    const inGroup = group => [...new Set(events.filter(event => event.group === group).map(event => event.class))].sort().filter(name => name !== group);
+    const names = [...groups.flatMap(group => [group, ...inGroup(group)]), ...counts.has('?') ? ['?'] : []];
+    if (what !== '' && !names.includes(what)) what = '';
+    const choice = (name, words) => Object.assign(element('option', '', words), {value: name, selected: name === what});
+    at('class').replaceChildren(choice('', 'everything'), ...names.map(name =>
+        choice(name, `${groups.includes(name) || name === '?' ? '' : '\u2013 '}${name === '?' ? 'unknown' : name} ${counts.get(name)}`)));
+    at('class').hidden = groups.length === 0;
+}
+at('class').addEventListener('change', () => { what = at('class').value; filterEvents(); });
 at('order').addEventListener('change', () => { order = at('order').value; listEvents(); });
 at('least').addEventListener('change', () => { leastSeconds = Number(at('least').value); filterEvents(); });
 

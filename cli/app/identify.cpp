@@ -1,0 +1,104 @@
+#include "cli/app/identify.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <opencv2/core/utility.hpp>
+
+#include "core/events/event_options.h"
+#include "core/glance/objects.h"
+
+namespace vvr::app {
+
+namespace {
+
+constexpr auto& limit = events::thresholds.detector;
+
+/// Limits the threads of OpenCV to those that the user allows.
+class OpenCvThreads {
+  public:
+    explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
+        if (threads > 0) cv::setNumThreads(threads);
+    }
+    ~OpenCvThreads() { cv::setNumThreads(before_); }
+    OpenCvThreads(const OpenCvThreads&) = delete;
+    OpenCvThreads& operator=(const OpenCvThreads&) = delete;
+
+  private:
+    int before_;
+};
+
+double area_of(const PixelBox& box) {
+    return box.empty() ? 0 : static_cast<double>(box.width()) * box.height();
+}
+
+/// The overlap of two boxes as a share of both together.
+double overlap_of(const PixelBox& a, const PixelBox& b) {
+    const double both = area_of(intersection(a, b));
+    return both > 0 ? both / (area_of(a) + area_of(b) - both) : 0;
+}
+
+/// The detection that shows the object, rather than its neighbour; nothing if none does.
+std::optional<detector::Detection> detection_of(const PixelBox& object, std::span<const detector::Detection> all) {
+    const auto best = std::ranges::max_element(
+        all, {}, [&](const detector::Detection& one) { return overlap_of(object, one.box); });
+    if (best == all.end()) return std::nullopt;
+    // Of a person, the fields may show only the legs.
+    const double part = area_of(intersection(object, best->box)) / std::max(1.0, area_of(object));
+    if (part < limit.overlap && overlap_of(object, best->box) < limit.overlap) return std::nullopt;
+    return *best;
+}
+
+}  // namespace
+
+std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options) {
+    return options.model.empty() ? nullptr : std::make_shared<detector::Detector>(options.model, options.trial);
+}
+
+const DetectorUse& Identifier::identify(events::Findings& found, const glance::Crops& crops) {
+    const auto begin = std::chrono::steady_clock::now();
+    const OpenCvThreads threads(threads_);
+    std::vector<std::vector<events::Look>> looks(found.events.size());
+    std::vector<std::size_t> order = glance::by_importance(found.events);
+    order.resize(std::min(order.size(), static_cast<std::size_t>(limit.events)));
+    Answers current;
+    use_.events = 0;
+    for (const std::size_t k : order) {
+        looks[k] = looks_at(found.events[k], crops, current);
+        use_.events += looks[k].empty() ? 0 : 1;
+    }
+    answers_ = std::move(current);
+    events::identify(found, looks);
+    use_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return use_;
+}
+
+/// \param current receives the answers
+std::vector<events::Look> Identifier::looks_at(const events::Event& event, const glance::Crops& crops,
+                                               Answers& current) {
+    // The frames do not show what only the empty scene has.
+    const bool only_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
+    std::vector<events::Look> looks;
+    for (const auto& [track, crop] : crops.all(event)) {
+        if (std::ssize(looks) == limit.looks || (only_scene && crop->score() != glance::score_of_scene)) break;
+        const auto known = answers_.find(track);
+        const bool is_same = known != answers_.end() && known->second.score == crop->score();
+        looks.push_back(is_same ? known->second.look : look_at(*crop));
+        current[track] = {crop->score(), looks.back()};
+    }
+    return looks;
+}
+
+events::Look Identifier::look_at(const glance::Crop& crop) {
+    ++use_.looks;
+    const glance::ObjectPicture shown = crop.surroundings();
+    const auto all = detector_->detect(detector::view_of(shown.picture), static_cast<float>(limit.score));
+    const std::optional<detector::Detection> found = detection_of(shown.object, all);
+    if (!found) return {};
+    return {&detector::object_classes()[static_cast<std::size_t>(found->class_id)], found->score};
+}
+
+}  // namespace vvr::app

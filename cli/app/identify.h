@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "cli/app/job.h"
+#include "core/detector/detector.h"
+#include "core/events/event.h"
+#include "core/events/identify.h"
+#include "core/glance/crops.h"
+
+// The object detector looks at the events of a clip.
+namespace vvr::app {
+
+/// Reads the job's model; null if it has none.
+/// \throws Error not_a_model, io
+std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options);
+
+/// What a detector was used for.
+struct DetectorUse {
+    std::string_view format;  ///< of its model
+    std::int64_t events = 0;  ///< that it looked at
+    std::int64_t looks = 0;   ///< pictures of them
+    double seconds = 0;       ///< for all looks
+};
+
+/// Looks at pictures of events, up to three of each. It looks at a picture only once, also when the events of a stream
+/// are found again and again.
+class Identifier {
+  public:
+    /// \param detector must outlive this object
+    /// \param threads at most; 0 = one per core
+    Identifier(detector::Detector& detector, int threads) : detector_(&detector), threads_(threads) {
+        use_.format = detector.format();
+    }
+
+    /// Sets the identities of the most important events, and refutes claims.
+    /// \returns the use so far
+    const DetectorUse& identify(events::Findings& found, const glance::Crops& crops);
+
+  private:
+    /// What was told of a track's picture.
+    struct Answer {
+        double score = 0;  ///< of the picture, which a better one may replace
+        events::Look look;
+    };
+    using Answers = std::map<std::size_t, Answer>;  // by track
+
+    std::vector<events::Look> looks_at(const events::Event& event, const glance::Crops& crops, Answers& current);
+    events::Look look_at(const glance::Crop& crop);
+
+    detector::Detector* detector_;
+    int threads_;
+    Answers answers_;
+    DetectorUse use_;
+};
+
+}  // namespace vvr::app
