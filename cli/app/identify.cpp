@@ -43,8 +43,8 @@ double overlap_of(const PixelBox& a, const PixelBox& b) {
 
 /// The detection that shows the object, rather than its neighbour; nothing if none does.
 std::optional<detector::Detection> detection_of(const PixelBox& object, std::span<const detector::Detection> all) {
-    const auto best = std::ranges::max_element(
-        all, {}, [&](const detector::Detection& one) { return overlap_of(object, one.box); });
+    const auto best =
+        std::ranges::max_element(all, {}, [&](const detector::Detection& one) { return overlap_of(object, one.box); });
     if (best == all.end()) return std::nullopt;
     // Of a person, the fields may show only the legs.
     const double part = area_of(intersection(object, best->box)) / std::max(1.0, area_of(object));

@@ -156,7 +156,7 @@ struct LookOptions {
 
 /// The object detector that looks at events.
 struct DetectorOptions {
-    std::filesystem::path model;                                   ///< empty = none
+    std::filesystem::path model;  ///< empty = none
     detector::Trial trial = detector::Trial::in_child;
 };
 

@@ -193,7 +193,8 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     needs.flow_of_every_frame = plan.colour->needs_flow;
     const bool stand = plan.shows(Part::frames) && plan.job.look.keyframes > 0;
     // Colours help to tell objects apart, if available.
-    needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects() || plan.detector != nullptr) && source.has_pictures());
+    needs.colour = plan.colour->needs_pictures ||
+                   ((stand || plan.colours_objects() || plan.detector != nullptr) && source.has_pictures());
     // The header's number of frames may be far too large; limit the interval to that of the setting.
     constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
     needs.full_size = plan.products.portraits || plan.shows(Part::portraits) || plan.detector != nullptr;

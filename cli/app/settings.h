@@ -20,8 +20,9 @@ namespace vvr::setting {
 
 inline constexpr Setting detector{.name = "detector",
                                   .unit = "MODEL",
-                                  .help = "object detector that says what an event is, a person, a car: a model of "
-                                          "YOLOX in ONNX format (.onnx)",
+                                  .help =
+                                      "object detector that says what an event is, a person, a car: a model of "
+                                      "YOLOX in ONNX format (.onnx)",
                                   .may_be_file = true};
 
 inline constexpr Setting step{

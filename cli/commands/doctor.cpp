@@ -67,9 +67,9 @@ nlohmann::ordered_json json_of(const gl::BackendReport& report) {
 
 /// The detector that a config file or the command line sets.
 struct DetectorReport {
-    std::filesystem::path model;        ///< empty = none
-    std::string format;                 ///< empty = it can't be used
-    Size input;                         ///< of its images
+    std::filesystem::path model;  ///< empty = none
+    std::string format;           ///< empty = it can't be used
+    Size input;                   ///< of its images
     std::optional<Error> error{};
 };
 

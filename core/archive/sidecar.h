@@ -22,9 +22,9 @@ namespace vvr::archive {
 /// What an archive knows of an event.
 struct FoundEvent {
     events::EventKind kind = events::EventKind::moved;
-    int number = 0;                      ///< in the picture, the page and the report
-    int still = 0;                       ///< tenths of a second for which it was stationary
-    std::vector<events::Waypoint> path;  ///< its simplified path, from its first to its last moment
+    int number = 0;                               ///< in the picture, the page and the report
+    int still = 0;                                ///< tenths of a second for which it was stationary
+    std::vector<events::Waypoint> path;           ///< its simplified path, from its first to its last moment
     const detector::ObjectClass* what = nullptr;  ///< null = unknown
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;
@@ -37,8 +37,8 @@ std::vector<FoundEvent> found_events(const nlohmann::ordered_json& report, std::
 /// The duration, tenths of a second.
 int length_of(const FoundEvent& event);
 
-/// The form in sidecars and the index: ["left", 4, 261, 129, 500, 700, 390, 500, 700, "suitcase"]. The class comes last,
-/// where it is known.
+/// The form in sidecars and the index: ["left", 4, 261, 129, 500, 700, 390, 500, 700, "suitcase"]. The class comes
+/// last, where it is known.
 nlohmann::ordered_json json_of(const FoundEvent& event);
 
 /// Parses that form. Older sidecars have the first letter of a kind instead of its name.

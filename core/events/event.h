@@ -44,16 +44,16 @@ struct ScenePatch {
 
 /// Why something is said to have been left or taken. Each term is independent of the others.
 struct Evidence {
-    double difference = 0;   ///< mean of the stay against the empty scene, grey levels
-    double edges = 0;        ///< contrast across its outline in the mean of the stay, grey levels
-    double scene_edges = 0;  ///< the same in the empty scene: a thing has an outline in one of them only
-    double thickness = 0;    ///< 1 = a disk; a thing that was only shifted differs in thin slivers
-    double alone = 0;        ///< seconds in which it was in view with nobody near
-    double moved = 0;        ///< lengths that it moved by itself before it became still; a thing doesn't
-    double flicker = 0;      ///< changes per pixel: leaves and digits change all the time
-    double changed = 0;      ///< share of the picture that differed when it appeared: a train, a lamp
-    bool carried = false;    ///< somebody or something was there to bring or take it
-    double confidence = 0;   ///< 0 to 1
+    double difference = 0;               ///< mean of the stay against the empty scene, grey levels
+    double edges = 0;                    ///< contrast across its outline in the mean of the stay, grey levels
+    double scene_edges = 0;              ///< the same in the empty scene: a thing has an outline in one of them only
+    double thickness = 0;                ///< 1 = a disk; a thing that was only shifted differs in thin slivers
+    double alone = 0;                    ///< seconds in which it was in view with nobody near
+    double moved = 0;                    ///< lengths that it moved by itself before it became still; a thing doesn't
+    double flicker = 0;                  ///< changes per pixel: leaves and digits change all the time
+    double changed = 0;                  ///< share of the picture that differed when it appeared: a train, a lamp
+    bool carried = false;                ///< somebody or something was there to bring or take it
+    double confidence = 0;               ///< 0 to 1
     std::optional<EventKind> refuted{};  ///< the claim that was made, before a detector showed that it is no thing
 };
 

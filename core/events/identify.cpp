@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 #include "core/events/event_options.h"
 
@@ -42,11 +44,32 @@ void refute(Event& event, std::span<const Moment> begins) {
     event.alone_since.reset();
 }
 
+/// Sorts events by their first frames, and renumbers references.
+void sort_by_first(std::vector<Event>& events) {
+    std::vector<std::size_t> order(events.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return events[k].first.frame; });
+    std::vector<std::size_t> places(events.size());
+    std::vector<Event> sorted;
+    for (const std::size_t k : order) {
+        places[k] = sorted.size();
+        sorted.push_back(std::move(events[k]));
+    }
+    for (Event& event : sorted) {
+        for (auto* other : {&event.from, &event.into, &event.by}) {
+            if (*other) *other = places[**other];
+        }
+    }
+    events = std::move(sorted);
+}
+
 }  // namespace
 
 std::optional<Identity> identity_of(std::span<const Look> looks) {
     std::array<double, groups> votes{};
-    const auto counts = [](const Look& look) { return look.what != nullptr && look.score >= thresholds.detector.score; };
+    const auto counts = [](const Look& look) {
+        return look.what != nullptr && look.score >= thresholds.detector.score;
+    };
     for (const Look& look : looks) {
         if (counts(look)) votes.at(static_cast<std::size_t>(look.what->group)) += look.score;
     }
@@ -70,6 +93,7 @@ void identify(Findings& found, std::span<const std::vector<Look>> looks) {
         const bool alive = event.identity && lives_or_drives(event.identity->what->group);
         if (alive && row_of(event.kind).is_thing) refute(event, found.begins);
     }
+    sort_by_first(found.events);
 }
 
 }  // namespace vvr::events

@@ -287,7 +287,8 @@ std::string list_of(const PageContent& content) {
         list += fmt::format(
             "<li>{}. {}: {}{}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row_of(event.kind).words, still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
+            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row_of(event.kind).words,
+            still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
     }
     return list;
 }

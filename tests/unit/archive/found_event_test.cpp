@@ -30,6 +30,25 @@ TEST(FoundEvent, OfEachKindStaysWhatItIs) {
     }
 }
 
+TEST(FoundEvent, KeepsItsClass) {
+    const Json report = Json::parse(R"({"input": {"width": 200, "height": 100}, "events": [
+        {"number": 1, "kind": "moved", "class": "dog", "stays": [], "path": [{"seconds": 1, "place": {"x": 0, "y": 0}}]},
+        {"number": 2, "kind": "moved", "class": null, "stays": [], "path": []}]})");
+    const std::vector<archive::FoundEvent> found = archive::found_events(report);
+    ASSERT_EQ(found.size(), 2U);
+    ASSERT_NE(found[0].what, nullptr);
+    EXPECT_EQ(found[0].what->name, "dog");
+    EXPECT_EQ(found[1].what, nullptr);
+    EXPECT_EQ(archive::json_of(found[0]).back(), "dog");
+    for (const archive::FoundEvent& event : found) {
+        EXPECT_EQ(archive::found_event_of(archive::json_of(event)), event);
+    }
+    EXPECT_THROW(archive::found_event_of(Json::parse(R"(["left", 1, 2, 0, 1, 2, "ghost"])")), Error);
+    Json other = report;
+    other["events"][0]["class"] = "ghost";
+    EXPECT_THROW(archive::found_events(other), Error);
+}
+
 TEST(FoundEvent, OfAnOlderSidecarHasALetter) {
     const std::vector<std::pair<const char*, events::EventKind>> letters{{"m", events::EventKind::moved},
                                                                          {"s", events::EventKind::stood},

@@ -58,6 +58,14 @@ TEST(Words, SayWhatItDidAndWhen) {
     EXPECT_EQ(glance::activity_texts(event).front(), "to and fro");
 }
 
+TEST(Words, SayWhatItIs) {
+    events::Event event = event_of(events::EventKind::stood, 6, 28.4);
+    event.stays.push_back({at(10), at(24), {}, {}});
+    event.identity = {detector::find_class("person"), 0.9, 1};
+    EXPECT_EQ(glance::activity_texts(event),
+              (std::vector<std::string>{"person · stood 14 s", "person · stood", "person", "stood"}));
+}
+
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
     events::Event event = event_of(events::EventKind::left, 5, 30);
     event.stays.push_back({at(9), at(20), {10, 20}, {}});
