@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/job.h"
 #include "cli/app/observe.h"
@@ -98,10 +99,11 @@ Selection find_event(const CutJob& job, const Footage& footage, app::Observer& o
                                 filter.name),
                     {"filter"});
     }
+    auto detector = app::open_detector(job.search.detector);
     const app::OpenedFields fields = app::open_fields(job.search);
     app::RenderJob search = job.search;
     search.look.show = {};
-    const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search);
+    const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search, std::move(detector));
     std::vector<EventTimes> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
     for (const events::Event& event : seen.events->events) {
@@ -328,6 +330,7 @@ class Cut final : public Command {
         line.exclude(text::report, setting::start);
         line.exclude(text::report, setting::end);
         options::add_field_options(line, search.fields);
+        options::add_detector_option(line, search.detector);
         options::add_preset_option(line, options::Group::run);
         options::add_thread_options(line, search.fields.threads);
         line.examples(

@@ -88,7 +88,7 @@ std::vector<std::string> activity_texts(const events::Event& event) {
     std::vector<std::string> texts = activities(event);
     if (!event.identity) return texts;
     const std::string name(event.identity->what->name);
-    return {fmt::format("{} · {}", name, texts.front()), fmt::format("{} · {}", name, texts.back()), name,
+    return {fmt::format("{} · {}", name, texts.front()), fmt::format("{} · {}", name, texts.back()), texts.front(),
             texts.back()};
 }
 

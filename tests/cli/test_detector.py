@@ -45,7 +45,7 @@ def test_person_was_not_left_behind(t):
     check(refuted["evidence"] == before["events"][1]["evidence"] | {"refuted": "left"}, str(refuted["evidence"]))
     check(refuted["by"] is None and refuted["alone_since"] is None and refuted["stays"], str(refuted))
     use = report["detector"]
-    check(use["format"] == "YOLOX" and use["events"] == 3 and 3 <= use["looks"] <= 9 and use["seconds"] > 0, str(use))
+    check(use["format"] == "YOLOX" and use["events"] == 3 and 3 <= use["looks"] <= 9 and use["seconds"] >= 0, str(use))
     check(report["settings"]["detector"] == "tiny.onnx", str(report["settings"]))
     listed = report_of(t, "--detector", "tiny.onnx", "--events", "left")
     check(listed["events"] == [], "what was refuted is listed as left")
@@ -83,10 +83,10 @@ def test_detector_is_named_by_a_config_file(t):
 
 
 BROKEN = [
-    ("none.onnx", None, "io"),
+    ("none.onnx", None, "file-not-found"),
     ("text.onnx", b"This is a text.\n", "not-a-model"),
     ("empty.onnx", b"", "not-a-model"),
-    ("cut.onnx", model()[:5000], "not-a-model"),
+    ("cut.onnx", model()[:len(model()) // 2], "not-a-model"),
     ("other.onnx", model().replace(b"Concat", b"Loop\n\n"), "not-a-model"),
 ]
 
@@ -118,7 +118,7 @@ def test_series_and_streams_have_classes(t):
 
 def test_pictures_say_what_their_objects_are(t):
     bag(t)
-    t.vvr("render", "bag.y4m", "-o", "out.exr", "--report", "report.json", "--backend", "software", "--size", "960x600",
+    t.vvr("render", "bag.y4m", "-o", "out.exr", "--report", "report.json", "--backend", "software", "--size", "1600x1000",
           "--detector", "tiny.onnx").expect(0)
     texts = [label["text"] for label in read(t)["labels"]]
     check(any(text.startswith("person · stood") for text in texts), f"{texts}")
@@ -168,9 +168,9 @@ def test_page_is_filtered_by_class(t):
         check(page.run("return [...document.getElementById('class').options].map(o => [o.value, o.text])") ==
               [["", "everything"], ["person", "person 3"]], "the choice of classes")
         check("person (90 %)" in page.text("events"), page.text("events"))
-        page.run("Object.assign(data.events[1], {class: 'dog', group: 'animal'}); delete data.events[2].class; drawChips();")
-        check(page.run("return [...document.getElementById('class').options].map(o => o.text)") ==
-              ["everything", "person 1", "animal 1", "– dog 1", "unknown 1"], "the choice of classes")
+        page.run("Object.assign(data.events[1], {class: 'dog', group: 'animal'}); Object.assign(data.events[2], {class: null, group: null}); drawChips();")
+        words = page.run("return [...document.getElementById('class').options].map(o => o.text)")
+        check(words == ["everything", "person 1", "animal 1", "– dog 1", "unknown 1"], str(words))
         for name, count in (("animal", 1), ("dog", 1), ("?", 1), ("person", 1), ("", 3)):
             page.set("class", name)
             check(page.count("#events button") == count, f"{name}: {page.count('#events button')} events")

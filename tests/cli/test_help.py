@@ -44,7 +44,7 @@ def sample(option):
         "": [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
         "TEXT": ["Hall"], "DATETIME": ["2026-11-21 08:00:00"], "AREA": ["0,0 9,0 9,9"], "HOW": ["first:2"], "DIGITS": ["10"],
         "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [],
-        "FILE": [], "DIR": [],  # have to be there
+        "FILE": [], "DIR": [], "MODEL": [],  # have to be there
     }[option.unit]
 
 

@@ -63,7 +63,7 @@ TEST(Words, SayWhatItIs) {
     event.stays.push_back({at(10), at(24), {}, {}});
     event.identity = {detector::find_class("person"), 0.9, 1};
     EXPECT_EQ(glance::activity_texts(event),
-              (std::vector<std::string>{"person · stood 14 s", "person · stood", "person", "stood"}));
+              (std::vector<std::string>{"person · stood 14 s", "person · stood", "stood 14 s", "stood"}));
 }
 
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
