@@ -184,9 +184,9 @@ struct Thresholds {
 
     /// Things that were left or taken, who did it, and ghosts.
     struct {
-        double before = 3;         ///< seconds before a thing appears: its bearer is beside it from then …
-        double after = 0.5;        ///< … until this many seconds after
-        double least_share = 1;    ///< areas of the thing; a smaller object can't have carried it
+        double before = 3;       ///< seconds before a thing appears: its bearer is beside it from then …
+        double after = 0.5;      ///< … until this many seconds after
+        double least_share = 1;  ///< areas of the thing; a smaller object can't have carried it
     } thing;
 
     /// What a detector tells of an object.
