@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -209,7 +210,7 @@ class Annotator {
                         labels::format_interval_and_zone(seen_.begin.seconds, seen_.end().seconds, plan_.clock));
         double idle = 0;
         for (const bricks::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
-        if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_duration(idle));
+        if (idle > 0) text += fmt::format("; {} without motion are shortened", labels::format_duration(idle));
         return text;
     }
 
@@ -267,22 +268,30 @@ class Annotator {
     void add_objects() {
         const glance::Objects& objects = composed_.objects;
         const glance::Trails trails(seen_.volume, *plan_.layout, camera_, sheet_.picture);
+        std::set<std::size_t> numbered;
+        const auto add_numbered = [&](const std::vector<std::size_t>& events) {
+            numbered.insert(events.begin(), events.end());
+        };
         if (plan_.shows(Part::map) && !seen_.scene.empty()) {
             const Size field = plan_.clip.field_size;
             const PixelBox box = glance::map_box(*plan_.layout, camera_, sheet_.picture, sheet_.map_area,
                                                  static_cast<double>(field.width) / field.height);
-            glance::draw_map(objects, seen_.scene, field, box, sheet_.small, background_, lettering_);
-        }
-        if (plan_.shows(Part::portraits))
-            glance::label_portraits(objects, seen_.crops, trails, sheet_, ink_, pale_, lettering_);
-        if (plan_.shows(Part::numbers)) {
-            glance::label_numbers(objects, trails, sheet_, lettering_);
-            glance::label_stays(objects, trails, sheet_, background_, lettering_);
+            add_numbered(glance::draw_map(objects, seen_.scene, field, box, sheet_.small, background_, lettering_));
         }
         if (plan_.shows(Part::strip)) {
-            glance::label_strip(objects, seen_.findings, seen_.begin.seconds, seen_.end().seconds,
-                                composed_.nothing_moves, sheet_, {ink_, pale_, lines_, background_}, lettering_);
+            add_numbered(glance::label_strip(
+                objects, seen_.findings, glance::unexplained_periods(seen_.volume, seen_.identify), seen_.begin.seconds,
+                seen_.end().seconds, composed_.nothing_moves, sheet_, {ink_, pale_, lines_, background_}, lettering_));
         }
+        // Without map and strip, all objects get a number.
+        if (numbered.empty()) {
+            for (std::size_t k = 0; k < objects.events.size(); ++k) numbered.insert(k);
+        }
+        if (plan_.shows(Part::portraits))
+            glance::label_portraits(objects, numbered, seen_.crops, trails, sheet_, ink_, pale_, lettering_);
+        if (!plan_.shows(Part::numbers)) return;
+        glance::label_numbers(objects, numbered, trails, sheet_, lettering_);
+        glance::label_stays(objects, trails, sheet_, background_, lettering_);
     }
 
     const Plan& plan_;

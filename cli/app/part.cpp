@@ -60,7 +60,7 @@ constexpr std::array table{
             .help = "the first and the last frame, flat, beside the volume",
             .by_default = true,
             .needs_pictures = true},
-    PartRow{.part = Part::floor, .name = "floor", .help = "the shadow of the volume on the floor", .by_default = true},
+    PartRow{.part = Part::floor, .name = "floor", .help = "the shadow of the volume on the floor"},
     PartRow{.part = Part::ruler, .name = "ruler", .help = "times along the outer edge", .by_default = true},
     PartRow{.part = Part::legend, .name = "legend", .help = "what the colours mean", .by_default = true},
     PartRow{.part = Part::title, .name = "title", .help = "name and length of the clip", .by_default = true},

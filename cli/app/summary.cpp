@@ -79,8 +79,10 @@ std::string events_summary(const std::vector<events::Event>& events, const WallC
     std::string text = fmt::format(
         "{}{}; the longest from {}", counted(std::ssize(events), "event"), classes_of(events),
         clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
-    const double still = events::stationary_seconds(*longest);
-    if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
+    const events::EventKindRow& row = row_of(longest->kind);
+    if (row.is_thing) text += fmt::format(", {}", row.words);
+    if (row.tally == events::Tally::still)
+        text += fmt::format(", {} {}", row.words, labels::format_duration(events::stationary_seconds(*longest)));
     return text;
 }
 

@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 6> day{"--time",
                                               "01:00:00",
                                               "--show",
                                               "volume,portraits,map,strip,numbers,directions,outline,ribs,frames,ends,"
-                                              "floor,ruler,legend,title,explanation,bricks"};
+                                              "ruler,legend,title,explanation,bricks"};
 
 // The paper's method and figures; default values where the paper gives none.
 constexpr std::array<std::string_view, 38> paper{

@@ -335,6 +335,10 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
         }
         i = end;
     }
+    constexpr double visible_share = 0.01;  // of all the time; less makes no visible difference
+    double sum = 0;
+    for (const CompressedIdle& stretch : stretches) sum += stretch.seconds;
+    if (sum < visible_share * all) stretches.clear();
     return stretches;
 }
 

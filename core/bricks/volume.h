@@ -183,7 +183,8 @@ struct CompressedIdle {
     double seconds = 0;
 };
 
-/// The stretches that are compressed to less than half of the mean scale of time, in order.
+/// The stretches compressed to less than half of the mean scale of time, in order; none if they are under 1 % of it
+/// all.
 std::vector<CompressedIdle> compressed_stretches(const Volume& volume);
 
 }  // namespace vvr::bricks

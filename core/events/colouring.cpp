@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace vvr::events {
 
@@ -143,19 +144,22 @@ std::vector<std::size_t> way_of(const Event& event, const Scale& scale, const Ce
     return way;
 }
 
-/// Indices of the events, long and large ones first.
-std::vector<std::size_t> by_weight(std::span<const Event> events) {
-    std::vector<std::pair<double, std::size_t>> weights;
-    for (std::size_t k = 0; k < events.size(); ++k) {
-        const Size size = size_of(events[k]);
-        const double seconds = events[k].last.seconds - events[k].first.seconds;
-        weights.emplace_back(-seconds * std::max(size.width, size.height), k);
-    }
-    std::ranges::sort(weights);
-    std::vector<std::size_t> order(weights.size());
-    std::ranges::transform(weights, order.begin(), [](const auto& weight) { return weight.second; });
+/// Indices of the events by their first frames.
+std::vector<std::size_t> by_begin(std::span<const Event> events) {
+    std::vector<std::size_t> order(events.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return events[k].first.seconds; });
     return order;
 }
+
+/// How a colour was used before an event begins.
+struct ColourUse {
+    double until = -std::numeric_limits<double>::infinity();  ///< when the last object with it goes, seconds
+    std::optional<std::size_t> latest;  ///< the last object with it, counted by their first frames
+};
+
+// A colour isn't used again for so many objects, if possible.
+constexpr std::size_t apart = 4;
 
 // Cells per width of the scene. Events closer than a near cell are neighbours; events farther apart than a far cell are
 // not.
@@ -170,21 +174,30 @@ std::vector<int> colours_of(std::span<const Event> events) {
     const Scale scale(events);
     Cells near(near_cells);
     Cells far(far_cells);
-    Cells::Counts used{};
-    for (const std::size_t k : by_weight(events)) {
-        const std::vector<std::size_t> near_way = way_of(events[k], scale, near, 0.5 / near_cells);
-        const std::vector<std::size_t> far_way = way_of(events[k], scale, far, 0.5 / far_cells);
+    std::array<ColourUse, object_colours> uses;
+    const std::vector<std::size_t> order = by_begin(events);
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const Event& event = events[order[place]];
+        const std::vector<std::size_t> near_way = way_of(event, scale, near, 0.5 / near_cells);
+        const std::vector<std::size_t> far_way = way_of(event, scale, far, 0.5 / far_cells);
         const Cells::Counts neighbours = near.about(near_way);
         const Cells::Counts beyond = far.about(far_way);
+        const auto cost = [&](std::size_t c) {
+            const ColourUse& use = uses[c];
+            const bool at_once = use.until >= event.first.seconds;
+            const bool just_before = use.latest && place - *use.latest <= apart;
+            // Of equally good ones, the one that was not used for longest.
+            const std::size_t since = use.latest ? *use.latest + 1 : 0;
+            return std::tuple(at_once, just_before, neighbours[c], beyond[c], since);
+        };
         std::size_t best = 0;
-        const auto cost = [&](std::size_t c) { return std::tuple(neighbours[c], beyond[c], used[c]); };
-        for (std::size_t c = 1; c < used.size(); ++c) {
+        for (std::size_t c = 1; c < uses.size(); ++c) {
             if (cost(c) < cost(best)) best = c;
         }
         near.add(near_way, best);
         far.add(far_way, best);
-        ++used[best];
-        colours[k] = static_cast<int>(best);
+        uses[best] = {std::max(uses[best].until, event.last.seconds), place};
+        colours[order[place]] = static_cast<int>(best);
     }
     return colours;
 }

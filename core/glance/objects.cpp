@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -28,6 +29,12 @@ double weight_of(const events::Event& event) {
     return seconds_of(event) + (stay != nullptr ? stay_weight * seconds_of(*stay) : 0);
 }
 
+/// The area of an object at its best moment, field pixels; 0 = unknown.
+std::int64_t area_of(const events::Event& event) {
+    if (!event.portrait) return 0;
+    return std::int64_t{event.portrait->box.width()} * event.portrait->box.height();
+}
+
 /// The direction from the first to the last position in the frame.
 std::vector<std::string> direction_texts(const events::Event& event) {
     if (event.path.empty()) return {std::string(events::name_of(event.kind))};
@@ -48,6 +55,20 @@ std::vector<std::size_t> by_importance(std::span<const events::Event> events) {
         return std::tuple(!row_of(events[k].kind).is_thing, -weight_of(events[k]), k);
     };
     std::ranges::sort(order, {}, key);
+    const auto is_thing = [&](std::size_t k) { return row_of(events[k].kind).is_thing; };
+    const auto others = std::ranges::find_if_not(order, is_thing);
+    if (others == order.end()) return order;
+    const auto promote = [&](auto from) {
+        constexpr std::ptrdiff_t most_things = 3;
+        const auto to = order.begin() + std::min(most_things, others - order.begin());
+        std::rotate(to, from, from + 1);
+    };
+    const auto largest =
+        std::ranges::max_element(others, order.end(), {}, [&](std::size_t k) { return area_of(events[k]); });
+    const bool is_known = area_of(events[*largest]) > 0;
+    const std::size_t slowest = *others;
+    if (is_known) promote(largest);
+    promote(std::ranges::find(order, slowest));
     return order;
 }
 
@@ -75,10 +96,10 @@ namespace {
 
 std::vector<std::string> activities(const events::Event& event) {
     const events::EventKindRow& row = row_of(event.kind);
-    const events::Stay* const stay = longest_stay(event);
     const bool has_duration = row.activity.find("{}") != std::string_view::npos;
-    if (row.activity.empty() || (has_duration && stay == nullptr)) return direction_texts(event);
-    const std::string duration = has_duration ? labels::format_duration(seconds_of(*stay)) : std::string();
+    if (row.activity.empty() || (has_duration && event.stays.empty())) return direction_texts(event);
+    const std::string duration =
+        has_duration ? labels::format_duration(events::stationary_seconds(event)) : std::string();
     return {fmt::format(fmt::runtime(row.activity), duration), std::string(row.activity_short)};
 }
 
@@ -171,12 +192,13 @@ std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks:
     return arrows;
 }
 
-void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                   labels::Lettering& lettering) {
+void label_numbers(const Objects& objects, const std::set<std::size_t>& numbered, const Trails& trails,
+                   const labels::Sheet& sheet, labels::Lettering& lettering) {
     constexpr std::size_t max_numbers = 24;  // more numbered trails would be confusing
     std::size_t written = 0;
     const int size = std::max(9, sheet.small - 2);
     for (const std::size_t k : by_importance(objects.events)) {
+        if (!numbered.contains(k)) continue;
         const events::Event& event = objects.events[k];
         for (const double share : {0.0, 0.04, 0.08, 0.15}) {
             const double at = std::lerp(event.first.seconds, event.last.seconds, share);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct Objects {
 };
 
 /// Indices of the events by importance to a reader: what was left or taken first, then the others, each the longest
-/// first. A second of the longest stay counts four times.
+/// first. A second of the longest stay counts four times. The slowest of the others, which this puts first, and the
+/// largest come after at most three that were left or taken, so that they are always among the first.
 std::vector<std::size_t> by_importance(std::span<const events::Event> events);
 
 /// The event's longest stay; null if it has none.
@@ -39,8 +41,9 @@ const events::Stay* longest_stay(const events::Event& event);
 /// The object's position on its path at a time of the clip in seconds, interpolated, in field pixels.
 glm::dvec2 position_at(const events::Event& event, double seconds);
 
-/// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s", "left
-/// behind". The table of event kinds has the words. With what it is, if that is known: "person · stood 14 s".
+/// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s" (the sum of
+/// its stays), "left behind". The table of event kinds has the words. With what it is, if that is known:
+/// "person · stood 14 s".
 std::vector<std::string> activity_texts(const events::Event& event);
 
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
@@ -76,9 +79,10 @@ class Trails {
 std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks::Volume& volume,
                                            const space::Layout& layout, double length);
 
-/// Writes each object's number at the start of its trail, the most important objects first, where there is room.
-void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                   labels::Lettering& lettering);
+/// Writes the numbers of objects at the start of their trails, the most important objects first, where there is room.
+/// \param numbered indices of the events that get a number: those that the map or the time strip explains
+void label_numbers(const Objects& objects, const std::set<std::size_t>& numbered, const Trails& trails,
+                   const labels::Sheet& sheet, labels::Lettering& lettering);
 
 /// Marks the start and end of the longest stays: a tick across the trail, and the time if there is room.
 void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,

@@ -62,7 +62,7 @@ class Row {
     Row(std::span<const WantedPortrait> wanted, std::vector<std::size_t> order, const PixelBox& row, int gap,
         std::span<const PixelBox> obstacles)
         : wanted_(wanted), order_(std::move(order)), row_(row), step_(row.height() + gap), obstacles_(obstacles) {
-        std::ranges::sort(order_, {}, [&](std::size_t k) { return std::pair(wanted[k].seconds, k); });
+        std::ranges::sort(order_, {}, [&](std::size_t k) { return wanted[k].number; });
     }
 
     std::vector<PlacedPortrait> place() const {
@@ -261,8 +261,9 @@ void label_portrait(const Objects& objects, const Candidate& candidate, const Pi
 
 }  // namespace
 
-std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
-                                         const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
+std::vector<std::size_t> label_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
+                                         const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
+                                         const image::Rgba& ink, const image::Rgba& pale,
                                          labels::Lettering& lettering) {
     std::vector<Candidate> candidates;
     std::vector<WantedPortrait> wanted;
@@ -270,9 +271,9 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& cr
         if (candidates.size() == max_candidates) break;
         const events::Event& event = objects.events[k];
         const Crop* const crop = crops.find(event);
-        if (crop == nullptr) continue;
+        if (crop == nullptr || !numbered.contains(k)) continue;
         candidates.push_back({k, crop});
-        wanted.push_back({event.first.seconds, anchors_of(event, crop->at().seconds, trails)});
+        wanted.push_back({objects.numbers[k], anchors_of(event, crop->at().seconds, trails)});
     }
     PixelBox row = sheet.portraits;
     row.top += 2 * (sheet.small * 4 / 3);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct Anchor {
 
 /// A portrait to place.
 struct WantedPortrait {
-    double seconds = 0;  ///< time of the clip that orders the portraits
+    std::size_t number = 0;  ///< the object's; numbers increase from left to right
     std::vector<Anchor> anchors;
 };
 
@@ -36,7 +37,7 @@ struct PlacedPortrait {
     glm::dvec2 to{};
 };
 
-/// Places portraits in a row above the trails, in time order and as near to their trails as possible. Leader lines
+/// Places portraits in a row above the trails, by number and as near to their trails as possible. Leader lines
 /// never cross: of two that would, the less wanted portrait is dropped for the next one.
 /// \param wanted most wanted first; anchors lie below the row
 /// \param row area of the stills; its height is their size
@@ -50,9 +51,10 @@ bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, 
 
 /// Places stills of the most important objects in the sheet's portrait band, with number, activity and time above each,
 /// and a leader line to the object's trail.
+/// \param numbered indices of the events that may get one: those that the map or the time strip explains
 /// \returns the indices of the events shown, from left to right
-std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
-                                         const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
-                                         labels::Lettering& lettering);
+std::vector<std::size_t> label_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
+                                         const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
+                                         const image::Rgba& ink, const image::Rgba& pale, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

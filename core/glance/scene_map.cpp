@@ -37,13 +37,17 @@ class Map {
     Map(const Objects& objects, Size field, const PixelBox& box, int text, labels::Lettering& lettering)
         : objects_(objects), field_(field), box_(box), text_(text), lettering_(lettering) {}
 
-    void draw() {
+    std::vector<std::size_t> draw() {
         const std::vector<std::size_t> order = by_importance(objects_.events);
         const std::size_t coloured = std::min(order.size(), max_paths);
         for (std::size_t i = order.size(); i-- > coloured;) draw_faint(objects_.events[order[i]]);
         for (std::size_t i = coloured; i-- > 0;) draw_path(order[i]);
         for (std::size_t i = coloured; i-- > 0;) draw_stays(order[i]);
-        for (std::size_t i = coloured; i-- > 0;) draw_number(order[i]);
+        std::vector<std::size_t> numbered;
+        for (std::size_t i = 0; i < coloured; ++i) {
+            if (draw_number(order[i])) numbered.push_back(order[i]);
+        }
+        return numbered;
     }
 
   private:
@@ -113,8 +117,9 @@ class Map {
         }
     }
 
-    /// The number at the start of the path, moved aside if another number is there.
-    void draw_number(std::size_t k) {
+    /// The number at the start of the path. If another number is there, it moves aside, and a line leads to the path.
+    /// \returns whether there is room for it
+    bool draw_number(std::size_t k) {
         const events::Event& event = objects_.events[k];
         const image::Rgba colour = objects_.colour_of(k);
         const auto badge_at = [&](const glm::dvec2& middle) {
@@ -136,10 +141,16 @@ class Map {
                 numbers_, [&](const glm::dvec2& other) { return glm::distance(other, there) > size; });
             if (!free) continue;
             numbers_.push_back(there);
+            if (glm::distance(there, at) > size / 2) {
+                const double width = std::max(1.0, text_ / 9.0);
+                lettering_.strokes.push_back({there, at, width + 1.2, casing});
+                lettering_.strokes.push_back({there, at, width, colour});
+            }
             lettering_.badges.push_back(badge_at(there));
             lettering_.regions.push_back({lettering_.badges.back().box, objects_.numbers[k]});
-            return;
+            return true;
         }
+        return false;
     }
 
     const Objects& objects_;
@@ -152,11 +163,11 @@ class Map {
 
 }  // namespace
 
-void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
-              const image::Rgba& background, labels::Lettering& lettering) {
-    if (scene.empty() || box.empty()) return;
+std::vector<std::size_t> draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box,
+                                  int text, const image::Rgba& background, labels::Lettering& lettering) {
+    if (scene.empty() || box.empty()) return {};
     lettering.pictures.push_back({box, paled(image::resized(scene, box.size()), background), {}, 0});
-    Map(objects, field, box, text, lettering).draw();
+    return Map(objects, field, box, text, lettering).draw();
 }
 
 PixelBox map_box(const space::Layout& layout, const space::Camera& camera, Size picture, const PixelBox& area,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "core/base/plane.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
@@ -15,8 +18,9 @@ namespace vvr::glance {
 /// \param box of the map in the picture
 /// \param text size of the numbers in pixels
 /// \param background the scene is blended towards it
-void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
-              const image::Rgba& background, labels::Lettering& lettering);
+/// \returns the indices of the events with a number on the map
+std::vector<std::size_t> draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box,
+                                  int text, const image::Rgba& background, labels::Lettering& lettering);
 
 /// The largest box for the map: in the open middle of a horseshoe, with the frame's shape, and clear of the volume.
 /// Empty if there is none, as with the layout `box`.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,13 +14,17 @@ namespace vvr::glance {
 
 namespace {
 
+constexpr int number_gap = 3;  // pixels between a number and its bar
+
 /// Draws a time strip: maps times to columns and places the rows.
 class Strip {
   public:
-    Strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
-          const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering)
+    Strip(const Objects& objects, const events::Findings& found, std::span<const Period> unexplained, double begin,
+          double end, bool nothing_moved, const labels::Sheet& sheet, const StripStyle& style,
+          labels::Lettering& lettering)
         : objects_(objects),
           found_(found),
+          unexplained_(unexplained),
           begin_(begin),
           end_(end),
           nothing_moved_(nothing_moved),
@@ -28,22 +35,45 @@ class Strip {
         const int over = sheet.small * 3 / 2;   // the heading
         rows_ = {sheet.strip.left + 3 * sheet.small / 2, sheet.strip.top + over, sheet.strip.right,
                  sheet.strip.bottom - under};
+        number_size_ = std::max(9, sheet.small - 2);
         row_height_ = std::max(7, sheet.small * 4 / 5);
     }
 
-    void draw() {
-        if (rows_.height() < row_height_ || !(end_ > begin_)) return;
+    std::vector<std::size_t> draw() {
+        if (rows_.height() < row_height_ || !(end_ > begin_)) return {};
         label_axis();
-        const std::vector<std::size_t> order = by_importance(objects_.events);
-        const double apart = 2.5 * sheet_.small / rows_.width() * (end_ - begin_);
-        const std::vector<StripBar> bars = strip_bars(objects_.events, order, rows_.height() / row_height_, apart);
-        for (const StripBar& bar : bars) draw_bar(bar);
+        const std::vector<StripBar> bars = place_bars();
+        std::vector<std::size_t> with_bar;
+        for (const StripBar& bar : bars) {
+            if (draw_bar(bar)) with_bar.push_back(bar.event);
+        }
         // Without events, the clip may still have motion that was too short to be an object.
         if (nothing_moved_ || !objects_.events.empty()) label_idle();
         label_heading(objects_.events.size() - bars.size());
+        return with_bar;
     }
 
   private:
+    /// Places the bars. If there are many, rows are as low as the numbers allow.
+    std::vector<StripBar> place_bars() {
+        const std::vector<std::size_t> order = by_importance(objects_.events);
+        const double seconds_per_pixel = (end_ - begin_) / rows_.width();
+        const double apart = (number_width() + 2 * number_gap) * seconds_per_pixel;
+        const auto bars = [&] { return strip_bars(objects_.events, order, rows_.height() / row_height_, apart); };
+        const std::vector<StripBar> usual = bars();
+        if (usual.size() == objects_.events.size()) return usual;
+        const labels::Label digit = labels::make_label("0", number_size_, 0, 0, style_.ink);
+        row_height_ = std::clamp(digit.box.height(), 7, row_height_);
+        return bars();
+    }
+
+    /// The width of the widest number, pixels.
+    int number_width() const {
+        std::size_t highest = 0;
+        for (const std::size_t number : objects_.numbers) highest = std::max(highest, number);
+        return labels::make_label(fmt::format("{}", highest), number_size_, 0, 0, style_.ink).box.width();
+    }
+
     int column(double seconds) const {
         const double share = std::clamp((seconds - begin_) / (end_ - begin_), 0.0, 1.0);
         return rows_.left + static_cast<int>(std::lround(share * rows_.width()));
@@ -72,7 +102,8 @@ class Strip {
         lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
     }
 
-    void draw_bar(const StripBar& bar) {
+    /// \returns whether the bar has a number
+    bool draw_bar(const StripBar& bar) {
         const events::Event& event = objects_.events[bar.event];
         const image::Rgba colour = objects_.colour_of(bar.event);
         const int bottom = rows_.bottom - 1 - bar.row * row_height_;
@@ -87,38 +118,38 @@ class Strip {
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});
-        label_number(bar, middle);
+        return label_number(bar, middle);
     }
 
     /// The object's number before the bar, if there is room.
-    void label_number(const StripBar& bar, int middle) {
-        const int size = std::max(9, sheet_.small - 2);
+    bool label_number(const StripBar& bar, int middle) {
         const std::string text = fmt::format("{}", objects_.numbers[bar.event]);
-        const labels::Label measured = labels::make_label(text, size, 0, 0, style_.ink);
+        const labels::Label measured = labels::make_label(text, number_size_, 0, 0, style_.ink);
         const int x = column(objects_.events[bar.event].first.seconds);
-        const int left = x - measured.box.width() - 3;
-        if (left < sheet_.strip.left) return;
+        const int left = x - measured.box.width() - number_gap;
+        if (left < sheet_.strip.left) return false;
         lettering_.labels.push_back(
-            labels::make_centred_label(text, size, left + measured.box.width() / 2.0, middle, style_.ink));
+            labels::make_centred_label(text, number_size_, left + measured.box.width() / 2.0, middle, style_.ink));
+        return true;
     }
 
     void label_idle() {
-        for (const IdlePeriod& idle : idle_periods(objects_.events, begin_, end_)) {
-            // Where something changed that is no object, somebody may have been there.
-            const bool changed = std::ranges::any_of(found_.changes, [&](const events::Change& change) {
-                return change.first.seconds < idle.end && change.last.seconds > idle.begin;
-            });
-            if (changed) continue;
-            const PixelBox room{column(idle.begin), rows_.top, column(idle.end), rows_.bottom};
-            const std::string text = "nobody";
-            const labels::Label label = labels::make_centred_label(text, sheet_.small, (room.left + room.right) / 2.0,
-                                                                   (room.top + room.bottom) / 2.0, style_.pale);
+        std::vector<Period> busy(unexplained_.begin(), unexplained_.end());
+        for (const events::Event& event : objects_.events) busy.push_back({event.first.seconds, event.last.seconds});
+        // Where something changed that is no object, somebody may have been there.
+        for (const events::Change& change : found_.changes) busy.push_back({change.first.seconds, change.last.seconds});
+        for (const Period& idle : idle_periods(std::move(busy), begin_, end_)) {
+            // The number of the next bar is at the end of the gap.
+            const int number = idle.end < end_ ? number_width() + number_gap : 0;
+            const PixelBox room{column(idle.begin), rows_.top, column(idle.end) - number, rows_.bottom};
+            const labels::Label label = labels::make_centred_label(
+                "nobody", sheet_.small, (room.left + room.right) / 2.0, (room.top + room.bottom) / 2.0, style_.pale);
             lettering_.add(label, room.inflated(-sheet_.small / 3, 0), 2);
         }
     }
 
     void label_heading(std::size_t without_bar) {
-        const std::string more = without_bar > 0 ? fmt::format("; {} more not shown", without_bar) : "";
+        const std::string more = without_bar > 0 ? fmt::format("; no room for {} more", without_bar) : "";
         std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
         if (objects_.events.empty()) texts = texts_without_objects();
@@ -136,6 +167,7 @@ class Strip {
 
     const Objects& objects_;
     const events::Findings& found_;
+    std::span<const Period> unexplained_;
     double begin_;
     double end_;
     bool nothing_moved_;
@@ -144,45 +176,70 @@ class Strip {
     labels::Lettering& lettering_;
     PixelBox rows_;
     int row_height_ = 0;
+    int number_size_ = 0;
 };
+
+}  // namespace
+
+namespace {
+
+/// The time that an event takes in its row.
+struct Place {
+    double begin = 0;
+    double end = 0;
+
+    bool overlaps(const Place& other) const { return begin < other.end && other.begin < end; }
+};
+
+/// Whether fewer than `rows` of the others are there at each moment of a place.
+bool has_row(const Place& place, std::span<const Place> others, int rows) {
+    std::vector<std::pair<double, int>> steps;  // ends sort before the beginnings at the same time
+    for (const Place& other : others) {
+        if (!other.overlaps(place)) continue;
+        steps.emplace_back(other.begin, 1);
+        steps.emplace_back(other.end, -1);
+    }
+    std::ranges::sort(steps);
+    int at_once = 0;
+    int most = 0;
+    for (const auto& [seconds, step] : steps) {
+        at_once += step;
+        if (seconds < place.end) most = std::max(most, at_once);
+    }
+    return most < rows;
+}
 
 }  // namespace
 
 std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart) {
-    std::vector<std::vector<std::size_t>> taken(static_cast<std::size_t>(std::max(0, rows)));
-    std::vector<StripBar> bars;
+    const auto place_of = [&](std::size_t k) { return Place{events[k].first.seconds, events[k].last.seconds + apart}; };
+    std::vector<std::size_t> chosen;
+    std::vector<Place> places;
     for (const std::size_t k : order) {
-        const auto collides = [&](std::size_t other) {
-            return events[k].first.seconds < events[other].last.seconds + apart &&
-                   events[other].first.seconds < events[k].last.seconds + apart;
-        };
-        const auto free =
-            std::ranges::find_if(taken, [&](const auto& row) { return std::ranges::none_of(row, collides); });
-        if (free == taken.end()) continue;
-        free->push_back(k);
-        bars.push_back({k, static_cast<int>(free - taken.begin())});
+        if (!has_row(place_of(k), places, rows)) continue;
+        chosen.push_back(k);
+        places.push_back(place_of(k));
+    }
+    // Intervals need as many rows as there are at once, if rows are assigned in the order of their beginnings.
+    std::ranges::sort(chosen, {}, [&](std::size_t k) { return std::pair(events[k].first.seconds, k); });
+    std::vector<double> until(static_cast<std::size_t>(std::max(0, rows)), -std::numeric_limits<double>::infinity());
+    std::vector<StripBar> bars;
+    for (const std::size_t k : chosen) {
+        const Place place = place_of(k);
+        const auto row = std::ranges::find_if(until, [&](double end) { return end <= place.begin; });
+        if (row == until.end()) continue;
+        *row = place.end;
+        bars.push_back({k, static_cast<int>(row - until.begin())});
     }
     return bars;
 }
 
-std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, double begin, double end) {
-    std::vector<IdlePeriod> busy;
-    for (const events::Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
-    std::ranges::sort(busy, {}, &IdlePeriod::begin);
-    std::vector<IdlePeriod> idle;
-    double until = begin;
-    for (const IdlePeriod& time : busy) {
-        if (time.begin > until) idle.push_back({until, time.begin});
-        until = std::max(until, time.end);
-    }
-    if (until < end) idle.push_back({until, end});
-    return idle;
-}
-
-void label_strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
-                 const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering) {
-    Strip(objects, found, begin, end, nothing_moved, sheet, style, lettering).draw();
+std::vector<std::size_t> label_strip(const Objects& objects, const events::Findings& found,
+                                     std::span<const Period> unexplained, double begin, double end, bool nothing_moved,
+                                     const labels::Sheet& sheet, const StripStyle& style,
+                                     labels::Lettering& lettering) {
+    return Strip(objects, found, unexplained, begin, end, nothing_moved, sheet, style, lettering).draw();
 }
 
 }  // namespace vvr::glance

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
+#include "core/glance/idle.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
 #include "core/labels/sheet.h"
@@ -15,18 +18,11 @@ struct StripBar {
     int row = 0;            ///< 0 = the lowest
 };
 
-/// Assigns rows to events, so that events in the same row don't overlap and are at least `apart` seconds apart.
-/// \param order in which events get rows; events that don't fit into `rows` rows get no bar
+/// Chooses the events that get a bar, and their rows: events in the same row don't overlap and are at least `apart`
+/// seconds apart. An event gets a bar if there is a row for it beside all events before it in `order`. Rows are
+/// assigned by the events' first frames. \returns the bars in the order of the events' first frames
 std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart);
-
-/// An interval without objects, in seconds of the clip.
-struct IdlePeriod {
-    double begin = 0;
-    double end = 0;
-};
-
-std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, double begin, double end);
 
 /// The colours of the strip.
 struct StripStyle {
@@ -36,12 +32,15 @@ struct StripStyle {
     image::Rgba background{};
 };
 
-/// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary. Objects that
-/// find no row are only counted.
+/// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary, and where
+/// there was nobody. Objects that find no row are only counted.
 /// \param found the changes that are no objects
+/// \param unexplained other times at which somebody may have been there
 /// \param begin, end seconds of the clip
 /// \param nothing_moved the clip has no motion at all
-void label_strip(const Objects& objects, const events::Findings& found, double begin, double end, bool nothing_moved,
-                 const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering);
+/// \returns the indices of the events that have a bar with a number
+std::vector<std::size_t> label_strip(const Objects& objects, const events::Findings& found,
+                                     std::span<const Period> unexplained, double begin, double end, bool nothing_moved,
+                                     const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

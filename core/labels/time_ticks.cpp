@@ -107,8 +107,10 @@ std::string format_moment(double seconds, const WallClock& clock) {
 }
 
 std::string format_duration(double seconds) {
-    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-    const auto minutes = std::llround(seconds / minute);
+    // By way of tenths, as archives store durations: so all places tell the same number.
+    const auto whole = std::llround(std::round(seconds * 10) / 10);
+    if (whole < 100) return fmt::format("{} s", whole);
+    const auto minutes = std::llround(static_cast<double>(whole) / minute);
     return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
 }
 

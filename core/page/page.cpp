@@ -283,12 +283,13 @@ std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
     for (const events::Event& event : *content.events) {
-        const double still = events::stationary_seconds(event);
+        const events::EventKindRow& row = row_of(event.kind);
+        const bool stood = row.tally == events::Tally::still;
         list += fmt::format(
             "<li>{}. {}: {}{}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row_of(event.kind).words,
-            still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
+            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row.words,
+            stood ? fmt::format(" {}", labels::format_duration(events::stationary_seconds(event))) : "");
     }
     return list;
 }

@@ -36,7 +36,7 @@ def test_room_goes_where_something_moves(t):
         0, "'busy.png': 2400 frames", "36 min without motion are compressed on the time axis, in 3 places")
     report = report_of(t, "busy.json")
     texts = [label["text"] for label in report["labels"]]
-    check(any(text.endswith("36 min without motion drawn short") for text in texts), f"{texts}")
+    check(any(text.endswith("36 min without motion are shortened") for text in texts), f"{texts}")
     check(any(text.endswith("min idle") for text in texts), f"{texts}")
     check(room_of(report, 300, 420) > 0.7, f"{report['volume']}")
     check(len(report["events"]) == len(report_of(t, "even.json")["events"]), "other events")

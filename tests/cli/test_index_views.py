@@ -36,7 +36,7 @@ def test_index_tells_what_was_left(t):
     write_index(t)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
-        check(cards(page) == [["a.avi", ["left 26 s", "1 event"]], ["b.avi", ["taken", "stood 3:05 min", "3 events"]],
+        check(cards(page) == [["a.avi", ["left 26 s", "1 event"]], ["b.avi", ["taken", "stood 3 min", "3 events"]],
                               ["c.avi", ["9 events"]], ["d.avi", ["no events"]], ["bad.avi", []]], str(cards(page)))
         for kind, names in (("left", "a b"), ("stood", "b"), ("events", "a b c"), ("failed", "bad")):
             page.run(f"document.querySelector('[value={kind}]').click()")

@@ -22,7 +22,7 @@ def test_report_of_the_left_bag(t):
     # The scene's own pixels are half the size of the video's here: fields are 192x144.
     t.scene("left_bag", "bag.y4m", "--size", "384x288", "--frames", "400")
     t.render("bag.y4m", "--report", "report.json", "--field-size", "192x144").expect(
-        0, "'out.png': 400 frames", "3 events; the longest from 3.", "standing still for")
+        0, "'out.png': 400 frames", "3 events; the longest from 3.", ", left behind")
     report = read(t)
     check(report["input"] == {"name": "bag.y4m", "container": "yuv4mpegpipe", "codec": "rawvideo", "width": 384,
                               "height": 288, "rate": 25, "recorded": None, "recorded_by": None, "written": None,
@@ -215,3 +215,25 @@ def test_report_of_a_quiet_scene_has_no_advice(t):
     t.scene("left_bag", "bag.y4m", "--size", "384x288", "--frames", "400")
     result = t.vvr("render", "bag.y4m", "--report", "report.json").expect(0, "3 events")
     check(read(t)["advice"] == [] and "--roi" not in result.err, result.err)
+
+
+def test_a_stay_is_told_with_one_number_everywhere(t):
+    # It stands twice: for 3 s, and for 4.5 s.
+    place = "if(lt(t,2),20*t,if(lt(t,5),40,if(lt(t,7),40+20*(t-5),if(lt(t,11.5),80,80+20*(t-11.5)))))"
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=192x108:rate=10:duration=18", "-f", "lavfi", "-i",
+             "testsrc2=size=20x40:rate=10:duration=18", "-filter_complex",
+             f"[1]loop=-1:1[still];[0][still]overlay=x='{place}':y=40:shortest=1:eval=frame", "-c:v", "ffv1", "stays.mkv")
+    told = t.render("stays.mkv", "--report", "report.json", "--page", "page.html", "--size", "960x600").expect(0)
+    report = read(t)
+    stood = max(report["events"], key=lambda event: len(event["stays"]))
+    check(stood["kind"] == "stood" and len(stood["stays"]) == 2, str(stood["stays"]))
+    seconds = sum(stay["seconds"] for stay in stood["stays"])
+    check(7 < seconds < 8.5, f"{seconds}")
+    text = f"stood {round(seconds)} s"
+    texts = [label["text"] for label in report["labels"]]
+    check(text in texts, f"no {text!r} in the picture: {texts}")
+    check(text in told.err, f"no {text!r} in the log: {told}")
+    page = t.path("page.html").read_text(encoding="utf-8")
+    data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+    check(abs(data["events"][stood["number"] - 1]["still"] - seconds) < 1e-3, str(data["events"]))
+    check(f": {text}</li>" in page, f"no {text!r} in the page's list")

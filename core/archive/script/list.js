@@ -5,7 +5,7 @@ function badgesOf(clip) {
     const badges = [];
     for (const {name, emphasis, tally} of data.kinds) {
         const told = clip.tallyOf[name];
-        if (told > 0) badges.push(element('span', 'badge ' + emphasis, name + (tally !== 'count' ? ' ' + lengthOf(told) : told > 1 ? ' ' + told : '')));
+        if (told > 0) badges.push(element('span', 'badge ' + emphasis, name + (tally !== 'count' ? ' ' + durationOf(told) : told > 1 ? ' ' + told : '')));
     }
     if (clip.events !== null) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));

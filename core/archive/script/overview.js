@@ -23,7 +23,7 @@ function cellOf(all, most) {
     words.append(element('span', '', many(events, 'event')));
     for (const {name, emphasis} of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
         const longest = Math.max(...clipsOf.map(clip => clip.tallyOf[name]));
-        if (longest > 0) words.append(element('span', 'badge ' + emphasis, name + ' ' + lengthOf(longest)));
+        if (longest > 0) words.append(element('span', 'badge ' + emphasis, name + ' ' + durationOf(longest)));
     }
     if (failed) words.append(element('span', 'bad', `✕${failed} failed`));
     button.append(hours, words);

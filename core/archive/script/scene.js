@@ -162,7 +162,7 @@ function listFound(found, count) {
         const when = wallOf(event.clip.begins + how.at);
         const badge = element('span', 'badge ' + event.kind.emphasis, event.kind.words);
         const lasts = (event.path.at(-3) - event.path[0]) / 10;
-        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', event.what ? event.what + ' ' : '', element('small', '', how.words() || lengthOf(event.kind.tally === 'still' ? event.still : lasts)));
+        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', event.what ? event.what + ' ' : '', element('small', '', how.words() || (event.kind.tally === 'still' ? durationOf(event.still) : lengthOf(lasts))));
         const item = element('li');
         item.append(link);
         return item;

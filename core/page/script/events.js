@@ -56,7 +56,8 @@ const rowOf = number => number === null ? null : at('events').querySelector(`but
 function textOf(event) {
     const parts = [event.kind, spanOf(secondsFor(event))];
     if (event.class) parts.push(`${event.class} (${Math.round(event.score * 100)} %)`);
-    if (event.still > 0) parts.push('still for ' + spanOf(event.still) + ' in all');
+    const {words, tally} = kindOf(event.kind);
+    if (tally === 'still') parts.push(words + ' ' + durationOf(event.still));
     const answer = answerOf(event);
     if (answer) parts.push(answer);
     return parts.join(' · ');

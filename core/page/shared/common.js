@@ -7,6 +7,13 @@ const at = id => document.getElementById(id);
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 const digits = number => String(number).padStart(2, '0');
 
+/// A duration as pictures tell it: 45 s, 7 min, 3:20 h.
+function durationOf(seconds) {
+    const whole = Math.round(Math.round(seconds * 10) / 10);
+    const minutes = Math.round(whole / 60);
+    return whole < 100 ? whole + ' s' : minutes < 100 ? minutes + ' min' : Math.floor(minutes / 60) + ':' + digits(minutes % 60) + ' h';
+}
+
 function element(tag, className, text) {
     const made = document.createElement(tag);
     if (className) made.className = className;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <ranges>
 #include <set>
 #include <vector>
 
@@ -61,10 +62,47 @@ TEST(Colouring, FewObjectsHaveAColourEachWhereverTheyAre) {
     EXPECT_EQ(std::set(colours.begin(), colours.end()).size(), events::object_colours);
 }
 
-TEST(Colouring, TheMostTellingChoosesFirst) {
-    const std::vector<int> colours =
-        events::colours_of(within_a_scene({walker(10, 12, {50, 50}, {60, 50}), walker(30, 70, {50, 200}, {300, 200})}));
-    EXPECT_EQ(colours[1], 0);
+TEST(Colouring, GoesByTheFirstFrames) {
+    const std::vector<events::Event> events{walker(40, 70, {50, 200}, {300, 200}), walker(10, 12, {50, 50}, {60, 50}),
+                                            walker(20, 21, {50, 50}, {60, 50})};
+    EXPECT_EQ(events::colours_of(events), (std::vector{2, 0, 1}));
+}
+
+// Objects that are there at once, or of which fewer than four lie between, never have a colour in common where eight
+// colours suffice.
+TEST(Colouring, NeighboursInTimeDifferWhereverItIsPossible) {
+    std::mt19937 random(11);
+    const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };
+    int shared = 0;
+    for (int scene = 0; scene < 200; ++scene) {
+        std::vector<events::Event> events;
+        const int count = 9 + scene % 60;
+        const double longest = scene % 3 == 0 ? 60 : 6;
+        for (int k = 0; k < count; ++k) {
+            const double begin = upto(90);
+            events.push_back(walker(begin, begin + upto(longest), {upto(360), upto(270)}, {upto(360), upto(270)}));
+        }
+        std::ranges::sort(events, {}, [](const events::Event& event) { return event.first.seconds; });
+        const std::vector<int> colours = events::colours_of(events);
+        for (std::size_t b = 0; b < events.size(); ++b) {
+            const auto at_once = [&](std::size_t a) { return events[a].last.seconds >= events[b].first.seconds; };
+            const auto near = [&](std::size_t a) { return at_once(a) || b - a <= 4; };
+            const auto earlier = std::views::iota(std::size_t{0}, b);
+            const auto there = std::ranges::count_if(earlier, at_once);
+            const auto about = std::ranges::count_if(earlier, near);
+            for (std::size_t a = 0; a < b; ++a) {
+                if (colours[a] != colours[b]) continue;
+                if (there < events::object_colours) {
+                    EXPECT_FALSE(at_once(a)) << scene << ": " << a << ", " << b;
+                }
+                if (about < events::object_colours) {
+                    EXPECT_FALSE(near(a)) << scene << ": " << a << ", " << b;
+                }
+                shared += near(a);
+            }
+        }
+    }
+    EXPECT_GT(shared, 100) << "no scene has more neighbours than colours";
 }
 
 TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {

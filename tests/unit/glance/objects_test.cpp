@@ -1,5 +1,8 @@
 #include "core/glance/objects.h"
 
+#include <set>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace vvr {
@@ -28,6 +31,20 @@ TEST(MostTelling, WhatWasLeftOrTakenThenTheLongest) {
     EXPECT_TRUE(glance::by_importance({}).empty());
 }
 
+TEST(MostTelling, TheSlowestAndTheLargestAreAmongTheFirst) {
+    std::vector<events::Event> events;
+    for (int k = 0; k < 12; ++k) events.push_back(event_of(events::EventKind::left, k, k + 20));
+    for (int k = 0; k < 12; ++k) events.push_back(event_of(events::EventKind::moved, k, k + 10 + k));
+    const std::size_t largest = 12;
+    const std::size_t slowest = 15;
+    for (std::size_t k = 0; k < events.size(); ++k)
+        events[k].portrait = events::Portrait{events[k].first, {0, 0, 10, k == largest ? 30 : 20}, 1};
+    events[slowest].stays.push_back({at(5), at(15), {10, 20}, {}});
+    const std::vector<std::size_t> order = glance::by_importance(events);
+    EXPECT_EQ(std::vector(order.begin() + 3, order.begin() + 5), (std::vector{slowest, largest}));
+    EXPECT_EQ(std::set(order.begin(), order.end()).size(), events.size());
+}
+
 TEST(PlaceAt, IsOnThePath) {
     const events::Event event = event_of(events::EventKind::moved, 2, 4);
     EXPECT_EQ(glance::position_at(event, 3), glm::dvec2(20, 30));
@@ -46,7 +63,7 @@ TEST(Words, SayWhatItDidAndWhen) {
     events::Event event = event_of(events::EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(glance::activity_texts(event).front(), "stood 14 s");
+    EXPECT_EQ(glance::activity_texts(event).front(), "stood 15 s") << "in all its stays";
     EXPECT_EQ(glance::time_texts(event, {}).front(), "0:06–0:28");
     EXPECT_EQ(glance::time_texts(event, 1'795'248'017).front(), "08:00:23–08:00:45");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");

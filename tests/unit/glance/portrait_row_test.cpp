@@ -11,8 +11,8 @@ namespace {
 constexpr PixelBox row{10, 50, 1270, 150};
 constexpr int gap = 12;
 
-glance::WantedPortrait wanted_at(double seconds, const glm::dvec2& pixel) {
-    return {seconds, {{pixel, 0}}};
+glance::WantedPortrait wanted_at(std::size_t number, const glm::dvec2& pixel) {
+    return {number, {{pixel, 0}}};
 }
 
 /// As trails of a horseshoe: later is further to the right, each anywhere in height.
@@ -22,7 +22,7 @@ std::vector<glance::WantedPortrait> random_portraits(int count, std::mt19937& ra
     std::vector<glance::WantedPortrait> wanted;
     for (int i = 0; i < count; ++i) {
         const double middle = time(random);
-        glance::WantedPortrait one{middle, {}};
+        glance::WantedPortrait one{static_cast<std::size_t>(1000 * middle), {}};
         for (double at = middle - 10; at <= middle + 10; at += 2) {
             one.anchors.push_back({{60 + 11 * at + 200 * height(random), 200 + 400 * height(random)}, 0});
         }
@@ -42,7 +42,7 @@ TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
             EXPECT_EQ(placed[i].still.width(), row.height());
             if (i == 0) continue;
             EXPECT_GE(placed[i].still.left, placed[i - 1].still.right + gap - 1);
-            EXPECT_LE(wanted[placed[i - 1].wanted].seconds, wanted[placed[i].wanted].seconds);
+            EXPECT_LE(wanted[placed[i - 1].wanted].number, wanted[placed[i].wanted].number);
             for (std::size_t k = 0; k < i; ++k) {
                 EXPECT_FALSE(glance::lines_cross(placed[i].from, placed[i].to, placed[k].from, placed[k].to)) << round;
             }
@@ -71,6 +71,15 @@ TEST(PortraitRow, StandsAboveItsTrail) {
     EXPECT_EQ(placed[0].to, glm::dvec2(640, 400));
 }
 
+// The more important ones come first in the list, whatever their numbers.
+TEST(PortraitRow, IsInTheOrderOfNumbers) {
+    std::vector<glance::WantedPortrait> wanted;
+    for (const std::size_t number : {4, 2, 1, 3}) wanted.push_back(wanted_at(number, {100 + 250 * number, 400}));
+    const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
+    ASSERT_EQ(placed.size(), 4U);
+    for (std::size_t i = 0; i < placed.size(); ++i) EXPECT_EQ(wanted[placed[i].wanted].number, i + 1);
+}
+
 TEST(PortraitRow, GivesThePlaceOfACrossingLineToTheNext) {
     // The second is later, but its trail is left of the first's, far above: from its place on the right its line must
     // cross the first's.
@@ -92,7 +101,7 @@ TEST(PortraitRow, LeadsAroundText) {
 
 TEST(PortraitRow, HoldsWhatItHasRoomFor) {
     std::vector<glance::WantedPortrait> wanted;
-    for (int i = 0; i < 30; ++i) wanted.push_back(wanted_at(i, {20 + 40 * i, 400}));
+    for (std::size_t i = 0; i < 30; ++i) wanted.push_back(wanted_at(i, {20 + 40 * i, 400}));
     EXPECT_EQ(glance::place_portraits(wanted, row, gap, {}).size(), 11U);  // (1260 + 12) / (100 + 12)
     EXPECT_TRUE(glance::place_portraits(wanted, {0, 0, 50, 100}, gap, {}).empty());
     EXPECT_TRUE(glance::place_portraits({}, row, gap, {}).empty());

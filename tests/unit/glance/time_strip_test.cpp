@@ -1,5 +1,7 @@
 #include "core/glance/time_strip.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -42,18 +44,36 @@ TEST(StripBars, WithoutRoomAreNone) {
     EXPECT_TRUE(glance::strip_bars(events, glance::by_importance(events), 0, 1).empty());
 }
 
-TEST(QuietTimes, AreThoseInWhichNobodyIsThere) {
-    const std::vector<events::Event> events{event_of(5, 20), event_of(3, 8), event_of(30, 40)};
-    const std::vector<glance::IdlePeriod> quiet = glance::idle_periods(events, 0, 50);
-    ASSERT_EQ(quiet.size(), 3U);
-    EXPECT_EQ(quiet[0].begin, 0);
-    EXPECT_EQ(quiet[0].end, 3);
-    EXPECT_EQ(quiet[1].begin, 20);
-    EXPECT_EQ(quiet[1].end, 30);
-    EXPECT_EQ(quiet[2].begin, 40);
-    EXPECT_EQ(quiet[2].end, 50);
-    EXPECT_EQ(glance::idle_periods({}, 0, 50).size(), 1U);
-    EXPECT_TRUE(glance::idle_periods(std::vector{event_of(0, 50)}, 0, 50).empty());
+// As many rows as there are objects at once are enough for all of them.
+TEST(StripBars, OfAllObjectsFitIfThereAreAsManyRowsAsObjectsAtOnce) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> time(0, 100);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<events::Event> events;
+        for (int i = 0; i < 40; ++i) {
+            const double first = time(random);
+            events.push_back(event_of(first, first + time(random) / 5));
+        }
+        std::ptrdiff_t at_once = 0;
+        for (const events::Event& event : events) {
+            const auto is_there = [&](const events::Event& other) {
+                return other.first.seconds <= event.first.seconds && event.first.seconds < other.last.seconds + 2;
+            };
+            at_once = std::max(at_once, std::ranges::count_if(events, is_there));
+        }
+        const std::vector<std::size_t> order = glance::by_importance(events);
+        EXPECT_EQ(glance::strip_bars(events, order, static_cast<int>(at_once), 2).size(), events.size()) << round;
+        EXPECT_LT(glance::strip_bars(events, order, static_cast<int>(at_once) - 1, 2).size(), events.size()) << round;
+    }
+}
+
+TEST(StripBars, AreOfTheMostImportantIfNotAllFit) {
+    const std::vector<events::Event> events{event_of(0, 10), event_of(1, 30), event_of(2, 12), event_of(20, 25)};
+    const std::vector<glance::StripBar> bars = glance::strip_bars(events, glance::by_importance(events), 2, 1);
+    ASSERT_EQ(bars.size(), 3U);
+    EXPECT_EQ(bars[0].event, 0U);
+    EXPECT_EQ(bars[1].event, 1U);
+    EXPECT_EQ(bars[2].event, 3U);
 }
 
 }  // namespace

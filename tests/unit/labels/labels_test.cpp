@@ -225,7 +225,7 @@ TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
         return std::ranges::any_of(
             lettering.labels, [&](const labels::Label& label) { return label.text.find(text) != std::string::npos; });
     };
-    EXPECT_TRUE(tells("3:00 h without motion drawn short"));
+    EXPECT_TRUE(tells("3:00 h without motion are shortened"));
     EXPECT_TRUE(tells("60 min idle"));
     EXPECT_TRUE(tells("with room where something moves"));
 }

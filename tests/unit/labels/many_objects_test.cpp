@@ -99,6 +99,19 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
         EXPECT_TRUE(picture.contains(badge.box)) << badge.label.text;
         EXPECT_GE(badge.label.size, readable) << badge.label.text;
     }
+    // Each number that the picture shows is on the map or beside a bar.
+    for (const labels::Badge& shown : lettering.badges) {
+        const auto is_on_map = [&](const labels::Badge& badge) {
+            return badge.label.text == shown.label.text &&
+                   std::ranges::any_of(lettering.pictures, [&](const labels::PastedPicture& pasted) {
+                       return pasted.border == 0 && pasted.box.contains(badge.box);
+                   });
+        };
+        const auto is_beside_bar = [&](const labels::Label& label) { return label.text == shown.label.text; };
+        EXPECT_TRUE(std::ranges::any_of(lettering.badges, is_on_map) ||
+                    std::ranges::any_of(lettering.labels, is_beside_bar))
+            << shown.label.text;
+    }
     if (size.width >= 640) {
         EXPECT_GE(static_cast<int>(lettering.pictures.size()), 3 + std::min(count, 2)) << "map, ends, portraits";
     }
