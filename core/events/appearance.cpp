@@ -146,7 +146,8 @@ Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const
         if (blob.at(p.x, p.y) == 0) against += limit.unlike / 8;
         if (free.at(p.x, p.y)) sum += similarity(sight.at(p.x, p.y), sample.colour);
     }
-    const double all = static_cast<double>(limit.unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
+    const double all =
+        static_cast<double>(limit.unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
     const double part = sum / all;
     return {expected + off, part - against / all - limit.astray * (off.x * off.x + off.y * off.y), part};
 }

@@ -52,8 +52,10 @@ class Changed {
         }
     }
     ~Changed() {
-        if (auto* const* real = std::get_if<double*>(&threshold_.value)) **real = before_;
-        else *std::get<int*>(threshold_.value) = static_cast<int>(before_);
+        if (auto* const* real = std::get_if<double*>(&threshold_.value))
+            **real = before_;
+        else
+            *std::get<int*>(threshold_.value) = static_cast<int>(before_);
     }
     Changed(const Changed&) = delete;
     Changed& operator=(const Changed&) = delete;
@@ -104,8 +106,8 @@ json events_of(const Clip& clip) {
     for (const events::Event& event : finder.finish().events) {
         json path = json::array();
         for (const events::PathPoint& point : event.path) {
-            path.push_back({{"frame", point.at.frame},
-                            {"place", {{"x", place(point.place.x)}, {"y", place(point.place.y)}}}});
+            path.push_back(
+                {{"frame", point.at.frame}, {"place", {{"x", place(point.place.x)}, {"y", place(point.place.y)}}}});
         }
         const PixelBox& box = event.box;
         all.push_back({{"number", all.size() + 1},
