@@ -69,24 +69,20 @@ namespace {
 
 constexpr auto& limit = thresholds.association;
 
-double ratio(double a, double b) {
-    return std::max(a, b) / std::max(1.0, std::min(a, b));
-}
-
 double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look) {
     const Patch& patch = *track.patch;
     const double looks = distance(*track.appearance, look);
     if (overlap > 0) {
         const double all = std::max(1, patch.area + blob.area - overlap);
         const double places = std::max(0.0, 1 - overlap / all);
-        return track.was_merged ? limit.merged_place * places + limit.merged_looks * looks
-                                : limit.place_weight * places + limit.looks_weight * looks;
+        if (!track.was_merged) return limit.place_weight * places + (1 - limit.place_weight) * looks;
+        return limit.lost_place * places + limit.lost_looks * looks;
     }
     const double length = std::max(track.usual_size.x, track.usual_size.y);
     const double away =
         glm::distance(patch.centre + glm::dvec2(track.shift), blob.centre) / std::max(thresholds.least_length, length);
-    if (away > limit.gate || ratio(patch.area, blob.area) > limit.area_ratio) return never;
-    return limit.apart + limit.apart_place * away / limit.gate + limit.apart_looks * looks;
+    if (away > limit.gate) return never;
+    return limit.lost_place * (1 + away / (2 * limit.gate) + looks);
 }
 
 /// Whether `piece` is a fragment of a track that goes on in `rest`: both together are no larger than its usual size.

@@ -15,13 +15,14 @@ namespace {
 
 constexpr auto& limit = thresholds.claim;
 
-/// 0 up to `none`, 1 from `certain` on, linear between them. `none` may be the larger one.
-double ramp(double value, double none, double certain) {
-    return std::clamp((value - none) / (certain - none), 0.0, 1.0);
+/// The confidence of a term that must be at least `least`: 0.5 there, 1 from twice that on.
+double at_least(double value, double least) {
+    return std::clamp(value / (2 * least), 0.0, 1.0);
 }
 
-double ramp(double value, const Ramp& ends) {
-    return ramp(value, ends.none, ends.certain);
+/// The confidence of a term that must be at most `most`: 0.5 there, 0 from twice that on.
+double at_most(double value, double most) {
+    return 1 - at_least(value, most);
 }
 
 fields::Planes part_of_scene(const fields::Planes& scene, const PixelBox& box) {
@@ -53,7 +54,7 @@ std::optional<Patch> region_at(const cv::Mat& difference, int level, const Patch
     const int label = static_cast<int>(most - shared.begin());
     Patch all{.box = box, .values = Plane<std::uint8_t>(box.size(), 255)};
     Patch region = part_of(all, [&](int i, int j) { return labels.at<int>(j - box.top, i - box.left) == label; });
-    if (*most < limit.overlap * std::min(region.area, settled.area)) return std::nullopt;
+    if (*most < thresholds.most * std::min(region.area, settled.area)) return std::nullopt;
     return region;
 }
 
@@ -107,14 +108,14 @@ void match_light(fields::Planes& mean, const fields::Planes& empty, const Patch&
 }  // namespace
 
 StillPicture::StillPicture(const Patch& patch, Size field) {
-    const int length = std::max({2 * thresholds.blob.edge, patch.box.width(), patch.box.height()});
+    const int length = std::max({2, patch.box.width(), patch.box.height()});
     box_ = intersection(patch.box.inflated(length, length), {0, 0, field.width, field.height});
     sum_.resize(static_cast<std::size_t>(box_.width()) * static_cast<std::size_t>(box_.height()));
 }
 
 void StillPicture::add(const FrameView& frame, const Moment& now) {
     if (box_.empty() || (count_ > 0 && now.seconds < due_)) return;
-    due_ = now.seconds + limit.every;
+    due_ = now.seconds + limit.sampled;
     ++count_;
     auto sum = sum_.begin();
     for (int j = box_.top; j < box_.bottom; ++j) {
@@ -151,7 +152,7 @@ std::optional<SceneComparison> compare_with_scene(const StillPicture& still, con
     std::optional<SceneComparison> best;
     for (const int level : limit.levels) {
         std::optional<Patch> region = region_at(difference, level, settled, box);
-        if (!region || region->area < limit.least_area * settled.area) continue;
+        if (!region || region->area < thresholds.most * settled.area) continue;
         Patch local = *region;
         local.box = local.box.translated(-box.left, -box.top);
         const double edges = edge_strength(local, {mean.grey, mean.grey, mean.colour});
@@ -169,13 +170,13 @@ double confidence_of(const Evidence& evidence) {
     const double stronger = std::max(evidence.edges, evidence.scene_edges);
     const double weaker = std::min(evidence.edges, evidence.scene_edges);
     return std::min({
-        ramp(evidence.difference, limit.difference),
-        ramp(stronger - weaker, limit.outline),
-        ramp(evidence.thickness, limit.thickness),
-        ramp(evidence.alone, limit.alone),
-        ramp(evidence.moved, limit.moved),
-        ramp(evidence.flicker, limit.flicker),
-        ramp(evidence.changed, limit.changed),
+        at_least(evidence.difference, limit.difference),
+        at_least(stronger - weaker, limit.outline),
+        at_least(evidence.thickness, limit.thickness),
+        at_least(evidence.alone, thresholds.bearer),
+        at_most(evidence.moved, limit.moved),
+        at_most(evidence.flicker, thresholds.pixel.flicker),
+        at_most(evidence.changed, limit.changed),
         evidence.carried ? 1.0 : 0.0,
     });
 }

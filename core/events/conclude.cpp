@@ -18,7 +18,6 @@ namespace vvr::events {
 namespace {
 
 constexpr auto& limit = thresholds.event;
-constexpr auto& things = thresholds.thing;
 
 /// An object that may be an event.
 struct Candidate {
@@ -70,7 +69,7 @@ class Conclusion {
         return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) {
             const PixelBox both = intersection(box, clock);
             const double all = std::max(1, box.width() * box.height());
-            return !both.empty() && both.width() * both.height() >= thresholds.overlay.inside * all;
+            return !both.empty() && both.width() * both.height() >= thresholds.most * all;
         });
     }
 
@@ -99,7 +98,7 @@ class Conclusion {
     static bool is_at_same_place(const Tracklet& a, const Tracklet& b) {
         if (!a.settled || !b.settled) return false;
         const double off = glm::distance(a.settled->patch.centre, b.settled->patch.centre);
-        return off < thresholds.stationary.same_place * std::max(thresholds.least_length, b.length);
+        return off < thresholds.stationary.apart * std::max(thresholds.least_length, b.length);
     }
 
     /// Whether it stood there in all frames of all stretches that are long enough to tell.
@@ -115,16 +114,12 @@ class Conclusion {
 
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
-        const double needed =
-            limit.own_lengths * own.length *
-            (1 + limit.flicker_lengths * std::min(limit.most_flicker, own.flicker / thresholds.pixel.flicker));
-        const bool went = own.moved >= needed && own.seen >= limit.seen_part;
+        const bool went = own.moved >= limit.own_lengths * own.length && own.seen >= limit.seen_part;
         const bool stands_only = own.settled && own.stood_from_start;
         const bool jumps =
             own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = own.from ? (inside ? limit.least_fragment : limit.least_inside)
-                                      : (inside ? limit.least_inside : limit.least);
+        const double least = own.from || inside ? thresholds.stationary.stay : limit.least;
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
         if (!candidate.wanted) return;
         if (!stands_only) {
@@ -194,9 +189,9 @@ class Conclusion {
             const PixelBox both = intersection(near, *own);
             if (both.empty()) continue;
             const double all = std::max(1.0, static_cast<double>(own->width()) * own->height());
-            if (both.width() * both.height() >= thresholds.fragment.inside * all) ++inside;
+            if (both.width() * both.height() >= thresholds.most * all) ++inside;
         }
-        return inside >= thresholds.fragment.shared * samples;
+        return inside >= thresholds.most * samples;
     }
 
     void absorb_fragments() {
@@ -215,7 +210,7 @@ class Conclusion {
                 const bool apart = piece.whole.begin.at.frame > whole.whole.end.at.frame ||
                                    piece.whole.end.at.frame < whole.whole.begin.at.frame;
                 if (apart) continue;
-                const bool small = size_of(order[b]) <= thresholds.fragment.size * size_of(order[a]);
+                const bool small = size_of(order[b]) <= thresholds.most * size_of(order[a]);
                 if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
                 if (is_fragment_of(piece.whole, whole.whole)) piece.wanted = false;
             }
@@ -231,7 +226,7 @@ class Conclusion {
         constexpr int samples = 8;
         const PixelBox& place = thing.settled->patch.box;
         for (int n = 0; n <= samples; ++n) {
-            const double seconds = thing.begin.at.seconds + things.after - n * (things.after + things.before) / samples;
+            const double seconds = thing.begin.at.seconds + 0.5 - n * (0.5 + thresholds.bearer) / samples;
             const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
             const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
             if (is_near(box, place)) return true;
@@ -253,7 +248,6 @@ class Conclusion {
     /// elsewhere, and whoever leaves one goes elsewhere. Somebody who stood there only uncovers the place, and somebody
     /// who ends there is the thing.
     static bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) {
-        if (bearer.area < things.least_share * thing.settled->patch.area) return false;
         const glm::dvec2 place = kind == EventKind::taken ? bearer.begin.place : bearer.end.place;
         const glm::ivec2 low(glm::floor(place - 0.5 * bearer.size));
         const glm::ivec2 high(glm::ceil(place + 0.5 * bearer.size));
@@ -296,7 +290,7 @@ class Conclusion {
         constexpr double step = 0.5;
         const Tracklet& own = candidates_[k].whole;
         double alone = 0;
-        const double last = std::min(own.end.at.seconds, own.begin.at.seconds + thresholds.claim.remembered);
+        const double last = std::min(own.end.at.seconds, own.begin.at.seconds + thresholds.memory);
         for (double seconds = own.begin.at.seconds; seconds < last; seconds += step) {
             const double frames = (seconds - own.begin.at.seconds) / span_.seconds_per_frame();
             const std::int64_t frame = own.begin.at.frame + std::llround(frames);
@@ -317,13 +311,13 @@ class Conclusion {
         if (!candidate.wanted || !candidate.is_claim) return;
         Evidence& evidence = candidate.whole.settled->evidence;
         if (candidate.whole.in_scene) evidence.alone = alone_in_scene(k);
-        if (candidate.kind == EventKind::left && evidence.moved >= thresholds.claim.alive) {
+        if (candidate.kind == EventKind::left && evidence.moved >= 2 * thresholds.claim.moved) {
             candidate.kind = EventKind::stood;
             evidence.moved = 0;
         }
         evidence.carried = candidate.carried;
         evidence.confidence = confidence_of(evidence);
-        if (evidence.confidence >= thresholds.claim.told) return;
+        if (evidence.confidence >= 0.5) return;
         candidate.wanted = false;
         const Tracklet& own = candidate.whole;
         found_.changes.push_back({own.begin.at, own.end.at, own.settled->patch.box, evidence});

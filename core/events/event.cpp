@@ -33,6 +33,8 @@ namespace {
 
 constexpr int cells = 12;  // per side of the picture
 constexpr int window = cells / 3;
+constexpr int longest = 8;  // picture's longer side / 8: a small event stays within it
+constexpr int crowd = 12;   // events; fewer can be read one by one
 
 /// The window's first column and row, in cells.
 struct Corner {
@@ -71,7 +73,7 @@ std::pair<Corner, std::int64_t> fullest(const std::array<std::int64_t, cells * c
 }  // namespace
 
 std::optional<Clutter> find_clutter(std::span<const Event> events, Size field) {
-    const int most = std::max(field.width, field.height) / thresholds.clutter.size;
+    const int most = std::max(field.width, field.height) / longest;
     std::array<std::int64_t, cells * cells> counts{};
     std::vector<const Event*> small;
     for (const Event& event : events) {
@@ -82,7 +84,7 @@ std::optional<Clutter> find_clutter(std::span<const Event> events, Size field) {
     }
     const auto [corner, inside] = fullest(counts);
     const std::int64_t count = std::ssize(small);
-    if (count < thresholds.clutter.least || 2 * count < std::ssize(events) || 2 * inside < count) return std::nullopt;
+    if (count < crowd || 2 * count < std::ssize(events) || 2 * inside < count) return std::nullopt;
 
     std::optional<Clutter> scraps;
     for (const Event* event : small) {

@@ -26,7 +26,7 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
     : options_(options),
       field_(field),
       reach_(std::max(1, std::max(field.width, field.height) / thresholds.blob.reach)),
-      min_area_(std::max(thresholds.blob.pixels, field.width * field.height / thresholds.blob.area)) {}
+      min_area_(field.width * field.height / thresholds.blob.area) {}
 
 TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
@@ -55,7 +55,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
 
 /// Whether there is a gap before this frame. Lost frames leave out numbers; a low frame rate does not.
 bool EventFinder::follows_gap(const Moment& now) const {
-    return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= thresholds.no_signal;
+    return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= thresholds.track.lost_after;
 }
 
 void EventFinder::restart() {
@@ -78,7 +78,7 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
     for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);
-        if (part < thresholds.stationary.visible) {
+        if (part < thresholds.most) {
             track.miss_stationary();
             continue;
         }
@@ -147,8 +147,8 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
         if (uncovered && !track.uncovered()) track.set_uncovered(now);
-        const bool gone = uncovered && now.seconds - track.uncovered()->seconds >= thresholds.stationary.gone_after;
-        if (gone || now.seconds - track.seen().seconds > thresholds.stationary.occluded_after) end(track, true, now);
+        const bool gone = uncovered && now.seconds - track.uncovered()->seconds >= thresholds.track.lost_after;
+        if (gone || now.seconds - track.seen().seconds > thresholds.memory) end(track, true, now);
     }
 }
 
@@ -221,13 +221,8 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         }
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
-            if (track.is_replaced_by(blobs.patches[b])) {
-                end(track, false, now);
-                begin(blobs.patches[b], looks[b], {}, begun, sight, now);
-            } else {
-                track.see(blobs.patches[b], looks[b], sight, flicker_, now);
-                track.set_near({});
-            }
+            track.see(blobs.patches[b], looks[b], sight, flicker_, now);
+            track.set_near({});
             continue;
         }
         if (assignment.fragment_of[b]) continue;
@@ -237,7 +232,6 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         Track& track = tracks_[k];
         if (went_on[k] || !track.follows_blobs()) continue;
         track.miss(now);
-        if (track.is_leaving()) end(track, false, now);
         if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, false, now);
     }
     std::ranges::move(begun, std::back_inserter(tracks_));
@@ -267,15 +261,12 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
                         const Moment& now) {
     std::vector<const Template*> templates;
     std::vector<glm::ivec2> expected;
-    double together = 0;
     double largest = 0;
     for (const std::size_t k : chosen) {
         largest = std::max(largest, tracks_[k].current_area());
-        together += tracks_[k].usual_area();
         templates.push_back(&tracks_[k].appearance_template());
         expected.push_back(tracks_[k].template_shift_at(now));
     }
-    const bool has_room = blob.area >= thresholds.merged.room * together;
     const std::vector<TemplateMatch> shares = split_blob(blob, sight, templates, expected);
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
@@ -287,8 +278,8 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
             if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, true, now);
             continue;
         }
-        const bool found = track.update_merged(shares[n], blob, has_room, sight, now);
-        if (track.is_outside() || track.is_leaving()) end(track, false, now);
+        const bool found = track.update_merged(shares[n], blob, sight, now);
+        if (track.is_outside()) end(track, false, now);
         if (!found && now.seconds - track.seen().seconds > thresholds.merged.occluded_after) end(track, true, now);
     }
 }
@@ -345,7 +336,7 @@ void EventFinder::record_share(const Plane<std::uint8_t>& field, const Moment& n
     const double share = static_cast<double>(differs) / std::max<double>(1, static_cast<double>(field.pixels().size()));
     largest_share_ = std::max(largest_share_, share);
     shares_.emplace_back(now.seconds, share);
-    while (now.seconds - shares_.front().first > thresholds.claim.remembered) shares_.pop_front();
+    while (now.seconds - shares_.front().first > thresholds.memory) shares_.pop_front();
 }
 
 /// The largest share of the picture that differed within a second of a moment.

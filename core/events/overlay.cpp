@@ -23,7 +23,7 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
     const bool first = before_.empty();
     // A longer gap doesn't tell at which phase a pixel changed.
     const bool follows = !first && now.seconds > last_ && now.seconds - last_ <= limit.most_between;
-    if (first || now.seconds - begin_ >= limit.window) {
+    if (first || now.seconds - begin_ >= thresholds.memory) {
         if (!first) look();
         changes_ = Plane<Changes>(grey.size());
         begin_ = now.seconds;
@@ -59,7 +59,7 @@ void ClockFinder::look() {
         const Changes& changes = changes_.pixels()[k];
         const double length = std::abs(changes.phases) / std::max<double>(1, changes.count);
         const bool in_phase = length >= limit.in_phase && changes.count * length * length >= limit.rayleigh;
-        const bool often = changes.seconds >= limit.least && changes.seconds >= limit.least_rate * seconds &&
+        const bool often = changes.seconds >= limit.every && 5 * changes.seconds >= seconds &&
                            changes.count <= limit.most_per_second * changes.seconds;
         ticks.pixels()[k] = often && in_phase ? 255 : 0;
     }
@@ -75,7 +75,7 @@ void ClockFinder::look() {
         const cv::Mat own = (labels(around) == n) & cv_view(ticks)(around);
         const int pixels = cv::countNonZero(own);
         const cv::Rect digit = cv::boundingRect(own) + around.tl();
-        if (pixels < limit.pixels || digit.height > limit.height * size.height) continue;
+        if (pixels < limit.stroke || digit.height > limit.height * size.height) continue;
         std::complex<float> phase;
         for (int j = digit.y; j < digit.y + digit.height; ++j) {
             for (int i = digit.x; i < digit.x + digit.width; ++i) {

@@ -92,7 +92,6 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int 
 }
 
 double edge_strength(const Patch& patch, const FrameView& sight) {
-    const int across = thresholds.blob.edge;
     const Size picture = sight.field.size();
     double sum = 0;
     int count = 0;
@@ -105,8 +104,8 @@ double edge_strength(const Patch& patch, const FrameView& sight) {
         const bool above = patch.at(i, j - 1) == 0;
         const bool below = patch.at(i, j + 1) == 0;
         if (!left && !right && !above && !below) return;
-        const int dx = left || right ? std::abs(at(i + across, j) - at(i - across, j)) : 0;
-        const int dy = above || below ? std::abs(at(i, j + across) - at(i, j - across)) : 0;
+        const int dx = left || right ? std::abs(at(i + 1, j) - at(i - 1, j)) : 0;
+        const int dy = above || below ? std::abs(at(i, j + 1) - at(i, j - 1)) : 0;
         sum += std::max(dx, dy);
         ++count;
     });

@@ -90,14 +90,17 @@ std::vector<PathPoint> thinned(std::vector<PathPoint> path) {
 void Stays::add(const Moment& now, const glm::dvec2& place, const PixelBox& box, double reach) {
     if (open_ && glm::distance(place, open_->place) <= reach) {
         open_->last = now;
+        ++sightings_;
         return;
     }
     close();
     open_ = Stay{now, now, place, box};
+    sightings_ = 1;
 }
 
 void Stays::add_exactly(const Stay& stay) {
     open_.reset();
+    if (stay.last.seconds - stay.first.seconds < least_) return;
     std::erase_if(found_, [&](const Stay& other) { return other.last.frame >= stay.first.frame; });
     found_.push_back(stay);
 }
@@ -108,7 +111,8 @@ std::vector<Stay> Stays::finish() {
 }
 
 void Stays::close() {
-    if (open_ && open_->last.seconds - open_->first.seconds >= least_) found_.push_back(*open_);
+    const bool lasts = open_ && open_->last.seconds - open_->first.seconds >= least_;
+    if (lasts && sightings_ >= least_sightings) found_.push_back(*open_);
     open_.reset();
 }
 

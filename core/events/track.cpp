@@ -15,6 +15,9 @@ namespace {
 constexpr auto& limit = thresholds.track;
 constexpr auto& stationary = thresholds.stationary;
 
+/// Factor of the score of a portrait of an object that others or the border of the picture hide in part.
+constexpr double hindered = 0.3;
+
 double part_alike(const Patch& patch, const Plane<std::uint8_t>& field) {
     int alike = 0;
     for_each_pixel(patch, [&](int i, int j, std::uint8_t value) {
@@ -30,14 +33,6 @@ Moment nearly_last_of(std::vector<Moment> moments) {
     const auto place = moments.begin() + (std::ssize(moments) - 1) * 9 / 10;
     std::ranges::nth_element(moments, place, {}, &Moment::frame);
     return *place;
-}
-
-/// Whether one box covers so much of the other that both are of one object.
-bool goes_over(const PixelBox& a, const PixelBox& b) {
-    const PixelBox both = intersection(a, b);
-    if (both.empty()) return false;
-    const int smaller = std::min(a.width() * a.height(), b.width() * b.height());
-    return both.width() * both.height() >= limit.overlap * smaller;
 }
 
 double mean_gradient(const Patch& patch, const FrameView& sight) {
@@ -90,11 +85,6 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
     if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
-bool Track::is_replaced_by(const Patch& blob) const {
-    return is_leaving() && blob.area > limit.replaced * least_at_border_ + limit.replaced_pixels &&
-           touches_border(blob.box);
-}
-
 void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
                 const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
@@ -102,25 +92,20 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     recent_.push_back({now, patch.centre});
     while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > limit.velocity) recent_.pop_front();
     const double span = now.seconds - recent_.front().at.seconds;
-    if (span > 0) velocity_ = (patch.centre - recent_.front().place) / span;
-    if (!first_velocity_ && span >= 0.5 * limit.velocity) first_velocity_ = velocity_;
-    if (sightings_ > 0 && (goes_over(patch_.box, patch.box) || goes_over(moved_box_at(now), patch.box))) ++continuous_;
+    // Over a shorter time, a velocity is noise: what passes in front changes the outline for a few frames.
+    if (span >= 0.5 * limit.velocity) {
+        velocity_ = (patch.centre - recent_.front().place) / span;
+        if (!first_velocity_) first_velocity_ = velocity_;
+    }
+    if (sightings_ > 0 && (patch_.box.intersects(patch.box) || moved_box_at(now).intersects(patch.box))) ++continuous_;
     const glm::dvec2 size(patch.box.width(), patch.box.height());
     const double since = now.seconds - seen_.seconds;
     const auto follow = [&](double& usual, double value) {
-        const double in = value > usual ? limit.grows_in : limit.shrinks_in;
-        usual += (sightings_ == 0 ? 1 : std::clamp(since / in, 0.0, 0.5)) * (value - usual);
+        usual += (sightings_ == 0 ? 1 : std::clamp(since / limit.adapts_in, 0.0, 0.5)) * (value - usual);
     };
     follow(usual_size_.x, size.x);
     follow(usual_size_.y, size.y);
     follow(usual_area_, patch.area);
-    if (!touches_border(patch.box)) {
-        crossing_ = Crossing::inside;
-    } else if (crossing_ != Crossing::entering) {
-        const double area = patch.area;
-        least_at_border_ = crossing_ == Crossing::leaving ? std::min(least_at_border_, area) : area;
-        crossing_ = Crossing::leaving;
-    }
     place_ = patch.centre;
     place_at_ = now;
     patch_ = patch;
@@ -141,17 +126,13 @@ void Track::move_to(const glm::dvec2& place, const Moment& now) {
     place_at_ = now;
 }
 
-bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
-                          const Moment& now) {
+bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const FrameView& sight, const Moment& now) {
     state_ = State::merged;
     const double time = now.seconds - place_at_.seconds;
     const glm::dvec2 expected = expected_at(now);
     constexpr auto& merged = thresholds.merged;
-    const bool alike = share.similarity >= merged.similarity;
-    const bool found = alike || (has_room && share.patch.area >= merged.least_share * usual_area_ &&
-                                 share.patch.area <= limit.abrupt * usual_area_ &&
-                                 distance(look_, Appearance(share.patch, sight)) < merged.looks);
-    const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
+    const bool found = share.similarity >= merged.similarity;
+    const glm::dvec2 found_at = template_.patch.centre + glm::dvec2(share.shift);
     glm::dvec2 place = found ? found_at : expected;
     // Within the blob it may be anywhere; it may leave the blob only at the border of the picture.
     const bool leaves = touches_border(blob.box) && touches_border(patch_.box);
@@ -161,13 +142,12 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool ha
         place = glm::clamp(place, low, high);
     }
     if (found && time > 0) velocity_ += merged.correction * (found_at - expected) / std::max(time, 0.2);
-    if (!found && place != expected) velocity_ *= merged.slowing;
     move_to(place, now);
     pixels_ = share.patch;
     recent_.clear();
     if (found) {
         record_position(now, patch_.box, place, patch_.area);
-        take_portrait(sight, patch_, now, thresholds.portrait.merged);
+        take_portrait(sight, patch_, now, hindered);
     }
     return found;
 }
@@ -182,9 +162,6 @@ bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
 }
 
 bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
-    // A plain surface looks steady while it moves over its own place.
-    const double length = std::max(usual_size_.x, usual_size_.y);
-    if (glm::length(velocity_) * stationary.stay > stationary.sways * length) return false;
     int steady = 0;
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
         if (is_steady(steadiness.at(i, j), now)) ++steady;
@@ -194,7 +171,7 @@ bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, co
 
 void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now) {
     const bool young = now.seconds - first_.seconds < 2 * stationary.stay;
-    const bool small = patch_.area < stationary.carried * origin_.area;
+    const bool small = patch_.area < thresholds.most * origin_.area;
     const bool out_of_another = origin_.track.has_value() && (young || small);
     std::vector<Moment> since;
     patch_ = part_of(patch_, [&](int i, int j) {
@@ -231,7 +208,7 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
         if (still.frame < first_.frame) still = first_;
         // A plain surface is steady shortly before it stops.
         const auto& open = stays_.open();
-        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.rolls_out) {
+        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.stay) {
             still = open->first;
         }
     }
@@ -300,8 +277,8 @@ void Track::join(const Track& piece) {
 
 void Track::take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth) {
     if (now.seconds < portrait_due_) return;
-    portrait_due_ = now.seconds + thresholds.portrait.every;
-    if (touches_border(patch.box)) worth *= thresholds.portrait.cut_off;
+    portrait_due_ = now.seconds + thresholds.claim.sampled;
+    if (touches_border(patch.box)) worth *= hindered;
     const double score =
         worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};

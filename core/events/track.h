@@ -24,13 +24,6 @@ enum class State {
     over,      ///< it has ended
 };
 
-/// Where a track is in relation to the border of the picture.
-enum class Crossing {
-    entering,  ///< it has touched the border since it began
-    inside,    ///< it doesn't touch the border
-    leaving,   ///< it was inside, and touches the border again
-};
-
 /// The track from which another one split.
 struct Origin {
     std::optional<std::size_t> track{};  ///< number of the parent track
@@ -86,23 +79,13 @@ class Track {
     /// Sets the track that occludes it or is near it.
     void set_near(std::optional<std::size_t> number) { near_ = number; }
 
-    /// Whether nearly all of it has left the picture.
-    bool is_leaving() const {
-        return crossing_ == Crossing::leaving && least_at_border_ < thresholds.track.leaving_share * usual_area_;
-    }
-
-    /// Whether it is leaving, and this blob is another object that enters at the same place.
-    bool is_replaced_by(const Patch& blob) const;
-
     /// Continues the track with a blob of its own.
     void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
              const Moment& now);
 
     /// Continues the track with its part of a shared blob.
-    /// \param has_room the blob is as large as all its objects together, so that nobody is occluded
     /// \returns whether the match is certain enough
-    bool update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
-                       const Moment& now);
+    bool update_merged(const TemplateMatch& share, const Patch& blob, const FrameView& sight, const Moment& now);
 
     /// Continues the track in a shared blob at an unknown place.
     void miss_merged(const Moment& now) {
@@ -193,11 +176,9 @@ class Track {
     int flicker_count_ = 0;
     glm::dvec2 usual_size_{};  ///< running mean of the box's width and height, field pixels
     double usual_area_ = 0;
-    Crossing crossing_ = Crossing::entering;
-    double least_at_border_ = 0;  ///< least area since it began to leave
-    glm::dvec2 place_{};          ///< current centre, also while it is unseen
-    Moment place_at_;             ///< time of `place_`
-    glm::dvec2 velocity_{};       ///< field pixels per second
+    glm::dvec2 place_{};     ///< current centre, also while it is unseen
+    Moment place_at_;        ///< time of `place_`
+    glm::dvec2 velocity_{};  ///< field pixels per second
     std::deque<PathPoint> recent_;
     TrackEnd begin_;
     std::optional<glm::dvec2> first_velocity_;  ///< nothing until it is known

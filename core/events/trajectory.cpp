@@ -30,12 +30,12 @@ Candidates candidates_of(std::span<const Tracklet> tracklets) {
     Candidates candidates;
     for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
         const double end = tracklets[earlier].end.at.seconds;
-        const double latest = end + std::max(thresholds.stationary.occluded_after, limit.seconds);
-        auto place = std::ranges::lower_bound(order, end - limit.overlap, {}, begin_of);
+        const double latest = end + std::max(thresholds.memory, limit.seconds);
+        auto place = std::ranges::lower_bound(order, end, {}, begin_of);
         for (; place != order.end() && begin_of(*place) <= latest; ++place) {
             if (*place == earlier) continue;
             const double cost = link_cost(tracklets[earlier], tracklets[*place]);
-            if (cost < limit.cost) candidates.push_back({earlier, *place, cost});
+            if (cost < 1) candidates.push_back({earlier, *place, cost});
         }
     }
     return candidates;
@@ -63,33 +63,28 @@ std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t trac
 double link_cost(const Tracklet& earlier, const Tracklet& later) {
     if (earlier.stretch != later.stretch) return never;
     const double gap = later.begin.at.seconds - earlier.end.at.seconds;
-    if (gap < -limit.overlap || later.begin.at.frame <= earlier.begin.at.frame) return never;
-    const double areas = std::max(earlier.area, later.area) / std::max(1.0, std::min(earlier.area, later.area));
-    if (areas > limit.area_ratio) return never;
+    if (gap < 0 || later.begin.at.frame <= earlier.begin.at.frame) return never;
     const double looks = distance(earlier.look, later.look) / limit.looks;
     if (earlier.stood_from_start || later.stood_from_start) {
         // A thing stays in its place. No path begins with a thing.
         const bool both = earlier.stood_to_end && later.stood_from_start;
         const double off =
             glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
-        return both && off < thresholds.stationary.same_place && gap <= limit.seconds ? off : never;
+        return both && off < thresholds.stationary.apart && gap <= limit.seconds ? off : never;
     }
     if (looks > 1) return never;
     const bool same_group = earlier.into && (later.from == earlier.into);
-    if (same_group && gap < thresholds.stationary.occluded_after) return limit.group_looks * looks;
+    if (same_group && gap < thresholds.memory) return looks / 3;
     if (gap > limit.seconds) return never;
-    if ((earlier.end.at_border || later.begin.at_border) && gap > limit.border) return never;
+    if (earlier.end.at_border || later.begin.at_border) return never;  // nothing occludes at the border
     const double length = std::max({thresholds.least_length, earlier.length, later.length});
-    const double ahead = std::clamp(gap, 0.0, limit.straight);
-    const glm::dvec2 forth = earlier.end.place + ahead * earlier.end.velocity;
-    const glm::dvec2 back = later.begin.place - ahead * later.begin.velocity;
+    const glm::dvec2 forth = earlier.end.place + gap * earlier.end.velocity;
+    const glm::dvec2 back = later.begin.place - gap * later.begin.velocity;
     const double away = std::min(glm::distance(forth, later.begin.place), glm::distance(earlier.end.place, back));
-    const double speed =
-        std::max({glm::length(earlier.end.velocity), glm::length(later.begin.velocity), limit.least_speed * length});
-    const double reach = limit.reach * length + limit.reach_speed * speed * std::max(0.0, gap);
+    const double speed = std::max(glm::length(earlier.end.velocity), glm::length(later.begin.velocity));
+    const double reach = limit.reach * length + speed * gap;
     if (away > reach) return never;
-    return limit.place_weight * away / reach + limit.gap_weight * std::max(0.0, gap) / limit.seconds +
-           limit.looks_weight * looks;
+    return (away / reach + gap / limit.seconds + looks) / 3;
 }
 
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
@@ -106,7 +101,7 @@ std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets
         for (const Candidate& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
         std::vector<std::size_t> place_of(columns.size());
         for (const auto& [later, column] : columns) place_of[static_cast<std::size_t>(column)] = later;
-        const auto chosen = assign(costs, limit.cost);
+        const auto chosen = assign(costs, 1);
         for (const auto& [earlier, row] : rows) {
             const auto& column = chosen[static_cast<std::size_t>(row)];
             if (column) next[earlier] = place_of[static_cast<std::size_t>(*column)];
@@ -162,7 +157,7 @@ void begin_with_group(std::size_t k, Trajectories& trajectories) {
     for (std::size_t p = 0; p < other.path.size(); ++p) {
         if (other.path[p].at.frame >= own.begin.at.frame) break;
         before.push_back(other.path[p]);
-        if (other.areas[p] > 0 && other.areas[p] < group.share * own.area_of_parent) before.clear();
+        if (other.areas[p] > 0 && other.areas[p] < 0.7 * own.area_of_parent) before.clear();
     }
     if (before.empty()) return;
     own.path.insert(own.path.begin(), before.begin(), before.end());

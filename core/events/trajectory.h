@@ -11,7 +11,7 @@
 namespace vvr::events {
 
 /// The cost of linking `later` to `earlier`, from the gap, the distance to the predicted place, and looks.
-/// `thresholds.link.cost` or more means that they are different objects.
+/// 1 or more means that they are different objects.
 double link_cost(const Tracklet& earlier, const Tracklet& later);
 
 /// Links tracklets by global data association: each gets at most one successor, so that the sum of costs is least (the

@@ -3,11 +3,11 @@ comments. Usage: threshold_table.py EVENT_OPTIONS.H > threshold_table.inc"""
 import re
 import sys
 
-NUMBER = re.compile(r"^\s+(double|int|Ramp) (\w+)(?: = |\{)([^;]*);\s*///< (.*)$")
+NUMBER = re.compile(r"^\s+(double|int) (\w+) = ([^;]*);\s*///< (.*)$")
 
 
 def numbers(header):
-    """Yields (name, type, comment) of each number; the ends of a ramp are two."""
+    """Yields (name, type, comment) of each number."""
     text = open(header).read()
     text = text[text.index("struct Thresholds {"):text.index("#ifdef VVR_THRESHOLDS_VARY")]
     members = []
@@ -20,12 +20,10 @@ def numbers(header):
             members = []
         elif found := NUMBER.match(line):
             kind, name, _, comment = found.groups()
-            rows = [(f"{name}.{end}", "double", comment) for end in ("none", "certain")] if kind == "Ramp" else [
-                (name, kind, comment)]
             if line.startswith("        "):
-                members += rows
+                members.append((name, kind, comment))
             else:
-                yield from rows
+                yield name, kind, comment
 
 
 if __name__ == "__main__":
