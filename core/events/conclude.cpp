@@ -114,7 +114,7 @@ class Conclusion {
 
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
-        const bool went = own.moved >= limit.own_lengths * own.length && own.seen >= limit.seen_part;
+        const bool went = own.moved >= limit.own_lengths * own.length && own.seen >= thresholds.most;
         const bool stands_only = own.settled && own.stood_from_start;
         const bool jumps =
             own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);

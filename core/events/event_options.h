@@ -10,9 +10,9 @@ namespace vvr::events {
 /// prints what a change of each number by a quarter does.
 struct Thresholds {
     double least_length = 4;  ///< field pixels; a shorter length is too uncertain, so this replaces it
-    double most = 0.5;        ///< share; from here on, one box or region is a part of another
-    double memory = 60;       ///< seconds for which what was seen counts: a stationary object may be occluded as long
-    double bearer = 3;        ///< seconds before or after a thing appears or goes: its bearer is beside it within them
+    double most = 0.5;   ///< share; from here on, it is most: of its frames it is seen in, of its box inside another
+    double memory = 60;  ///< seconds for which what was seen counts: a stationary object may be occluded as long
+    double bearer = 3;   ///< seconds before or after a thing appears or goes: its bearer is beside it within them
 
     /// What counts as an object in one field.
     struct {
@@ -60,7 +60,8 @@ struct Thresholds {
 
     /// Stationary objects.
     struct {
-        double stay = 2;            ///< seconds in one place; an object that stays shorter has only slowed down
+        double stay = 2;    ///< seconds in one place; an object that stays shorter has only slowed down
+        int sightings = 4;  ///< fields in one place, as well; a walker may be at the same place in two by chance
         double settled_part = 0.6;  ///< share of its pixels that must be steady
         double apart = 0.6;         ///< lengths; largest gap between two parts of one object, or shift of its place
         double near_place = 0.75;   ///< lengths; an object that moved less was there from the start
@@ -85,7 +86,6 @@ struct Thresholds {
     struct {
         double least = 0.8;  ///< seconds, `stationary.stay` inside the picture; shorter ones are flashes or fragments
         double own_lengths = 1.5;  ///< lengths; a moving object goes at least this far, a flag flutters in place
-        double seen_part = 0.5;    ///< share of its frames in which it is seen, at least; foliage comes and goes
         double steady_way = 0.5;   ///< mean cosine between steps of its path, at least; leaves and rain turn back
         double continuous = 0.75;  ///< share of its detections without a jump, at least; raindrops jump each time
     } event;

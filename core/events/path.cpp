@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/events/event_options.h"
+
 namespace vvr::events {
 
 namespace {
@@ -112,7 +114,7 @@ std::vector<Stay> Stays::finish() {
 
 void Stays::close() {
     const bool lasts = open_ && open_->last.seconds - open_->first.seconds >= least_;
-    if (lasts && sightings_ >= least_sightings) found_.push_back(*open_);
+    if (lasts && sightings_ > thresholds.stationary.sightings) found_.push_back(*open_);
     open_.reset();
 }
 

@@ -70,8 +70,6 @@ class Stays {
   private:
     void close();
 
-    static constexpr int least_sightings = 3;  // with two, it may have gone away and come back
-
     double least_;
     std::optional<Stay> open_;
     int sightings_ = 0;  ///< of the open stay

@@ -158,7 +158,9 @@ void Track::miss(const Moment& now) {
 }
 
 bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
-    return pixel.level != 0 && now.seconds - std::max(pixel.since.seconds, risen_.seconds) >= stationary.stay;
+    const Moment& since = pixel.since.frame < risen_.frame ? risen_ : pixel.since;
+    return pixel.level != 0 && now.seconds - since.seconds >= stationary.stay &&
+           now.frame - since.frame >= stationary.sightings;
 }
 
 bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
