@@ -146,8 +146,7 @@ struct LookOptions {
     std::optional<glm::vec4> background{};    ///< premultiplied; none = the theme's
     std::optional<NamedTransfer> transfer{};  ///< none = the theme's
     Choice<ColourRow> colour = "auto";
-    std::string title;           ///< empty = the clip's name
-    std::filesystem::path font;  ///< of all text; empty = fontconfig's sans
+    std::string title;  ///< empty = the clip's name
     StartTime start_time;
     double opacity = 1;      ///< factor for the extinction
     double glyph_scale = 1;  ///< factor for the arrows' size

@@ -183,7 +183,6 @@ RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
 StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer) : observer_(observer) {
     validate(job);
     validate_series(job);
-    image::choose_font(job.look.font);
     auto detector = open_detector(job.detector);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();

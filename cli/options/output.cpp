@@ -43,8 +43,7 @@ constexpr Setting still{"still", "FILE",
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
-constexpr Setting events{"events", "LIST", "kinds of events in the report and on the page"};
-constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "leave out shorter events", {0, 86'400}};
+constexpr Setting events{"events", "LIST", "kinds of events in the report and on the page; a time leaves out shorter ones: moved,left,5s"};
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
@@ -163,8 +162,7 @@ void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) 
 
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
     const AddOptions add(line, group);
-    add(text::events, choice.kinds);
-    add(text::event_min_seconds, choice.least);
+    add(text::events, choice);
 }
 
 void add_output_options(CommandLine& line, app::OutputOptions& options) {

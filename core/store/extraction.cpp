@@ -113,8 +113,7 @@ void check_data_folder(const fs::path& folder) {
     image::check_file_path(folder / stored::manifest);
 }
 
-DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
-    : folder_(std::move(folder)), flow_every_(flow_every), colour_(colour) {
+DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::move(folder)), flow_every_(flow_every) {
     check_data_folder(folder_);
     std::error_code error;
     created_ = fs::create_directory(folder_, error);
@@ -123,7 +122,6 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
-        if (name == stored::colour && !colour_) continue;
         fs::create_directory(folder_ / name, error);
         if (error) fail(folder_ / name, error.value());
     }
@@ -160,7 +158,7 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
 void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
     StoredFrame stored{field.index, field.pts, {}};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
-    if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
+    write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters compute flow for every frame.
     if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
         write(stored::flow_file(field.index), bytes_of(fields::encode_flo(field.flow)));
@@ -181,7 +179,7 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
               bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
     }
     manifest.flow_every = flow_every_;
-    manifest.colour = colour_;
+    manifest.colour = true;
     manifest.frames = frames_;
     image::replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
     closed_ = true;
@@ -336,10 +334,8 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
     }
     if (needs.colour && !parts_.front().manifest.colour) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' does not have the frames' colours; extract it again with colours, or render the "
-                                "clip itself",
-                                info_.name),
-                    {"with-color"});
+                    fmt::format("'{}' does not have the frames' colours; extract it again, or render the clip itself",
+                                info_.name));
     }
     fields::FieldSummary summary;
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;

@@ -201,7 +201,7 @@ def test_keyframes_of_a_series_stand_in_each_brick(t):
             more = len(levels(f"k{count}.{brick}.png")) - len(levels(f"ends.{brick}.png"))
             check(more >= 2 * count - 1, f"window {brick} with {count} key frames per brick has {more} more levels")
     moved = levels("k1.3.png")
-    t.vvr("extract", "levels.mkv", "-o", "end", "--start", "20f", "--with-color", "--filter", "edges").expect(0)
+    t.vvr("extract", "levels.mkv", "-o", "end", "--start", "20f", "--filter", "edges").expect(0)
     t.render("end", *look, "--keyframes", "1", output="f.{brick}.png").expect(0)
     check(levels("f.1.png") == moved, "a window that moved shows other key frames than a fresh one")
 

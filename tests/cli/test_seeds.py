@@ -6,7 +6,7 @@ from harness import check, moving_clip
 
 # Time runs from left to right over the whole width, and all that has a colour is an arrow.
 STRAIGHT = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--fov", "0", "--size", "400x120",
-            "--show", "arrows", "--flow-area", "all")
+            "--show", "arrows")
 
 
 def is_arrow(pixel):
