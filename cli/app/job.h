@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/app/colour.h"
-#include "cli/app/part.h"
+#include "cli/app/look.h"
 #include "core/detector/detector.h"
 #include "core/events/event.h"
 #include "core/fields/options.h"

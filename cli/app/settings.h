@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "cli/app/colour.h"
 #include "cli/app/job.h"
+#include "cli/app/look.h"
 #include "core/base/setting.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
@@ -98,8 +98,7 @@ inline constexpr Setting time_velocity{
     "the paper's v_t, frames moved along the arc per frame; 0 = arrows and tracelines stay in their frame",
     {-1000, 1000}};
 
-inline constexpr Setting backend{"backend", "NAME",
-                                 "OpenGL backend; egl:1 = its device 1 in the list of `vvr doctor`"};
+inline constexpr Setting backend{"backend", "NAME", "OpenGL backend; egl:1 = its device 1 in the list of `vvr doctor`"};
 
 inline constexpr Setting animate{
     "animate", "COUNT", "number of pictures; from one to the next, stripes move along the tracelines", {2, 10'000}};
@@ -229,7 +228,7 @@ void each_look_setting(Job& job, const Each& each) {
     each(setting::background, look.background);
     each(setting::start_time, look.start_time);
     each(setting::transfer, look.transfer);
-    each(setting::shading, job.picture.shading, gl::volume_shadings(), &gl::VolumeShadingRow::shading);
+    each(setting::shading, job.picture.shading, gl::volume_shadings, &gl::VolumeShadingRow::shading);
     each(setting::keyframes, look.keyframes);
     each(setting::title, look.title);
     each(setting::colour, look.colour, colour_rows());

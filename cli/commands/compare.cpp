@@ -12,7 +12,7 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
-#include "cli/options/output.h"
+#include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/image/comparison.h"

@@ -25,14 +25,13 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/output.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
-#include "core/video/packet_range.h"
+#include "core/video/packet_copy.h"
 
 namespace vvr::commands {
 

@@ -11,7 +11,6 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/options/output.h"
 #include "core/base/error.h"
 
 namespace vvr::commands {

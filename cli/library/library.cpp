@@ -9,11 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <vvr/clip.h>
-#include <vvr/failure.h>
-#include <vvr/image.h>
-#include <vvr/library_version.h>
-#include <vvr/render.h>
+#include <vvr/vvr.h>
 
 #include <fmt/format.h>
 

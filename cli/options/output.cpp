@@ -1,5 +1,3 @@
-#include "cli/options/output.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -21,6 +19,7 @@
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
 #include "cli/options/add_option.h"
+#include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
@@ -43,7 +42,8 @@ constexpr Setting still{"still", "FILE",
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
-constexpr Setting events{"events", "LIST", "kinds of events in the report and on the page; a time leaves out shorter ones: moved,left,5s"};
+constexpr Setting events{
+    "events", "LIST", "kinds of events in the report and on the page; a time leaves out shorter ones: moved,left,5s"};
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};

@@ -1,5 +1,3 @@
-#include "cli/workers/landlock.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -13,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/workers/confine.h"
 #include "core/base/error.h"
 
 namespace vvr::workers {

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/workers/landlock.h"
-#include "cli/workers/system_calls.h"
+#include "cli/workers/confine.h"
 
 namespace vvr::workers {
 

@@ -1,5 +1,3 @@
-#include "cli/workers/system_calls.h"
-
 #include <array>
 #include <bit>
 #include <cerrno>
@@ -23,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/workers/confine.h"
 #include "core/base/error.h"
 
 namespace vvr::workers::calls {

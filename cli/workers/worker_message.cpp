@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/workers/system_calls.h"
+#include "cli/workers/confine.h"
 #include "core/base/json_text.h"
 
 namespace vvr::workers {

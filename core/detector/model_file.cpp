@@ -15,8 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/detector/protobuf.h"
-#include "core/detector/tensor.h"
+#include "core/detector/onnx.h"
 
 namespace vvr::detector {
 

@@ -16,7 +16,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/kernels/colour_rows.h"
+#include "core/kernels/rows.h"
 #include "core/video/av.h"
 #include "core/video/frame_source.h"
 

@@ -7,7 +7,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 namespace {

@@ -12,8 +12,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/kernels/flow_rows.h"
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 
