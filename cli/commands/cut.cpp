@@ -318,12 +318,7 @@ class Cut final : public Command {
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
-        options::add_input_options(
-            line, search.input, "INPUT...",
-            "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one "
-            "recording");
-        options::add_name_options(line, search.input);
-        options::add_join_option(line, search.input);
+        options::add_recording_options(line, search.input, options::video_input);
         options::AddOptions(line, options::Group::look)(setting::start_time, search.look.start_time);
         options::add_span_options(line, search.fields.span);
         line.exclude(text::report, setting::start);

@@ -126,9 +126,7 @@ class Extract final : public Command {
         add(setting::flow_every, job_.fields.flow.every);
         // The recorded settings have the part as --start and --end.
         add(text::part, job_.part);
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_input);
         options::add_span_options(line, job_.fields.span);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);

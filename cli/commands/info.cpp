@@ -140,9 +140,7 @@ class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         options::AddOptions(line, options::Group::output)(json_option, json_);
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "the clip, and the memory that a picture of it needs"},
                        {"vvr info clip.avi --json", "the same for programs"},

@@ -315,9 +315,7 @@ class Inspect final : public Command {
              .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
                                  fmt::join(image::picture_file_extensions(), " ")),
              .use = options::FileUse::written});
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_input);
         options::AddOptions(line, options::Group::input)(text::frame, job_.frame);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);

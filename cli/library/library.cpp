@@ -99,9 +99,7 @@ class Warnings final : public app::Observer {
 app::RenderJob job_of(const std::string& clip, const Settings& settings) {
     app::RenderJob job;
     options::CommandLine line("render", "");
-    options::add_input_options(line, job.input, "INPUT", "");
-    options::add_name_options(line, job.input);
-    options::add_join_option(line, job.input);
+    options::add_recording_options(line, job.input, "");
     options::add_picture_options(line, job);
     line.take({clip}, settings);
     app::require_input(job.input);

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/command_line.h"
+#include "cli/options/parse_value.h"
 #include "cli/options/value_types.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"

@@ -12,6 +12,8 @@ namespace vvr::options {
 inline constexpr std::array picture_groups{Group::input, Group::fields, Group::bricks, Group::view, Group::look};
 
 /// Help texts for INPUT.
+inline constexpr const char* video_input =
+    "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording";
 inline constexpr const char* clip_input =
     "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
     "or pattern of pictures (frames/%05d.png); a URL; - for stdin";
@@ -26,8 +28,9 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
 /// Patterns that find camera and time in file names.
 void add_name_options(CommandLine& line, app::InputOptions& options);
 
-/// Whether to accept files as one recording that don't look like one.
-void add_join_option(CommandLine& line, app::InputOptions& options);
+/// INPUT as a clip or the files of a recording, with all of the above, and whether files are accepted as one recording
+/// that don't look like one.
+void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help);
 
 /// The part of the clip to read.
 void add_span_options(CommandLine& line, video::FrameSpan& span);

@@ -86,10 +86,9 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
 void make_folder(const fs::path& out) {
     std::error_code error;
     fs::create_directories(out, error);
-    if (error) {
-        throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot create the folder '{}': {}; choose another -o", out.string(), error.message()));
-    }
+    if (error)
+        throw system_error(error.value(), fmt::format("cannot create the folder '{}'", out.string()),
+                           "choose another -o");
     // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
     // the drawing.
     if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);

@@ -88,7 +88,7 @@ constexpr std::array uses{
 [[noreturn]] void refuse(const char* what, int error) {
     throw Error(ErrorCode::worker_start_failed,
                 fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
-                            std::generic_category().message(error)));
+                            text_of_system_error(error)));
 }
 
 }  // namespace

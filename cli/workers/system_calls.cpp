@@ -289,7 +289,7 @@ namespace {
 [[noreturn]] void refuse(std::string_view what, int error) {
     throw Error(ErrorCode::worker_start_failed,
                 fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
-                            std::generic_category().message(error)));
+                            text_of_system_error(error)));
 }
 
 /// libseccomp functions return a negative errno on failure.

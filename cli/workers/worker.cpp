@@ -35,7 +35,7 @@ constexpr std::size_t most_kept = 4096;  // keep the end: errors come last
 
 [[noreturn]] void refuse(const char* what, int error) {
     throw Error(ErrorCode::worker_start_failed, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
-                                                            std::generic_category().message(error)));
+                                                            text_of_system_error(error)));
 }
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
@@ -283,7 +283,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
     if (wake_ < 0) {
         throw Error(ErrorCode::worker_start_failed,
                     fmt::format("cannot wait for workers: {}; raise the limit of open files (ulimit -n)",
-                                std::generic_category().message(errno)));
+                                text_of_system_error(errno)));
     }
     signals_.set_exit_hook([this] {
         ending_ = true;

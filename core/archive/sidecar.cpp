@@ -415,11 +415,9 @@ void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
     for (const fs::path& file : files) {
         std::error_code error;
         fs::remove(file, error);
-        if (error) {
-            throw Error(code_of_system_error(error.value()),
-                        fmt::format("cannot remove '{}': {}; fix the permissions of its folder", file.string(),
-                                    error.message()));
-        }
+        if (error)
+            throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
+                               "fix the permissions of its folder");
     }
 }
 

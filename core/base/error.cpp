@@ -4,7 +4,10 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace vvr {
 
@@ -155,6 +158,15 @@ ErrorCode general_code(ErrorKind kind) {
 ErrorCode code_of_system_error(int error) {
     const auto* const known = std::ranges::find(system_errors, error, [](const auto& row) { return row.first; });
     return known == system_errors.end() ? ErrorCode::io : known->second;
+}
+
+std::string text_of_system_error(int error) {
+    return std::generic_category().message(error);
+}
+
+Error system_error(int error, const std::string& failed, std::string_view next) {
+    return {code_of_system_error(error),
+            fmt::format("{}: {}{}{}", failed, text_of_system_error(error), next.empty() ? "" : "; ", next)};
 }
 
 }  // namespace vvr

@@ -82,9 +82,8 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error(code_of_system_error(error),
-                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose another folder",
-                            path.string(), std::generic_category().message(error)));
+    throw system_error(error, fmt::format("cannot write '{}'", path.string()),
+                       "free some space, fix its permissions or choose another folder");
 }
 
 template <class Bytes>
@@ -187,15 +186,10 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
 
 namespace {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = image::Metadata;
 
 bool is_time_range(const std::string& option) {
     return option == "start" || option == "end";
-}
-
-std::string value_of(const Settings& settings, const std::string& option) {
-    const auto found = std::ranges::find(settings, option, &Settings::value_type::first);
-    return found == settings.end() ? "" : found->second;
 }
 
 bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
@@ -215,8 +209,8 @@ std::string difference(const Manifest& a, const Manifest& b) {
         return fmt::format("they have the flow of every {} and every {} frames", a.flow_every, b.flow_every);
     for (const Settings* settings : {&a.settings, &b.settings}) {
         for (const auto& [option, value] : *settings) {
-            const std::string one = value_of(a.settings, option);
-            const std::string other = value_of(b.settings, option);
+            const std::string one = image::value_of(a.settings, option);
+            const std::string other = image::value_of(b.settings, option);
             if (!is_time_range(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
@@ -232,7 +226,7 @@ Settings merged(const Manifest& first, const Manifest& last) {
     for (const auto& [option, value] : first.settings) {
         if (option != "end") settings.emplace_back(option, value);
     }
-    const std::string end = value_of(last.settings, "end");
+    const std::string end = image::value_of(last.settings, "end");
     if (!end.empty()) settings.emplace_back("end", end);
     return settings;
 }
@@ -259,7 +253,7 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
     settings_ = merged(first, last);
     info_ = first.clip;
     info_.name = parts_.front().folder.string();
-    const bool whole = first.frames.front().index == 0 && value_of(settings_, "end").empty();
+    const bool whole = first.frames.front().index == 0 && image::value_of(settings_, "end").empty();
     if (!whole) {
         info_.frames = last.frames.back().index - first.frames.front().index + 1;
         info_.duration = info_.rate > 0 ? static_cast<double>(info_.frames) / info_.rate : 0;
