@@ -51,9 +51,9 @@ struct VolumeShadingRow {
 
 /// The first row is the default.
 inline constexpr std::array volume_shadings{
-    VolumeShadingRow{VolumeShading::none, "none", "as mist, darkest where it is densest", "shading_none.glsl"},
-    VolumeShadingRow{VolumeShading::relief, "relief", "as solids with light and dark edges; takes about twice the time",
-                     "shading_relief.glsl"},
+    VolumeShadingRow{VolumeShading::none, "none", "like mist, darkest where it is densest", "shading_none.glsl"},
+    VolumeShadingRow{VolumeShading::relief, "relief",
+                     "like solids with light and dark edges; takes about twice the time", "shading_relief.glsl"},
 };
 
 /// Style of the arrows.

@@ -45,9 +45,9 @@ struct TimeScaleRow {
 };
 
 inline constexpr std::array time_scales{
-    TimeScaleRow{TimeScale::automatic, "auto", "busy where the header says more than two minutes, else even"},
-    TimeScaleRow{TimeScale::even, "even", "all time has the same room"},
-    TimeScaleRow{TimeScale::busy, "busy", "room goes where something moves; the ruler marks where time is squeezed"},
+    TimeScaleRow{TimeScale::automatic, "auto", "busy if the clip's header states more than two minutes, else even"},
+    TimeScaleRow{TimeScale::even, "even", "the same room for all times"},
+    TimeScaleRow{TimeScale::busy, "busy", "more room for times with motion; the ruler marks compressed times"},
 };
 
 /// The allowed difference of two pictures, and the output for a picture of the difference.

@@ -61,8 +61,8 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
                     {setting::colour.name, setting::flow.name});
     }
     if (&asked != &colour_rows().front()) return asked;
-    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
-    return *Choice<ColourRow>(tells_objects && marks_objects && !look.transfer ? "object" : "transfer");
+    const bool describes_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
+    return *Choice<ColourRow>(describes_objects && marks_objects && !look.transfer ? "object" : "transfer");
 }
 
 scene::TransferFunction transfer_or(const LookOptions& look, std::string_view otherwise) {

@@ -35,7 +35,7 @@ enum class Purpose {
     search,  ///< only the events
 };
 
-/// The products of a run, beside files.
+/// The products of a run in addition to files.
 struct Products {
     int pictures = 1;         ///< over which the tracelines' texture moves on by one stripe
     bool series = false;      ///< one picture per brick, while the window moves over the clip

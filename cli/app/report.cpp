@@ -292,7 +292,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
           {"bricks", composed.bricks.size()},
           {"arrows", composed.arrows},
           {"still", composed.nothing_moves},
-          {"squeezed", json_of(composed.compressed_idle)}}},
+          {"compressed", json_of(composed.compressed_idle)}}},
     };
     json["clock"] = json_of(plan.clock, first, last);
     json["segments"] = Json();

@@ -18,12 +18,11 @@
 // video in core/video/settings.h.
 namespace vvr::setting {
 
-inline constexpr Setting detector{.name = "detector",
-                                  .unit = "MODEL",
-                                  .help =
-                                      "object detector that says what an event is, a person, a car: a model of "
-                                      "YOLOX in ONNX format (.onnx)",
-                                  .may_be_file = true};
+inline constexpr Setting detector{
+    .name = "detector",
+    .unit = "MODEL",
+    .help = "object detector that classifies events as person, car, ...: a YOLOX model in ONNX format (.onnx)",
+    .may_be_file = true};
 
 inline constexpr Setting step{
     "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};

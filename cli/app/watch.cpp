@@ -71,9 +71,9 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded earlier, so the current time of this machine doesn't apply.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
-    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
-    if (!told.begin) return {StartTime::From::none};
-    return starts_at(*told.begin, told.begin_source);
+    const video::Segment named = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
+    if (!named.begin) return {StartTime::From::none};
+    return starts_at(*named.begin, named.begin_source);
 }
 
 /// Whether the file was changed in the last few seconds.
@@ -91,7 +91,7 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     live.source.colour = wants_colour(job);
     live.patience = options.patience;
     live.duration = options.duration;
-    live.tell = [&observer](const std::string& text) { observer.warn(text); };
+    live.report = [&observer](const std::string& text) { observer.warn(text); };
     return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
 }
 

@@ -127,8 +127,8 @@ ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
     if (end.status > killed) return ErrorCode::worker_killed;
-    const auto told = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
-    if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
+    const auto code = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
+    if (code && static_cast<int>(cli::exit_status(row_of(*code).kind)) == end.status) return *code;
     return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
 }
 

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include <linux/filter.h>
 
 namespace vvr::workers {
+
+/// Reports that a call of the kernel for a sandbox failed.
+/// \param error a value of errno
+[[noreturn]] void refuse_sandbox(std::string_view what, int error);
 
 /// Access rights to a file, or to all files below a folder.
 enum class Use {

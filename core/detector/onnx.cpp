@@ -55,7 +55,7 @@ std::optional<ProtobufField> ProtobufReader::next() {
             field.bytes = read_bytes(4);
             return field;
     }
-    throw std::invalid_argument("a field is of no known type");
+    throw std::invalid_argument("a field has an unknown type");
 }
 
 std::optional<std::uint64_t> ProtobufReader::next_packed() {
@@ -64,7 +64,7 @@ std::optional<std::uint64_t> ProtobufReader::next_packed() {
 }
 
 void set_once(std::optional<std::string_view>& known, const ProtobufField& field) {
-    if (known) throw std::invalid_argument("a part is there twice");
+    if (known) throw std::invalid_argument("a part occurs twice");
     known = field.bytes;
 }
 
@@ -170,7 +170,7 @@ std::string_view check_tensor(std::string_view tensor) {
     const bool whole = !raw || raw->size() % known->bytes == 0;
     const bool in_one_place = all == in_raw || (all == in_list && !raw);
     if (!elements || !whole || !in_one_place || all != *elements) {
-        refuse(fmt::format("it is damaged: the shape of '{}' is another than that of its numbers", shown_text(name)));
+        refuse(fmt::format("it is damaged: the shape of '{}' does not match its numbers", shown_text(name)));
     }
     return name;
 }

@@ -31,9 +31,9 @@ constexpr int quantiser = 3;  // 1 to 31; JPEG quality of about 90
 
 void check(int result, const char* what) {
     if (result >= 0) return;
-    throw Error(
-        result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
-        fmt::format("cannot {} a picture in memory: {}; use an FFmpeg with its codec mjpeg", what, av_error_text(result)));
+    throw Error(result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
+                fmt::format("cannot {} a picture in memory: {}; use an FFmpeg that has the codec mjpeg", what,
+                            av_error_text(result)));
 }
 
 template <class T>

@@ -79,7 +79,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     check(data["clock"] is None and '<p id="summary">0:00 to 0:12, 120 frames; time of day not known</p>' in page, page[-3000:])
 
     told = t.vvr("info", "dated.mp4")
-    check("written  2026-11-21 07:30:00 UTC, as the container says; it may have been recorded at another time" in told.out, str(told))
+    check("written  2026-11-21 07:30:00 UTC, from the container; it may have been recorded at another time" in told.out, str(told))
     check("recorded 2" not in told.out and "22:26" not in told.out, str(told))
     told = json.loads(t.vvr("info", "dated.mp4", "--json").out)
     check(told["recorded"] is None and told["recorded_by"] is None and told["written"] == "2026-11-21 07:30:00", str(told))

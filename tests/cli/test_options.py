@@ -42,6 +42,8 @@ UNUSABLE = {  # option and value, the error's code, and what the text has to say
     ("--backend", "egl:256"): ("option-value-out-of-range", "0 to"),
     ("--backend", "auto:1"): ("option-value", "'auto:1'", "egl:1"),
     ("--backend", "egl:"): ("option-value", "''"),
+    ("--events", "left,flew"): ("choice-unknown", "'flew'", "5s"),
+    ("--events", "left,2d"): ("option-value-out-of-range", "'2d'"),
 }
 
 
