@@ -64,8 +64,6 @@ nlohmann::ordered_json json_of(const image::Comparison& comparison) {
     return json;
 }
 
-constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no number"};
-
 class Compare final : public Command {
   public:
     void add_options(options::CommandLine& line) override {

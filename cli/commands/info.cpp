@@ -134,8 +134,6 @@ std::string as_json(const fields::FieldSource& source, const app::Extent& extent
     return json_text(json, 2) + "\n";
 }
 
-constexpr Setting json_option{"json", "", "print JSON for programs; null where the container has no value"};
-
 class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
