@@ -76,7 +76,7 @@ void check(const workers::ArchiveOptions& options) {
     if (options.out.empty())
         throw Error(ErrorCode::output_missing, "no output given; name the folder for the pictures with -o DIR");
     if (!options.draws() && (options.prune || options.dry_run)) {
-        throw Error(ErrorCode::options_conflict, fmt::format("--write index only writes the index; drop {}",
+        throw Error(ErrorCode::options_conflict, fmt::format("--write index writes only the index; drop {}",
                                                              options.prune ? "--prune" : "--dry-run"));
     }
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
