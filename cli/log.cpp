@@ -55,10 +55,7 @@ int open_at_end(const std::string& path) {
 
 LogFile::LogFile(std::string path) : path_(std::move(path)), fd_(open_at_end(path_)) {
     if (fd_ >= 0) return;
-    const int error = errno;
-    throw Error(code_of_system_error(error), fmt::format("cannot write the log '{}': {}; check its folder and "
-                                                         "permissions",
-                                                         path_, std::strerror(error)));
+    throw system_error(errno, fmt::format("cannot write the log '{}'", path_), "check its folder and permissions");
 }
 
 LogFile::~LogFile() {

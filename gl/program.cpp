@@ -133,7 +133,7 @@ ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, V
         return source("the volume's pixel data", {map, "volume.vert"},
                       {map, "volume_sample.glsl", optical, "pixel_data_over.glsl", "pixel_data_volume.frag"});
     }
-    const std::string_view shaded = std::ranges::find(volume_shadings(), shading, &VolumeShadingRow::shading)->shader;
+    const std::string_view shaded = std::ranges::find(volume_shadings, shading, &VolumeShadingRow::shading)->shader;
     return source("the volume", {map, "volume.vert"}, {map, "volume_sample.glsl", optical, shaded, "volume.frag"});
 }
 

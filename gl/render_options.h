@@ -1,8 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include <glm/glm.hpp>
@@ -27,9 +28,16 @@ struct VolumeColourRow {
 };
 
 /// The first row is the default.
-std::span<const VolumeColourRow> volume_colours();
+inline constexpr std::array volume_colours{
+    VolumeColourRow{VolumeColour::transfer, "optical_transfer.glsl", false},
+    VolumeColourRow{VolumeColour::own, "optical_own.glsl", false},
+    VolumeColourRow{VolumeColour::object, "optical_object.glsl", true},
+    VolumeColourRow{VolumeColour::time, "optical_time.glsl", true},
+};
 
-const VolumeColourRow& row_of(VolumeColour colour);
+constexpr const VolumeColourRow& row_of(VolumeColour colour) {
+    return *std::ranges::find(volume_colours, colour, &VolumeColourRow::colour);
+}
 
 /// Shading of the volume.
 enum class VolumeShading { none, relief };
@@ -42,7 +50,11 @@ struct VolumeShadingRow {
 };
 
 /// The first row is the default.
-std::span<const VolumeShadingRow> volume_shadings();
+inline constexpr std::array volume_shadings{
+    VolumeShadingRow{VolumeShading::none, "none", "like mist, darkest where it is densest", "shading_none.glsl"},
+    VolumeShadingRow{VolumeShading::relief, "relief",
+                     "like solids with light and dark edges; takes about twice the time", "shading_relief.glsl"},
+};
 
 /// Style of the arrows.
 struct GlyphStyle {

@@ -1,5 +1,3 @@
-#include "cli/app/annotate.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/compose.h"
 #include "core/base/text.h"
 #include "core/fields/field.h"
 #include "core/glance/portraits.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "cli/app/annotate.h"
 #include "core/glance/objects.h"
 #include "core/labels/ruler.h"
 #include "core/scene/scene.h"

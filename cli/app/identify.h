@@ -43,7 +43,7 @@ class Identifier {
     const DetectorUse& identify(events::Findings& found, const glance::Crops& crops);
 
   private:
-    /// What was told of a track's picture.
+    /// What the detector found in a track's picture.
     struct Answer {
         double score = 0;  ///< of the picture, which a better one may replace
         events::Look look;

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/colour.h"
+#include "cli/app/look.h"
 #include "cli/app/settings.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"

@@ -40,7 +40,7 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
     if (start.from == From::none) return std::nullopt;
-    const bool told = recording_time_is_known(info);
+    const bool known = recording_time_is_known(info);
     struct Row {
         From from;
         std::optional<std::int64_t> begin;
@@ -48,19 +48,19 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
         std::string_view word;
         std::string_view missing;
     };
-    const auto told_by = [&](ClockSource source) {
+    const auto begin_by = [&](ClockSource source) {
         return info.began_source == source ? info.began : std::optional<std::int64_t>();
     };
     const auto or_else = [](std::optional<std::int64_t> first, std::optional<std::int64_t> second) {
         return first ? first : second;
     };
     const Row rows[] = {
-        {From::automatic, told ? info.began : std::nullopt, info.began_source, "", ""},
-        {From::recorded, told ? info.began : std::nullopt, info.began_source, "recorded",
+        {From::automatic, known ? info.began : std::nullopt, info.began_source, "", ""},
+        {From::recorded, known ? info.began : std::nullopt, info.began_source, "recorded",
          "the name of '{}' has no date and time; give them, or describe the name with --names"},
-        {From::container, or_else(told_by(ClockSource::container), info.created), ClockSource::container, "container",
+        {From::container, or_else(begin_by(ClockSource::container), info.created), ClockSource::container, "container",
          "the container of '{}' has no creation time; give the date and time"},
-        {From::modified, or_else(told_by(ClockSource::modified), info.modified), ClockSource::modified, "modified",
+        {From::modified, or_else(begin_by(ClockSource::modified), info.modified), ClockSource::modified, "modified",
          "'{}' is not a file with a modification time; give the date and time"},
     };
     const Row& row = *std::ranges::find(rows, start.from, &Row::from);

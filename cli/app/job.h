@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/app/colour.h"
-#include "cli/app/part.h"
+#include "cli/app/look.h"
 #include "core/detector/detector.h"
 #include "core/events/event.h"
 #include "core/fields/options.h"
@@ -46,9 +45,9 @@ struct TimeScaleRow {
 };
 
 inline constexpr std::array time_scales{
-    TimeScaleRow{TimeScale::automatic, "auto", "busy where the header says more than two minutes, else even"},
-    TimeScaleRow{TimeScale::even, "even", "all time has the same room"},
-    TimeScaleRow{TimeScale::busy, "busy", "room goes where something moves; the ruler marks where time is squeezed"},
+    TimeScaleRow{TimeScale::automatic, "auto", "busy if the clip's header states more than two minutes, else even"},
+    TimeScaleRow{TimeScale::even, "even", "the same room for all times"},
+    TimeScaleRow{TimeScale::busy, "busy", "more room for times with motion; the ruler marks compressed times"},
 };
 
 /// The allowed difference of two pictures, and the output for a picture of the difference.
@@ -146,8 +145,7 @@ struct LookOptions {
     std::optional<glm::vec4> background{};    ///< premultiplied; none = the theme's
     std::optional<NamedTransfer> transfer{};  ///< none = the theme's
     Choice<ColourRow> colour = "auto";
-    std::string title;           ///< empty = the clip's name
-    std::filesystem::path font;  ///< of all text; empty = fontconfig's sans
+    std::string title;  ///< empty = the clip's name
     StartTime start_time;
     double opacity = 1;      ///< factor for the extinction
     double glyph_scale = 1;  ///< factor for the arrows' size

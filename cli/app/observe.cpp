@@ -192,7 +192,7 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     needs.seeds = plan.job.look.show.any(&PartRow::needs_seeds);
     needs.flow_of_every_frame = plan.colour->needs_flow;
     const bool stand = plan.shows(Part::frames) && plan.job.look.keyframes > 0;
-    // Colours help to tell objects apart, if available.
+    // Colours help to distinguish objects, if available.
     needs.colour = plan.colour->needs_pictures ||
                    ((stand || plan.colours_objects() || plan.detector != nullptr) && source.has_pictures());
     // The header's number of frames may be far too large; limit the interval to that of the setting.

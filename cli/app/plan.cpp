@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "core/fields/flow.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
+#include "core/scene/scene.h"
 
 namespace vvr::app {
 
@@ -59,8 +61,8 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
                     {setting::colour.name, setting::flow.name});
     }
     if (&asked != &colour_rows().front()) return asked;
-    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
-    return *Choice<ColourRow>(tells_objects && marks_objects && !look.transfer ? "object" : "transfer");
+    const bool describes_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
+    return *Choice<ColourRow>(describes_objects && marks_objects && !look.transfer ? "object" : "transfer");
 }
 
 scene::TransferFunction transfer_or(const LookOptions& look, std::string_view otherwise) {
@@ -285,6 +287,38 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     if (plan.products.series) plan.window = sliding_window(plan.job.bricks, plan.job.look.keyframes, plan.clip);
     plan.extent = extent_of(plan);
     return plan;
+}
+
+Framing Plan::framing() const {
+    Framing framing;
+    const Parts& show = job.look.show;
+    framing.sheet = labels::arrange_sheet(job.picture.size,
+                                          {.title = show.has(Part::title),
+                                           .ruler = show.has(Part::ruler),
+                                           .legend = show.has(Part::legend),
+                                           .explanation = show.has(Part::explanation),
+                                           .portraits = show.has(Part::portraits),
+                                           .ends = show.has(Part::ends),
+                                           .strip = show.has(Part::strip)},
+                                          static_cast<double>(clip.field_size.width) / clip.field_size.height);
+    const PixelBox& part = framing.sheet.volume;
+    const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
+    std::vector<glm::dvec3> points =
+        show.any(&PartRow::around_volume) ? scene::corners(scene::layout_bounds(*layout)) : outline;
+    space::View view = job.picture.view;
+    if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet already leaves a margin
+    space::Camera camera = space::fit_camera(view, points, part.size());
+    framing.edge = labels::outer_edge(*layout, camera, part.size());
+    if (show.has(Part::ruler)) {
+        const std::vector<glm::dvec3> reach = labels::ruler_reach(*layout, framing.edge);
+        points.insert(points.end(), reach.begin(), reach.end());
+        camera = space::fit_camera(view, points, part.size());
+    }
+    framing.camera = camera.within(part, job.picture.size);
+    double side = 0;
+    for (const glm::dvec3& p : outline) side = std::max(side, framing.camera.pixel_size(p, job.picture.size));
+    framing.half_pixel = side * std::numbers::sqrt2 / 2;
+    return framing;
 }
 
 }  // namespace vvr::app

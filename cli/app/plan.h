@@ -5,16 +5,27 @@
 #include <string>
 #include <vector>
 
-#include "cli/app/colour.h"
-#include "cli/app/framing.h"
 #include "cli/app/input.h"
 #include "cli/app/job.h"
+#include "cli/app/look.h"
 #include "core/detector/detector.h"
 #include "core/fields/filter.h"
 #include "core/fields/reference.h"
+#include "core/labels/ruler.h"
+#include "core/labels/sheet.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
 
 // The plan of a run: a job that was checked against the opened footage.
 namespace vvr::app {
+
+/// The positions of the volume and of the text around it in a picture.
+struct Framing {
+    labels::Sheet sheet;
+    space::Camera camera;   ///< for the whole picture
+    labels::TimeEdge edge;  ///< along which the ruler runs
+    double half_pixel = 0;  ///< half the diagonal of the largest pixel that shows the volume, in P-space units
+};
 
 /// The purpose of a run, beyond the files named by its output.
 enum class Purpose {
@@ -24,7 +35,7 @@ enum class Purpose {
     search,  ///< only the events
 };
 
-/// The products of a run, beside files.
+/// The products of a run in addition to files.
 struct Products {
     int pictures = 1;         ///< over which the tracelines' texture moves on by one stripe
     bool series = false;      ///< one picture per brick, while the window moves over the clip
@@ -80,7 +91,7 @@ struct Plan {
 
     bool shows(Part part) const { return job.look.show.has(part); }
     bool colours_objects() const { return colour->drawn == gl::VolumeColour::object; }
-    Framing framing() const { return frame_volume(job, *layout, clip.field_size); }
+    Framing framing() const;
 };
 
 /// Makes the plan, for all commands.

@@ -124,7 +124,6 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
 
 RenderSummary render(const RenderJob& job, Observer& observer, const PictureCallback& on_picture) {
     validate(job);
-    image::choose_font(job.look.font);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput files(job.output, observer);
     check_golden_picture(job.output.golden);

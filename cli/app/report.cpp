@@ -231,7 +231,7 @@ image::Metadata settings_and_font(const RunContext& context) {
     image::Metadata settings = context.plan.job.settings;
     const labels::Lettering& lettering = context.composed.lettering;
     const bool text = !lettering.labels.empty() || !lettering.badges.empty();
-    if (text) image::put(settings, setting::font.name, image::font_name());
+    if (text) image::put(settings, "font", image::font_name());
     return settings;
 }
 
@@ -292,7 +292,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
           {"bricks", composed.bricks.size()},
           {"arrows", composed.arrows},
           {"still", composed.nothing_moves},
-          {"squeezed", json_of(composed.compressed_idle)}}},
+          {"compressed", json_of(composed.compressed_idle)}}},
     };
     json["clock"] = json_of(plan.clock, first, last);
     json["segments"] = Json();

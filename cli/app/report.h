@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/app/composition.h"
+#include "cli/app/compose.h"
 #include "cli/app/observe.h"
+#include "cli/app/observer.h"
 #include "core/image/picture.h"
 #include "gl/context.h"
 
@@ -69,5 +70,19 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
 
 /// The metadata of a picture's file: the settings, and their results for this clip.
 image::Metadata record_of(const RunContext& context);
+
+// Texts for people about a run.
+/// The result of a run in one line.
+std::string result_text(const RunContext& context);
+
+/// A summary of the events in one line: "3 events; the longest from 14.0 s to 52.5 s". Uses wall-clock times if known.
+std::string events_summary(const std::vector<events::Event>& events, const WallClock& clock);
+
+/// Suggestions for this clip, one sentence each.
+std::vector<std::string> advice_on(const Plan& plan, const Observation& seen);
+
+/// Logs all possible problems of the input or the picture.
+/// \param advice from advice_on
+void log_warnings(const RunContext& context, const std::vector<std::string>& advice, Observer& observer);
 
 }  // namespace vvr::app

@@ -52,7 +52,6 @@ void validate(const RenderJob& job) {
                     {setting::step.name, setting::time.name});
     }
     if (is_series(job.output)) validate_series(job);
-    if (!job.look.font.empty()) image::check_font(job.look.font);
 }
 
 }  // namespace vvr::app

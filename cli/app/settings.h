@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "cli/app/colour.h"
 #include "cli/app/job.h"
+#include "cli/app/look.h"
 #include "core/base/setting.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
@@ -18,12 +18,11 @@
 // video in core/video/settings.h.
 namespace vvr::setting {
 
-inline constexpr Setting detector{.name = "detector",
-                                  .unit = "MODEL",
-                                  .help =
-                                      "object detector that says what an event is, a person, a car: a model of "
-                                      "YOLOX in ONNX format (.onnx)",
-                                  .may_be_file = true};
+inline constexpr Setting detector{
+    .name = "detector",
+    .unit = "MODEL",
+    .help = "object detector that classifies events as person, car, ...: a YOLOX model in ONNX format (.onnx)",
+    .may_be_file = true};
 
 inline constexpr Setting step{
     "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};
@@ -67,10 +66,6 @@ inline constexpr Setting background{
     .unit = "COLOR",
     .help = "colour of the background: #rrggbb, or none = transparent; default: the theme's"};
 inline constexpr Setting title{"title", "TEXT", "title above the picture; default: the clip's name"};
-inline constexpr Setting font{.name = "font",
-                              .unit = "FILE",
-                              .help = "font of all text: .ttf, .otf; default: fontconfig's sans",
-                              .may_be_file = true};
 inline constexpr Setting start_time{
     .name = "start-time",
     .unit = "DATETIME",
@@ -102,9 +97,7 @@ inline constexpr Setting time_velocity{
     "the paper's v_t, frames moved along the arc per frame; 0 = arrows and tracelines stay in their frame",
     {-1000, 1000}};
 
-inline constexpr Setting backend{"backend", "NAME", "OpenGL backend"};
-inline constexpr Setting device{
-    "device", "NUMBER", "number of the EGL device, as in `vvr doctor`; -1 = the first that works", {-1, 255}};
+inline constexpr Setting backend{"backend", "NAME", "OpenGL backend; egl:1 = its device 1 in the list of `vvr doctor`"};
 
 inline constexpr Setting animate{
     "animate", "COUNT", "number of pictures; from one to the next, stripes move along the tracelines", {2, 10'000}};
@@ -150,6 +143,14 @@ struct Radii {
 };
 template <class Shape>
 Radii(Shape&) -> Radii<Shape>;
+
+/// A backend, and the device that it opens.
+template <class Options>
+struct BackendAndDevice {
+    Options& backend;
+};
+template <class Options>
+BackendAndDevice(Options&) -> BackendAndDevice<Options>;
 
 /// A number for which 0 has a word.
 template <class Number>
@@ -226,10 +227,9 @@ void each_look_setting(Job& job, const Each& each) {
     each(setting::background, look.background);
     each(setting::start_time, look.start_time);
     each(setting::transfer, look.transfer);
-    each(setting::shading, job.picture.shading, gl::volume_shadings(), &gl::VolumeShadingRow::shading);
+    each(setting::shading, job.picture.shading, gl::volume_shadings, &gl::VolumeShadingRow::shading);
     each(setting::keyframes, look.keyframes);
     each(setting::title, look.title);
-    each(setting::font, look.font);
     each(setting::colour, look.colour, colour_rows());
     each(setting::opacity, look.opacity);
     each(setting::glyph_scale, look.glyph_scale);
@@ -239,8 +239,7 @@ void each_look_setting(Job& job, const Each& each) {
 
 template <class Options, class Each>
 void each_backend_setting(Options& backend, const Each& each) {
-    each(setting::backend, backend.row, gl::backends());
-    each(setting::device, backend.device);
+    each(setting::backend, BackendAndDevice{backend});
 }
 
 /// The settings of a job that change its picture. The record of a picture has them in this order.

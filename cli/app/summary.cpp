@@ -1,5 +1,3 @@
-#include "cli/app/summary.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/app/input.h"
+#include "cli/app/report.h"
 #include "core/base/text.h"
 #include "core/events/event.h"
 #include "core/labels/time_ticks.h"

@@ -22,7 +22,7 @@
 #include "cli/app/settings.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
-#include "core/fields/running_reference.h"
+#include "core/fields/reference.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/moments.h"
@@ -71,9 +71,9 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded earlier, so the current time of this machine doesn't apply.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
-    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
-    if (!told.begin) return {StartTime::From::none};
-    return starts_at(*told.begin, told.begin_source);
+    const video::Segment named = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
+    if (!named.begin) return {StartTime::From::none};
+    return starts_at(*named.begin, named.begin_source);
 }
 
 /// Whether the file was changed in the last few seconds.
@@ -91,7 +91,7 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     live.source.colour = wants_colour(job);
     live.patience = options.patience;
     live.duration = options.duration;
-    live.tell = [&observer](const std::string& text) { observer.warn(text); };
+    live.report = [&observer](const std::string& text) { observer.warn(text); };
     return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
 }
 
@@ -183,7 +183,6 @@ RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
 StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer) : observer_(observer) {
     validate(job);
     validate_series(job);
-    image::choose_font(job.look.font);
     auto detector = open_detector(job.detector);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();

@@ -10,7 +10,6 @@
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
 #include "cli/app/report.h"
-#include "cli/app/summary.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/plane.h"

@@ -37,12 +37,10 @@ constexpr Setting match{
 constexpr Setting exclude{"exclude", "GLOB", "pattern of files to leave out; may be repeated"};
 constexpr Setting per{"per", "NAME", "what one picture shows"};
 constexpr Setting redraw{"redraw", "TIME", "minimum new footage, or idle time, before a day is redrawn"};
-constexpr Setting shard{"shard", "I/N", "draw only this share of the clips, 1/N to N/N"};
+constexpr Setting part{"part", "I/N", "draw only part I of N of the clips, 1/N to N/N"};
 constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; draw nothing"};
 constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
-constexpr Setting index_only{"index-only", "", "write the index and draw nothing"};
-constexpr Setting no_index{"no-index", "", "write no index"};
-constexpr Setting no_pages{"no-pages", "", "make pictures only, which is faster"};
+constexpr Setting write{"write", "LIST", "what a run writes"};
 constexpr Setting jobs{"jobs",
                        "COUNT",
                        "number of clips drawn at the same time, each in its own process",
@@ -55,19 +53,17 @@ constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own cl
 }  // namespace text
 
 void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& archive,
-                         std::optional<std::pair<int, int>>& shard) {
+                         std::optional<std::pair<int, int>>& part) {
     const options::AddOptions add(line, options::Group::archive);
     add(text::output, archive.out, {.letter = 'o', .help = fmt::format("{}; created if missing", archive::index_name)});
     add(text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
     add(text::exclude, archive.exclude);
     add(text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
     add(text::redraw, archive.redraw);
-    add(text::shard, shard);
+    add(text::part, part);
     add(text::dry_run, archive.dry_run);
     add(text::prune, archive.prune);
-    add(text::index_only, archive.index_only);
-    add(text::no_index, archive.no_index);
-    add(text::no_pages, archive.no_pages);
+    add(text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
     const options::AddOptions add_worker(line, options::Group::workers);
     add_worker(text::jobs, archive.jobs);
     add_worker(text::timeout, archive.timeout);
@@ -79,11 +75,9 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
 void check(const workers::ArchiveOptions& options) {
     if (options.out.empty())
         throw Error(ErrorCode::output_missing, "no output given; name the folder for the pictures with -o DIR");
-    if (options.index_only && (options.no_index || options.prune || options.dry_run)) {
-        throw Error(ErrorCode::options_conflict,
-                    fmt::format("--index-only writes only the index; drop {}", options.no_index ? "--no-index"
-                                                                               : options.prune  ? "--prune"
-                                                                                                : "--dry-run"));
+    if (!options.draws() && (options.prune || options.dry_run)) {
+        throw Error(ErrorCode::options_conflict, fmt::format("--write index writes only the index; drop {}",
+                                                             options.prune ? "--prune" : "--dry-run"));
     }
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
     if (options.max_memory && *options.max_memory < least_memory) {
@@ -93,13 +87,13 @@ void check(const workers::ArchiveOptions& options) {
                                 *options.max_memory),
                     {text::max_memory.name});
     }
-    if (options.in.empty() && !options.index_only) {
+    if (options.in.empty() && options.draws()) {
         throw Error(ErrorCode::input_missing, "no INPUT given; name the folder of the clips");
     }
 }
 
-/// These settings select OpenGL. Workers get them, but they change no picture.
-constexpr std::array drawn_with{setting::backend.name, setting::device.name};
+/// What selects OpenGL. Workers get it, but it changes no picture.
+constexpr std::array drawn_with{setting::backend.name};
 
 /// A digest of all settings that change the files. Without vvr's version: a new version must not redraw years of clips.
 std::string digest_of(const options::CommandLine& line, const workers::ArchiveOptions& options) {
@@ -114,7 +108,7 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
         }
     }
     for (const archive::OutputRow& row : archive::output_rows) {
-        if (row.kind != archive::OutputKind::page || !options.no_pages)
+        if (row.kind != archive::OutputKind::page || options.writes(workers::Written::pages))
             text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
     return hex_sha256(text);
@@ -123,7 +117,7 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
 class Archive final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        add_archive_options(line, options_, shard_);
+        add_archive_options(line, options_, part_);
         options::add_input_options(line, job_.input, "CLIPS",
                                    "the folder of the clips; vvr also searches its subfolders");
         options::add_name_options(line, job_.input);
@@ -137,12 +131,11 @@ class Archive final : public Command {
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (!job_.input.names.empty()) options_.in = app::only_input(job_.input);
         check(options_);
-        if (shard_) {
-            options_.shard = {static_cast<std::uint64_t>(shard_->first - 1),
-                              static_cast<std::uint64_t>(shard_->second)};
+        if (part_) {
+            options_.shard = {static_cast<std::uint64_t>(part_->first - 1), static_cast<std::uint64_t>(part_->second)};
         }
         options::finish(line, job_, false);
-        if (!options_.index_only) {
+        if (options_.draws()) {
             app::validate(job_);
             app::open_detector(job_.detector);
         }
@@ -171,7 +164,7 @@ class Archive final : public Command {
     }
 
     workers::ArchiveOptions options_;
-    std::optional<std::pair<int, int>> shard_;  ///< I of N, from 1; none = all clips
+    std::optional<std::pair<int, int>> part_;  ///< I of N, from 1; none = all clips
     app::RenderJob job_;
 };
 

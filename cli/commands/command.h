@@ -30,6 +30,9 @@ class Command {
     virtual cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) = 0;
 };
 
+/// An option of several commands.
+inline constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no value"};
+
 /// One row of the table of commands.
 struct CommandRow {
     std::string_view name;

@@ -12,7 +12,7 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
-#include "cli/options/output.h"
+#include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/image/comparison.h"
@@ -63,8 +63,6 @@ nlohmann::ordered_json json_of(const image::Comparison& comparison) {
     }
     return json;
 }
-
-constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no number"};
 
 class Compare final : public Command {
   public:

@@ -17,8 +17,11 @@ namespace {
 void read(options::CommandLine& line, const options::ConfigChoice& choice, const std::string& preset = {}) {
     std::vector<std::string> arguments;
     // Without --config the file is searched for again, so that errors say how it was found.
-    if (choice.file.empty()) arguments.emplace_back("--no-config");
-    if (choice.is_given) arguments.push_back(fmt::format("--config={}", choice.file.string()));
+    if (choice.file.empty()) {
+        arguments.emplace_back("--config=none");
+    } else if (choice.is_given) {
+        arguments.push_back(fmt::format("--config={}", choice.file.string()));
+    }
     if (!preset.empty()) arguments.push_back(fmt::format("--{}={}", setting::preset.name, preset));
     line.parse(arguments);
 }
@@ -63,7 +66,7 @@ std::string settings_of(const CommandRow& row, const options::ConfigChoice& choi
     const auto of_preset = options::settings_of_preset(preset);
     const std::vector<options::OptionValue> given = line.given(options::all_groups);
     for (const options::OptionValue& option : line.values(options::all_groups)) {
-        if (option.name == "config" || option.name == "no-config" || option.name == "help") continue;
+        if (option.name == "config" || option.name == "help") continue;
         const bool set = std::ranges::find(given, option.name, &options::OptionValue::name) != given.end();
         // The preset given here takes precedence over the config file.
         const bool preset_sets =
@@ -88,7 +91,7 @@ class Config final : public Command {
                    {.values = options::values_of(options::presets())});
         line.examples({{"vvr config", "the active config file, and what it sets"},
                        {"vvr config render", "every option of render, and what sets it"},
-                       {"vvr config render --no-config", "the defaults"},
+                       {"vvr config render --config none", "the defaults"},
                        {"vvr config render --preset paper", "the options that a preset sets"}});
     }
 

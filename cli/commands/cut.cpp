@@ -25,14 +25,13 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/output.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
-#include "core/video/packet_range.h"
+#include "core/video/packet_copy.h"
 
 namespace vvr::commands {
 
@@ -319,12 +318,7 @@ class Cut final : public Command {
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
-        options::add_input_options(
-            line, search.input, "INPUT...",
-            "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one "
-            "recording");
-        options::add_name_options(line, search.input);
-        options::add_join_option(line, search.input);
+        options::add_recording_options(line, search.input, options::video_input);
         options::AddOptions(line, options::Group::look)(setting::start_time, search.look.start_time);
         options::add_span_options(line, search.fields.span);
         line.exclude(text::report, setting::start);

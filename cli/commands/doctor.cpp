@@ -145,8 +145,6 @@ std::string as_text(const std::vector<gl::BackendReport>& reports, const Detecto
     return text;
 }
 
-constexpr Setting json_option{"json", "", "print JSON for programs; null where there is no value"};
-
 class Doctor final : public Command {
   public:
     void add_options(options::CommandLine& line) override {

@@ -29,7 +29,6 @@ struct ExtractJob {
     fields::FieldOptions fields;  ///< flow and seeds are stored every `fields.flow.every` frames
     app::StartTime start_time;    ///< for a `fields.span` given in wall-clock times
     std::filesystem::path folder;
-    bool colour = false;                      ///< store every frame's picture too
     std::optional<std::pair<int, int>> part;  ///< part I of N as {I, N}, from 1; none = use fields.span
     image::Metadata settings;                 ///< all settings as text, for the manifest
 };
@@ -86,7 +85,7 @@ void extract(ExtractJob job, app::Observer& observer) {
     const fields::FieldSummary summary =
         fields::compute_fields(*clip, job.fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
             // Create the folder only now, so that an older extraction stays if this one fails early.
-            if (!folder) folder.emplace(job.folder, flow_every, job.colour);
+            if (!folder) folder.emplace(job.folder, flow_every);
             folder->add(*frame, field);
             observer.frames(++frames, expected);
         });
@@ -115,7 +114,6 @@ void extract(ExtractJob job, app::Observer& observer) {
 
 namespace text {
 constexpr Setting output{"output", "DIR", "a new or empty folder; an older extraction in it is replaced"};
-constexpr Setting with_color{"with-color", "", "also store the picture of each frame, for renders with --color video"};
 constexpr Setting part{"part", "I/N", "extract only part I of N of the clip, 1/N to N/N"};
 }  // namespace text
 
@@ -126,12 +124,9 @@ class Extract final : public Command {
         add(text::output, job_.folder, {.letter = 'o', .use = options::FileUse::written});
         // Not in Group::fields: it decides what is stored, not how a field is computed.
         add(setting::flow_every, job_.fields.flow.every);
-        add(text::with_color, job_.colour);
         // The recorded settings have the part as --start and --end.
         add(text::part, job_.part);
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_input);
         options::add_span_options(line, job_.fields.span);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);
@@ -139,7 +134,7 @@ class Extract final : public Command {
         options::add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr extract clip.avi -o data", "fields, flow and seeds as files"},
                        {"vvr render data -o data.png", "the picture of them"},
-                       {"vvr extract clip.avi -o part --part 2/8 --with-color", "one of eight parts of a long clip"}});
+                       {"vvr extract clip.avi -o part --part 2/8", "one of eight parts of a long clip"}});
     }
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {

@@ -18,7 +18,7 @@
 #include "core/store/manifest.h"
 #include "core/video/input.h"
 #include "core/video/input_files.h"
-#include "core/video/packet_range.h"
+#include "core/video/packet_copy.h"
 
 namespace vvr::commands {
 

@@ -65,14 +65,14 @@ std::string as_text(const fields::FieldSource& source, const app::Extent& extent
     line("format", fmt::format("{}, {}", info.container, info.codec));
     line("size", text_of(info.size));
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames per second", info.rate)));
-    line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
+    line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, from the container", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (recording_time_is_known(info)) {
         line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));
     }
     if (info.created) {
         line("written",
-             fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
+             fmt::format("{} UTC, from the container{}", labels::format_clock(*info.created),
                          recording_time_is_known(info)
                              ? ""
                              : "; it may have been recorded at another time (--start-time container uses this one)"));
@@ -94,7 +94,7 @@ nlohmann::ordered_json json_of(const video::Segment& clip) {
     return {{"file", clip.path},
             {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
             {"begin", clip.begin ? Json(labels::format_clock(*clip.begin)) : Json()},
-            {"told_by", row_of(clip.begin_source).name},
+            {"recorded_by", row_of(clip.begin_source).name},
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
@@ -134,15 +134,11 @@ std::string as_json(const fields::FieldSource& source, const app::Extent& extent
     return json_text(json, 2) + "\n";
 }
 
-constexpr Setting json_option{"json", "", "print JSON for programs; null where the container has no value"};
-
 class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         options::AddOptions(line, options::Group::output)(json_option, json_);
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "the clip, and the memory that a picture of it needs"},
                        {"vvr info clip.avi --json", "the same for programs"},

@@ -46,7 +46,6 @@ struct InspectJob {
     fields::FieldOptions fields;
     std::optional<app::Time> frame;  ///< none = the middle of the clip, but at most a minute into it
     std::filesystem::path path;
-    std::filesystem::path font;  ///< for captions; empty = fontconfig's sans
 };
 
 /// The frame with that number, or the one shown at that time. Counts decoded frames from the first one and ignores the
@@ -278,7 +277,6 @@ void write_region_editor(const InspectJob& job, app::Observer& observer) {
 /// \throws Error usage, io, not_video, limit
 void inspect(const InspectJob& job, app::Observer& observer) {
     if (app::is_page(job.path)) return write_region_editor(job, observer);
-    image::choose_font(job.font);
     constexpr bool colour = true;
     std::vector<std::string> warnings;
     const auto clip = app::open_clip(job.input, colour, job.fields.threads, warnings);
@@ -317,13 +315,10 @@ class Inspect final : public Command {
              .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
                                  fmt::join(image::picture_file_extensions(), " ")),
              .use = options::FileUse::written});
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_input);
         options::AddOptions(line, options::Group::input)(text::frame, job_.frame);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);
-        options::AddOptions(line, options::Group::look)(setting::font, job_.font);
         options::add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr inspect clip.avi --frame 1s -o frame.png", "object, flow and seeds of the frame at 1 s"},
                        {"vvr inspect clip.avi -o roi.html", "a page to draw --roi and --mask on"},

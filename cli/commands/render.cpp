@@ -11,7 +11,6 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/options/output.h"
 #include "core/base/error.h"
 
 namespace vvr::commands {
@@ -22,9 +21,7 @@ class Render final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         options::add_output_options(line, job_.output);
-        options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
-        options::add_name_options(line, job_.input);
-        options::add_join_option(line, job_.input);
+        options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr render clip.avi -o clip.png", "the whole clip as one picture"},
                        {"vvr render clip.avi -o clip.html --report clip.json",

@@ -104,8 +104,8 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
         const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
         if (is_new) continue;
         throw Error(ErrorCode::file_invalid,
-                    fmt::format("'{}' has the flow of frame {}, as has '{}'; remove one of them", entry.path().string(),
-                                known->first, known->second.string()));
+                    fmt::format("'{}' and '{}' both have the flow of frame {}; remove one of them",
+                                known->second.string(), entry.path().string(), known->first));
     }
     if (files.empty()) {
         const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())

@@ -15,7 +15,6 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/output.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fields/reference.h"

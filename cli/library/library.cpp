@@ -9,11 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <vvr/clip.h>
-#include <vvr/failure.h>
-#include <vvr/image.h>
-#include <vvr/library_version.h>
-#include <vvr/render.h>
+#include <vvr/vvr.h>
 
 #include <fmt/format.h>
 
@@ -103,9 +99,7 @@ class Warnings final : public app::Observer {
 app::RenderJob job_of(const std::string& clip, const Settings& settings) {
     app::RenderJob job;
     options::CommandLine line("render", "");
-    options::add_input_options(line, job.input, "INPUT", "");
-    options::add_name_options(line, job.input);
-    options::add_join_option(line, job.input);
+    options::add_recording_options(line, job.input, "");
     options::add_picture_options(line, job);
     line.take({clip}, settings);
     app::require_input(job.input);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/command_line.h"
+#include "cli/options/parse_value.h"
 #include "cli/options/value_types.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -76,6 +78,18 @@ class AddOptions {
     void operator()(const Setting& setting, Value& value, const Rows& rows, Value Row::*member) const {
         add_choice(setting, rows, value_text(setting, value, rows, member),
                    [&value, member](const auto& row) { value = row.*member; });
+    }
+
+    /// The enumerators of some rows, as names separated by commas.
+    template <class Value, class Rows, class Row>
+    void operator()(const Setting& setting, std::set<Value>& values, const Rows& rows, Value Row::*member) const {
+        line_.value(group_, setting, names_in(values, rows, member),
+                    [setting, &values, &rows, member](const std::string& text) {
+                        values.clear();
+                        for (const std::string& word : split_list(text))
+                            values.insert(choose(setting.name, word, rows).*member);
+                    },
+                    {.values = values_of(rows)});
     }
 
     /// A number whose default is that of a row which another setting chooses. Help lists the rows' defaults.

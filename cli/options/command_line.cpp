@@ -21,8 +21,7 @@ namespace {
 
 constexpr Setting config_option{
     "config", "FILE",
-    "read options from this file, as lines like `size = 1280x800`; the command line takes precedence"};
-constexpr Setting no_config_option{"no-config", "", "read no config file"};
+    "read options from this file, as lines like `size = 1280x800`; the command line takes precedence; none = no file"};
 constexpr Setting help_option{"help", "", "print this help"};
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -77,7 +76,7 @@ constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
     {"-R", "use --roi FILE"},
     {"--add-region", "use --roi AREA"},
     {"--load-region", "use --roi FILE"},
-    {"--min-event-length", "use --event-min-seconds TIME"},
+    {"--min-event-length", "use --events TIME"},
     {"--frame-skip", "use --step FRAMES; vvr skips none, frames share a layer"},
 };
 
@@ -226,18 +225,16 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     CLI::App& app = impl_->app;
     // Added last, so that help lists them last.
     CLI::Option* const help = app.set_help_flag("-h,--help");
-    CLI::Option* const file = impl_->reads_config ? app.set_config(flag_of(config_option))
-                                                  : app.add_option(flag_of(config_option))->configurable(false);
-    file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
-    app.add_flag(flag_of(no_config_option))->configurable(false)->excludes(file)->group(title_of(Group::run));
-    impl_->help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
-    for (const Setting& setting : {config_option, no_config_option}) {
-        impl_->help.options.push_back(help_of(Group::run, setting, "", {}));
-    }
     impl_->config = find_config(arguments);
+    const bool reads_config = impl_->reads_config && !impl_->config.is_refused();
+    CLI::Option* const file = reads_config ? app.set_config(flag_of(config_option))
+                                           : app.add_option(flag_of(config_option))->configurable(false);
+    file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
+    impl_->help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
+    impl_->help.options.push_back(help_of(Group::run, config_option, "", {}));
     const std::string config_name = impl_->config.file.string();
     // If the file can't be read, parsing it reports that.
-    if (!config_name.empty() && impl_->reads_config) check_is_file(config_name, most_bytes::text);
+    if (!config_name.empty() && reads_config) check_is_file(config_name, most_bytes::text);
     NamesOfCommands commands = impl_->names_of_commands;
     if (!commands)
         commands = [this] { return std::vector<CommandNames>{{impl_->command, [this] { return configurable(); }}}; };
@@ -246,7 +243,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
     // Show help even if the config file has errors.
     const bool found = !config_name.empty() && !is_given(*file, arguments);
-    if (found && impl_->reads_config && !is_given(*help, arguments)) {
+    if (found && reads_config && !is_given(*help, arguments)) {
         reversed.insert(reversed.begin(), "--config=" + config_name);
     }
     // CLI11 expects the arguments in reverse order.

@@ -21,6 +21,7 @@ namespace vvr::options {
 namespace {
 
 constexpr std::string_view config_option = "--config";
+constexpr std::string_view no_config = "none";
 
 /// The last one wins, as with every option.
 std::optional<std::string> given_file(std::span<const std::string> arguments) {
@@ -187,8 +188,10 @@ std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/)
 }  // namespace
 
 ConfigChoice find_config(std::span<const std::string> arguments) {
-    if (const auto file = given_file(arguments)) return {*file, "named by --config", {}, true};
-    if (std::ranges::find(arguments, "--no-config") != arguments.end()) return {{}, "because of --no-config", {}};
+    if (const auto file = given_file(arguments)) {
+        if (file->empty() || *file == no_config) return {{}, "because of --config none", {}, true};
+        return {*file, "named by --config", {}, true};
+    }
     if (const char* const named = std::getenv("VVR_CONFIG")) {
         return {named, *named == 0 ? "because VVR_CONFIG is empty" : "named by VVR_CONFIG", {}};
     }

@@ -31,10 +31,13 @@ struct ConfigChoice {
     std::string why;                            ///< for people: "named by --config"
     std::vector<std::filesystem::path> places;  ///< the paths that were tried, in order
     bool is_given = false;                      ///< with --config
+
+    /// Whether the user wants none, whatever the environment or the machine has.
+    bool is_refused() const { return is_given && file.empty(); }
 };
 
 /// The config file, in order of precedence: --config, the environment variable VVR_CONFIG, the user's file, the
-/// system's file. --no-config or an empty VVR_CONFIG means none. Doesn't check that a named file can be read.
+/// system's file. `--config none` or an empty VVR_CONFIG means none. Doesn't check that a named file can be read.
 ConfigChoice find_config(std::span<const std::string> arguments);
 
 /// A config file: long option names and values, and sections `[COMMAND]` for one command each. Lines before the first

@@ -28,7 +28,9 @@ void add_name_options(CommandLine& line, app::InputOptions& options) {
                                    {.help = fmt::format("{}", fmt::join(video::known_recorders(), ", "))});
 }
 
-void add_join_option(CommandLine& line, app::InputOptions& options) {
+void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help) {
+    add_input_options(line, options, "INPUT...", help);
+    add_name_options(line, options);
     AddOptions(line, Group::input)(setting::join, options.join);
 }
 

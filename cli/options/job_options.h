@@ -12,6 +12,8 @@ namespace vvr::options {
 inline constexpr std::array picture_groups{Group::input, Group::fields, Group::bricks, Group::view, Group::look};
 
 /// Help texts for INPUT.
+inline constexpr const char* video_input =
+    "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording";
 inline constexpr const char* clip_input =
     "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
     "or pattern of pictures (frames/%05d.png); a URL; - for stdin";
@@ -26,8 +28,9 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
 /// Patterns that find camera and time in file names.
 void add_name_options(CommandLine& line, app::InputOptions& options);
 
-/// Whether to accept files as one recording that don't look like one.
-void add_join_option(CommandLine& line, app::InputOptions& options);
+/// INPUT as a clip or the files of a recording, with all of the above, and whether files are accepted as one recording
+/// that don't look like one.
+void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help);
 
 /// The part of the clip to read.
 void add_span_options(CommandLine& line, video::FrameSpan& span);
@@ -56,5 +59,28 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series);
 
 /// The record of an extraction's settings.
 image::Metadata record_of(const app::InputOptions& input, const fields::FieldOptions& fields);
+
+void add_output_options(CommandLine& line, app::OutputOptions& options);
+
+/// Which events count. Shared, so that an event has the same number in every command.
+void add_event_options(CommandLine& line, Group group, events::EventChoice& choice);
+
+/// The allowed difference of two pictures, for `compare` and `render --golden`.
+void add_comparison_options(CommandLine& line, app::ComparisonOptions& options);
+
+/// \throws Error usage when the diff's format can't be written, io when its folder can't
+void check(const app::ComparisonOptions& options);
+
+/// \throws Error usage when no output is named or outputs contradict each other; io when a folder can't be written
+void check(const app::OutputOptions& options);
+
+/// \throws Error usage when an animation would show nothing that moves
+void check_outputs(const app::RenderJob& job);
+
+/// Refuses outputs that are also inputs, as footage may be evidence. Compares files, not names: everything that
+/// arguments, options and the config file name for reading, down to each file of a recording, with everything named for
+/// writing, including the log. Call it before any file is opened for writing.
+/// \throws Error usage
+void check_no_input_overwritten(const CommandLine& line);
 
 }  // namespace vvr::options

@@ -1,7 +1,6 @@
-#include "cli/options/output.h"
-
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
 #include "cli/options/add_option.h"
+#include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
@@ -43,8 +43,8 @@ constexpr Setting still{"still", "FILE",
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
-constexpr Setting events{"events", "LIST", "kinds of events in the report and on the page"};
-constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "leave out shorter events", {0, 86'400}};
+constexpr Setting events{
+    "events", "LIST", "kinds of events in the report and on the page; a time leaves out shorter ones: moved,left,5s"};
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
@@ -153,6 +153,20 @@ void check_golden(const app::GoldenOptions& options) {
     }
 }
 
+/// A mistake that options can have.
+struct Rule {
+    bool is_broken;
+    ErrorCode code;
+    std::string text;
+};
+
+/// \throws Error for the first broken rule
+void obey(std::initializer_list<Rule> rules) {
+    for (const Rule& rule : rules) {
+        if (rule.is_broken) throw Error(rule.code, rule.text);
+    }
+}
+
 }  // namespace
 
 void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) {
@@ -163,8 +177,7 @@ void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) 
 
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
     const AddOptions add(line, group);
-    add(text::events, choice.kinds);
-    add(text::event_min_seconds, choice.least);
+    add(text::events, choice);
 }
 
 void add_output_options(CommandLine& line, app::OutputOptions& options) {
@@ -208,65 +221,45 @@ void check(const app::OutputOptions& options) {
     if (!options.report.empty() && !is_standard_output(options.report)) image::check_file_path(options.report);
     check_names(options);
     check_companions(options);
-    if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
-        throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
-    }
-    if (options.slide && options.animate) {
-        throw Error(
-            ErrorCode::options_conflict,
-            "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, "
-            "stripes move too");
-    }
-    if (options.slide && !image::is_animation(options.path)) {
-        throw Error(ErrorCode::options_conflict,
-                    fmt::format("--slide makes a video, but '{}' has the extension of a picture; use one of {}",
-                                options.path.string(), fmt::join(image::animation_extensions(), " ")));
-    }
-    if (!options.golden.path.empty() && options.slide) {
-        throw Error(ErrorCode::options_conflict,
-                    "--golden compares one picture, but --slide makes a video; drop one of them");
-    }
-    if (options.path.empty() && options.animate) {
-        throw Error(ErrorCode::output_missing, "--animate: name the pictures with -o FILE");
-    }
-    if (!options.golden.path.empty() && app::pictures_of(options) > 1) {
-        throw Error(ErrorCode::options_conflict,
-                    "--golden compares one picture, but --animate makes many; drop one of them");
-    }
-    if (options.path.empty()) return;
+    const std::string text = options.path.string();
+    const bool compared = !options.golden.path.empty();
+    const std::string animations = fmt::format("{}", fmt::join(image::animation_extensions(), " "));
+    obey({{text.empty() && !compared && options.report.empty(), ErrorCode::output_missing,
+           "no output given; name the file for the picture with -o FILE"},
+          {options.slide && options.animate, ErrorCode::options_conflict,
+           "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, stripes "
+           "move too"},
+          {options.slide && !image::is_animation(options.path), ErrorCode::options_conflict,
+           fmt::format("--slide makes a video, but '{}' has the extension of a picture; use one of {}", text,
+                       animations)},
+          {compared && options.slide, ErrorCode::options_conflict,
+           "--golden compares one picture, but --slide makes a video; drop one of them"},
+          {text.empty() && options.animate, ErrorCode::output_missing, "--animate: name the pictures with -o FILE"},
+          {compared && app::pictures_of(options) > 1, ErrorCode::options_conflict,
+           "--golden compares one picture, but --animate makes many; drop one of them"}});
+    if (text.empty()) return;
     check_extension(options.path);
     const image::NamePattern name = app::name_of(options);
-    const std::string text = options.path.string();
-    if (app::is_page(options.path)) {
-        if (!name.has_field() && !options.animate) return;
-        throw Error(name.has_field() ? ErrorCode::name_pattern_invalid : ErrorCode::options_conflict,
-                    fmt::format("'{}': a page has one picture; {}", text,
-                                name.has_field() ? "use a name without a field" : "drop --animate"));
-    }
-    if (image::is_animation(options.path)) {
-        if (!name.has_field()) return;
-        throw Error(ErrorCode::name_pattern_invalid,
-                    fmt::format("'{}': an animated file has all pictures; use a name without a field", text));
-    }
-    if (name.counts() == "brick" && options.animate) {
-        throw Error(ErrorCode::options_conflict,
-                    fmt::format("'{}' names a series, one picture per brick, which can't be animated; use {{frame}} "
-                                "with --animate",
-                                text));
-    }
-    if (name.counts() == "frame" && !options.animate) {
-        throw Error(ErrorCode::option_needs_another,
-                    fmt::format("'{}' has a field for the pictures of an animation; give their number with "
-                                "--animate, or use {{brick}} for a series",
-                                text));
-    }
-    if (options.animate && !name.has_field()) {
-        throw Error(
-            ErrorCode::options_conflict,
-            fmt::format("--animate makes {} pictures, but '{}' names only one; use a name like out.{{frame:4}}.png, "
-                        "or an animated file: {}",
-                        *options.animate, text, fmt::join(image::animation_extensions(), " ")));
-    }
+    const bool page = app::is_page(options.path);
+    const bool animation = image::is_animation(options.path);
+    obey({{page && name.has_field(), ErrorCode::name_pattern_invalid,
+           fmt::format("'{}': a page has one picture; use a name without a field", text)},
+          {page && options.animate, ErrorCode::options_conflict,
+           fmt::format("'{}': a page has one picture; drop --animate", text)},
+          {animation && name.has_field(), ErrorCode::name_pattern_invalid,
+           fmt::format("'{}': an animated file has all pictures; use a name without a field", text)},
+          {name.counts() == "brick" && options.animate, ErrorCode::options_conflict,
+           fmt::format("'{}' names a series, one picture per brick, which can't be animated; use {{frame}} with "
+                       "--animate",
+                       text)},
+          {name.counts() == "frame" && !options.animate, ErrorCode::option_needs_another,
+           fmt::format("'{}' has a field for the pictures of an animation; give their number with --animate, or use "
+                       "{{brick}} for a series",
+                       text)},
+          {options.animate && !animation && !name.has_field(), ErrorCode::options_conflict,
+           fmt::format("--animate makes {} pictures, but '{}' names only one; use a name like out.{{frame:4}}.png, or "
+                       "an animated file: {}",
+                       options.animate.value_or(0), text, animations)}});
 }
 
 void check_outputs(const app::RenderJob& job) {

@@ -98,6 +98,12 @@ std::optional<double> seconds_of(std::string_view text) {
 
 }  // namespace
 
+std::vector<std::string> split_list(const std::string& text) {
+    if (text.empty()) return {};
+    const std::vector<std::string_view> words = split(text, ',');
+    return {words.begin(), words.end()};
+}
+
 double parse_number(std::string_view text, Range range) {
     const auto value = number_within(text, range);
     if (!value) {

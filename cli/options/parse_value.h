@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "cli/app/job.h"
 #include "core/base/plane.h"
@@ -15,6 +16,9 @@
 
 /// Parsing of option values. Each function throws Error usage with the given text and what was expected.
 namespace vvr::options {
+
+/// The texts between commas.
+std::vector<std::string> split_list(const std::string& text);
 
 double parse_number(std::string_view text, Range range);
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high);

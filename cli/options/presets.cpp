@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> day{"--time",
                                               "ruler,legend,title,explanation,bricks"};
 
 // The paper's method and figures; default values where the paper gives none.
-constexpr std::array<std::string_view, 38> paper{
+constexpr std::array<std::string_view, 36> paper{
     "--illumination",  "none",          // colour and light unchanged
     "--shadows",       "keep",          //
     "--stabilize",     "off",           //
@@ -25,7 +25,6 @@ constexpr std::array<std::string_view, 38> paper{
     "--iterations",    "60",            //
     "--alpha",         "10",            //
     "--derivatives",   "barron",        //
-    "--flow-area",     "all",           //
     "--seed-area",     "object",        // §4.2: by the flow and the difference object, the fastest first
     "--seed-order",    "magnitude",     //
     "--layout",        "horseshoe",     // §5.1

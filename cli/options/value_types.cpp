@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <string_view>
 #include <tuple>
 #include <variant>
@@ -24,13 +23,6 @@ namespace {
 
 constexpr Range azimuths{-360, 360};
 constexpr Range elevations{-90, 90};
-
-std::vector<std::string> words_of(const std::string& list) {
-    std::vector<std::string> words;
-    std::istringstream stream(list);
-    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-    return words;
-}
 
 /// Words for --start-time.
 constexpr std::pair<std::string_view, app::StartTime::From> clock_words[] = {
@@ -293,7 +285,7 @@ OptionExtra help_of_values(const std::optional<app::NamedTransfer>& /*value*/) {
 
 void set_value(const Setting& setting, const std::string& text, app::Parts& value) {
     value = {};
-    for (const std::string& word : words_of(text)) value.add(choose(setting.name, word, app::parts()).part);
+    for (const std::string& word : split_list(text)) value.add(choose(setting.name, word, app::parts()).part);
 }
 
 std::string value_text(const Setting& /*setting*/, const app::Parts& value) {
@@ -308,23 +300,55 @@ OptionExtra help_of_values(const app::Parts& /*value*/) {
     return {.values = values_of(app::parts())};
 }
 
-void set_value(const Setting& setting, const std::string& text, std::set<events::EventKind>& value) {
-    value.clear();
-    for (const std::string& word : words_of(text)) {
-        value.insert(choose(setting.name, word, events::event_kinds).kind);
+/// A length among the kinds is the least one of an event; alone, it is that of all kinds.
+void set_value(const Setting& setting, const std::string& text, events::EventChoice& value) {
+    constexpr Range lengths{0, 86'400};
+    value = {.kinds = {}, .least = 0};
+    bool only_length = false;
+    for (const std::string& word : split_list(text)) {
+        if (!word.empty() && word[0] >= '0' && word[0] <= '9') {
+            value.least = parse_duration(word, lengths);
+            only_length = value.kinds.empty();
+        } else {
+            value.kinds.insert(choose(setting.name, word, events::event_kinds, ", or a length like 5s").kind);
+        }
     }
+    if (only_length && value.kinds.empty()) value.kinds = events::all_kinds();
 }
 
-std::string value_text(const Setting& /*setting*/, const std::set<events::EventKind>& value) {
-    std::vector<std::string_view> names;
-    for (const auto& row : events::event_kinds) {
-        if (value.contains(row.kind)) names.push_back(row.name);
-    }
-    return fmt::format("{}", fmt::join(names, ","));
+std::string value_text(const Setting& /*setting*/, const events::EventChoice& value) {
+    return names_in(value.kinds, events::event_kinds, &events::EventKindRow::kind) +
+           (value.least > 0 ? fmt::format(",{}s", value.least) : "");
 }
 
-OptionExtra help_of_values(const std::set<events::EventKind>& /*value*/) {
+OptionExtra help_of_values(const events::EventChoice& /*value*/) {
     return {.values = values_of(events::event_kinds)};
+}
+
+// ---- OpenGL
+
+void set_value(const Setting& setting, const std::string& text,
+               const app::BackendAndDevice<app::BackendOptions>& value) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const gl::Backend& row = choose(setting.name, text.substr(0, colon), gl::backends());
+    value.backend.device = -1;
+    if (colon < text.size()) {
+        if (row.devices == nullptr) {
+            throw Error(ErrorCode::option_value,
+                        fmt::format("'{}': a device is one of a backend; name it, as in egl:{}", text, text.substr(colon + 1)));
+        }
+        value.backend.device = static_cast<int>(parse_integer(text.substr(colon + 1), 0, 255));
+    }
+    value.backend.row = row;
+}
+
+std::string value_text(const Setting& /*setting*/, const app::BackendAndDevice<app::BackendOptions>& value) {
+    const std::string& name = value.backend.row->name;
+    return value.backend.device < 0 ? name : fmt::format("{}:{}", name, value.backend.device);
+}
+
+OptionExtra help_of_values(const app::BackendAndDevice<app::BackendOptions>& /*value*/) {
+    return {.values = values_of(gl::backends())};
 }
 
 void set_value(const Setting& /*setting*/, const std::string& text, fields::SeedSelection& value) {

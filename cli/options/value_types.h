@@ -42,11 +42,12 @@ void set_value(const Setting& setting, const std::string& text, std::optional<ap
 void set_value(const Setting& setting, const std::string& text, fields::SeedSelection& value);
 void set_value(const Setting& setting, const std::string& text, fields::SeedFlags& value);
 void set_value(const Setting& setting, const std::string& text, video::DayPart& value);
-void set_value(const Setting& setting, const std::string& text, std::set<events::EventKind>& value);
+void set_value(const Setting& setting, const std::string& text, events::EventChoice& value);
 void set_value(const Setting& setting, const std::string& text, const app::FieldSize<Size>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanStart<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanEnd<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::Radii<space::LayoutOptions>& value);
+void set_value(const Setting& setting, const std::string& text, const app::BackendAndDevice<app::BackendOptions>& value);
 
 template <class Value>
 void set_value(const Setting& setting, const std::string& text, std::optional<Value>& value) {
@@ -86,11 +87,12 @@ std::string value_text(const Setting& setting, const app::NamedTransfer& value);
 std::string value_text(const Setting& setting, const fields::SeedSelection& value);
 std::string value_text(const Setting& setting, const fields::SeedFlags& value);
 std::string value_text(const Setting& setting, const video::DayPart& value);
-std::string value_text(const Setting& setting, const std::set<events::EventKind>& value);
+std::string value_text(const Setting& setting, const events::EventChoice& value);
 std::string value_text(const Setting& setting, const app::FieldSize<const Size>& value);
 std::string value_text(const Setting& setting, const app::SpanStart<const video::FrameSpan>& value);
 std::string value_text(const Setting& setting, const app::SpanEnd<const video::FrameSpan>& value);
 std::string value_text(const Setting& setting, const app::Radii<const space::LayoutOptions>& value);
+std::string value_text(const Setting& setting, const app::BackendAndDevice<app::BackendOptions>& value);
 
 inline std::string value_text(const Setting& setting, const app::FieldSize<Size>& value) {
     return value_text(setting, app::FieldSize<const Size>{value.value});
@@ -146,12 +148,23 @@ std::string value_text(const Setting& setting, const std::optional<Value>& value
     return value_text(setting, value ? *value : Value(default_of(chosen)));
 }
 
+/// The names of the rows that have one of the enumerators, separated by commas.
+template <class Value, class Rows, class Row>
+std::string names_in(const std::set<Value>& values, const Rows& rows, Value Row::*member) {
+    std::string text;
+    for (const auto& row : rows) {
+        if (values.contains(row.*member)) text += fmt::format("{}{}", text.empty() ? "" : ",", row.name);
+    }
+    return text;
+}
+
 // ---- Help
 
 /// What the help of an option says beyond the setting, for types that have a fixed set of values.
 OptionExtra help_of_values(const app::Parts& value);
 OptionExtra help_of_values(const std::optional<app::NamedTransfer>& value);
-OptionExtra help_of_values(const std::set<events::EventKind>& value);
+OptionExtra help_of_values(const events::EventChoice& value);
+OptionExtra help_of_values(const app::BackendAndDevice<app::BackendOptions>& value);
 template <class Value>
 OptionExtra help_of_values(const Value& /*value*/) {
     return {};

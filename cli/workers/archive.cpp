@@ -72,7 +72,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.in = options.in;
     job.out = options.out;
     for (const archive::OutputRow& row : archive::output_rows) {
-        if (row.kind != archive::OutputKind::page || !options.no_pages) job.rules.files.push_back(row.kind);
+        if (row.kind != archive::OutputKind::page || options.writes(Written::pages)) job.rules.files.push_back(row.kind);
     }
     job.rules.settings = options.settings;
     job.rules.version = version();
@@ -86,10 +86,9 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
 void make_folder(const fs::path& out) {
     std::error_code error;
     fs::create_directories(out, error);
-    if (error) {
-        throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot create the folder '{}': {}; choose another -o", out.string(), error.message()));
-    }
+    if (error)
+        throw system_error(error.value(), fmt::format("cannot create the folder '{}'", out.string()),
+                           "choose another -o");
     // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
     // the drawing.
     if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
@@ -214,7 +213,7 @@ bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
     ArchiveJob job = job_of(options, video::RecorderNames(options.names, options.in));
-    if (options.index_only) {
+    if (!options.draws()) {
         make_folder(options.out);
         write_index(job, environment);
         environment.log.info("'{}' is up to date", (options.out / archive::index_name).string());
@@ -249,7 +248,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     // Write the index even if pruning failed.
     const bool pruned =
         !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
-    const bool indexed = options.no_index || succeeds(environment.log, [&] { write_index(job, environment); });
+    const bool indexed = !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     if (!pruned || !indexed) return cli::ExitStatus::io;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,21 @@ inline constexpr std::array groupings{
     GroupingRow{Grouping::both, "both", "each clip, and each day of a camera"},
 };
 
+/// What a run writes.
+enum class Written { pictures, pages, index };
+
+struct WrittenRow {
+    Written kind;
+    std::string_view name;
+    std::string_view help;
+};
+
+inline constexpr std::array written_rows{
+    WrittenRow{Written::pictures, "pictures", "the pictures, and what vvr records about each clip"},
+    WrittenRow{Written::pages, "pages", "a page to watch each clip from, and its picture"},
+    WrittenRow{Written::index, "index", "the index; alone, nothing is drawn"},
+};
+
 /// Which clips of an archive to draw, where to, and the limits of a worker.
 struct ArchiveOptions {
     std::filesystem::path in;
@@ -44,9 +60,10 @@ struct ArchiveOptions {
     std::chrono::seconds redraw{900};  ///< least time between two drawings of a day that still gets clips
     bool dry_run = false;
     bool prune = false;
-    bool index_only = false;
-    bool no_index = false;
-    bool no_pages = false;
+    std::set<Written> write{Written::pictures, Written::pages, Written::index};
+
+    bool writes(Written kind) const { return write.contains(kind); }
+    bool draws() const { return writes(Written::pictures) || writes(Written::pages); }
 
     Settings worker_settings;  ///< options passed on to `vvr render`
     Settings drawn_with;       ///< the subset that selects OpenGL, for `vvr doctor`

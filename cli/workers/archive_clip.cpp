@@ -88,8 +88,8 @@ void throw_if_system_fault(const std::string& clip, const fs::path& folder, cons
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = disk_full_reason(folder);
     if (code_of_system_error(error) != ErrorCode::disk_full) return;
-    throw Error(ErrorCode::disk_full, fmt::format("cannot write to '{}': {}; free some space or choose another folder",
-                                                  folder.string(), std::generic_category().message(error)));
+    throw system_error(error, fmt::format("cannot write to '{}'", folder.string()),
+                       "free some space or choose another folder");
 }
 
 /// Drawn, but some of its files are missing.
@@ -127,8 +127,8 @@ ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
     if (end.status > killed) return ErrorCode::worker_killed;
-    const auto told = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
-    if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
+    const auto code = end.message.code ? end.message.code : mark_of_code(one_line(end.stderr_end)).code;
+    if (code && static_cast<int>(cli::exit_status(row_of(*code).kind)) == end.status) return *code;
     return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
 }
 
@@ -207,9 +207,8 @@ std::string ClipTask::camera() const {
 namespace {
 
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
-    throw Error(code_of_system_error(error.value()),
-                fmt::format("cannot create the folder '{}': {}; choose another -o, or remove what is in its place",
-                            folder.string(), error.message()));
+    throw system_error(error.value(), fmt::format("cannot create the folder '{}'", folder.string()),
+                       "choose another -o, or remove what is in its place");
 }
 
 }  // namespace
@@ -359,11 +358,9 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             const fs::path place = archive::output_path(job_->out, clip_.path, kind);
             std::error_code error;
             fs::rename(staged(kind), place, error);
-            if (error) {
-                throw Error(code_of_system_error(error.value()),
-                            fmt::format("cannot write '{}': {}; choose another folder or fix its permissions",
-                                        place.string(), error.message()));
-            }
+            if (error)
+                throw system_error(error.value(), fmt::format("cannot write '{}'", place.string()),
+                                   "choose another folder or fix its permissions");
         }
     }
     archive::write_sidecar(job_->out, sidecar);

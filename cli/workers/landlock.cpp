@@ -1,5 +1,3 @@
-#include "cli/workers/landlock.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -13,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/workers/confine.h"
 #include "core/base/error.h"
 
 namespace vvr::workers {
@@ -86,13 +85,13 @@ constexpr std::array uses{
     UseRow{Use::device, right::read_file | right::read_folder | right::write_file | right::control_device},
 };
 
-[[noreturn]] void refuse(const char* what, int error) {
+}  // namespace
+
+void refuse_sandbox(std::string_view what, int error) {
     throw Error(ErrorCode::worker_start_failed,
                 fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
-                            std::generic_category().message(error)));
+                            text_of_system_error(error)));
 }
-
-}  // namespace
 
 Landlock find_landlock() {
     const long abi = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, ask_version);
@@ -103,7 +102,7 @@ LandlockRules::LandlockRules(int abi) : abi_(abi) {
     const AbiRow& row = row_of(abi);
     const Attributes attributes{file_rights_of(abi), row.network, row.scoped};
     rules_ = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &attributes, row.size, 0));
-    if (rules_ < 0) refuse("landlock_create_ruleset", errno);
+    if (rules_ < 0) refuse_sandbox("landlock_create_ruleset", errno);
 }
 
 LandlockRules::~LandlockRules() {
@@ -116,7 +115,7 @@ void LandlockRules::allow(const std::filesystem::path& path, Use use) {
         // A file that is missing or that we can't access needs no rule. Other errors, such as too many open files, must
         // not silently leave out a clip.
         if (errno == ENOENT || errno == ENOTDIR || errno == EACCES || errno == ELOOP) return;
-        refuse(path.c_str(), errno);
+        refuse_sandbox(path.c_str(), errno);
     }
     struct stat status {};
     const bool is_folder = ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
@@ -126,7 +125,7 @@ void LandlockRules::allow(const std::filesystem::path& path, Use use) {
     const long added = ::syscall(SYS_landlock_add_rule, rules_, path_rule, &rule, 0);
     const int error = errno;
     ::close(file);
-    if (added != 0) refuse(path.c_str(), error);
+    if (added != 0) refuse_sandbox(path.c_str(), error);
 }
 
 bool LandlockRules::enforce() const {

@@ -135,17 +135,13 @@ constexpr bool watched = true;  // LeakSanitizer traces the process from another
 constexpr bool watched = false;
 #endif
 
-std::string reason(int error) {
-    return std::generic_category().message(error);
-}
-
 std::string landlock_error_text(const Landlock& landlock) {
     return fmt::format("this kernel has no Landlock ({}), so workers can use all files of this user",
-                       reason(landlock.error));
+                       text_of_system_error(landlock.error));
 }
 
 std::string seccomp_error_text(int error) {
-    return fmt::format("this kernel has no seccomp filters ({}), so workers can use the network", reason(error));
+    return fmt::format("this kernel has no seccomp filters ({}), so workers can use the network", text_of_system_error(error));
 }
 
 }  // namespace

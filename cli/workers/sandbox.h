@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/workers/landlock.h"
-#include "cli/workers/system_calls.h"
+#include "cli/workers/confine.h"
 
 namespace vvr::workers {
 
@@ -33,12 +32,13 @@ struct SandboxRow {
 };
 
 inline constexpr std::array sandbox_modes{
-    SandboxRow{SandboxMode::automatic, "auto", "what the kernel has, and the log says what that is"},
-    SandboxRow{SandboxMode::off, "off", "workers may do all that the user may"},
-    SandboxRow{SandboxMode::required, "required", "all of it, or nothing is drawn, and the status is 4"},
+    SandboxRow{SandboxMode::automatic, "auto", "whatever the kernel supports; the log lists it"},
+    SandboxRow{SandboxMode::off, "off", "no restrictions"},
+    SandboxRow{SandboxMode::required, "required",
+               "all of it; if the kernel lacks a part, draw nothing and exit with 4"},
 };
 
-/// What all workers need beside their own clip.
+/// What all workers need in addition to their own clip.
 struct SandboxNeeds {
     bool gpu = false;
     std::vector<std::filesystem::path> files{};  ///< that all workers read

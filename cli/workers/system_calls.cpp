@@ -1,5 +1,3 @@
-#include "cli/workers/system_calls.h"
-
 #include <array>
 #include <bit>
 #include <cerrno>
@@ -23,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/workers/confine.h"
 #include "core/base/error.h"
 
 namespace vvr::workers::calls {
@@ -287,15 +286,9 @@ namespace vvr::workers {
 
 namespace {
 
-[[noreturn]] void refuse(std::string_view what, int error) {
-    throw Error(ErrorCode::worker_start_failed,
-                fmt::format("cannot create the sandbox of a worker: {}: {}; try --sandbox off", what,
-                            std::generic_category().message(error)));
-}
-
 /// libseccomp functions return a negative errno on failure.
 void check(int answer, std::string_view what) {
-    if (answer < 0) refuse(what, -answer);
+    if (answer < 0) refuse_sandbox(what, -answer);
 }
 
 struct Release {
@@ -308,7 +301,7 @@ constexpr bool is_big_endian = std::endian::native == std::endian::big;
 /// program and is not subject to the file size limit.
 std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
     std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
+    if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse_sandbox("pipe", errno);
     const int written = ::seccomp_export_bpf(filter, pipe[1]);
     ::close(pipe[1]);
     std::vector<sock_filter> program(BPF_MAXINSNS);
@@ -316,7 +309,7 @@ std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
     const int error = errno;
     ::close(pipe[0]);
     check(written, "seccomp_export_bpf");
-    if (got <= 0) refuse("reading the filter", got < 0 ? error : ENODATA);
+    if (got <= 0) refuse_sandbox("reading the filter", got < 0 ? error : ENODATA);
     program.resize(static_cast<std::size_t>(got) / sizeof(sock_filter));
     return program;
 }
@@ -333,7 +326,7 @@ int call_filter_error() {
 CallFilter::CallFilter(bool gpu) {
     // Libraries expect ENOSYS from older kernels, and use another call or do without.
     const std::unique_ptr<void, Release> filter(::seccomp_init(SCMP_ACT_ERRNO(ENOSYS)));
-    if (!filter) refuse("seccomp_init", ENOMEM);
+    if (!filter) refuse_sandbox("seccomp_init", ENOMEM);
     check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2), "seccomp_attr_set");
     // Calls with another architecture's numbers: 32 bits, or x32.
     check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS), "seccomp_attr_set");

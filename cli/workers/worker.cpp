@@ -34,8 +34,8 @@ namespace {
 constexpr std::size_t most_kept = 4096;  // keep the end: errors come last
 
 [[noreturn]] void refuse(const char* what, int error) {
-    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
-                                                            std::generic_category().message(error)));
+    throw Error(ErrorCode::worker_start_failed,
+                fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what, text_of_system_error(error)));
 }
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
@@ -152,7 +152,7 @@ struct ChildSetup {
         // Must happen before exec: libraries start threads before main, and Landlock applies to the calling thread
         // only.
         if (!confinement.enter()) {
-            [[maybe_unused]] const ssize_t told =
+            [[maybe_unused]] const ssize_t written =
                 ::write(STDERR_FILENO, no_sandbox_text.data(), no_sandbox_text.size());
             ::_exit(not_begun_status);
         }
@@ -170,21 +170,28 @@ Worker::Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, 
     std::vector<std::string> texts{"vvr", plan.command};
     if (!plan.inputs.empty()) texts.push_back(plan.inputs.front());
     Pipe said;
-    Pipe told;
+    Pipe message;
     const Descriptor plan_file = file_of(plan);
     std::vector<std::string> variables =
-        environment_for(threads, worker_value(told.in.get(), confinement.filters_calls()));
+        environment_for(threads, worker_value(message.in.get(), confinement.filters_calls()));
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
-    const ChildSetup child{
-        ::getpid(),  plan_file.get(),          said.in.get(),           nothing.get(), told.in.get(), inherited, limits,
-        confinement, argument_pointers.data(), variable_pointers.data()};
+    const ChildSetup child{::getpid(),
+                           plan_file.get(),
+                           said.in.get(),
+                           nothing.get(),
+                           message.in.get(),
+                           inherited,
+                           limits,
+                           confinement,
+                           argument_pointers.data(),
+                           variable_pointers.data()};
     process_ = ::fork();
     if (process_ == 0) child.run();
     if (process_ < 0) refuse("fork", errno);
     output_ = said.out.release();
-    message_pipe_ = told.out.release();
+    message_pipe_ = message.out.release();
     ::setpgid(process_, process_);  // parent and child both call it, to avoid a race
 }
 
@@ -283,7 +290,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
     if (wake_ < 0) {
         throw Error(ErrorCode::worker_start_failed,
                     fmt::format("cannot wait for workers: {}; raise the limit of open files (ulimit -n)",
-                                std::generic_category().message(errno)));
+                                text_of_system_error(errno)));
     }
     signals_.set_exit_hook([this] {
         ending_ = true;

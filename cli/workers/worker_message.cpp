@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/workers/system_calls.h"
+#include "cli/workers/confine.h"
 #include "core/base/json_text.h"
 
 namespace vvr::workers {
@@ -92,11 +92,11 @@ std::optional<int> begin_worker() {
     if (error != std::errc() || parent <= STDERR_FILENO || (mark != open_mark && mark != shut_mark))
         return std::nullopt;
     if (mark == shut_mark && !block_startup_calls()) {
-        [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, no_sandbox_text.data(), no_sandbox_text.size());
+        [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, no_sandbox_text.data(), no_sandbox_text.size());
         ::_exit(not_begun_status);
     }
     ::fcntl(parent, F_SETFD, FD_CLOEXEC);
-    [[maybe_unused]] const ssize_t told = ::write(parent, "", 1);
+    [[maybe_unused]] const ssize_t written = ::write(parent, "", 1);
     return parent;
 }
 
@@ -112,7 +112,7 @@ WorkerPlan read_plan() {
 
 void send_to_parent(int parent, WorkerMessage message) {
     const std::string text = encode(std::move(message));
-    [[maybe_unused]] const ssize_t told = ::write(parent, text.data(), text.size());
+    [[maybe_unused]] const ssize_t written = ::write(parent, text.data(), text.size());
 }
 
 }  // namespace vvr::workers

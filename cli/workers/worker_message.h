@@ -29,7 +29,7 @@ struct WorkerMessage {
     std::vector<std::string> warnings{};
 };
 
-/// A message has at most so many warnings.
+/// Maximum number of warnings in a message.
 inline constexpr std::size_t most_warnings = 20;
 
 /// The longest message in bytes.
@@ -62,9 +62,9 @@ std::string worker_value(int parent, bool confined);
 inline constexpr std::string_view no_sandbox_text = "vvr: the system denied a worker its sandbox; try --sandbox off\n";
 inline constexpr int not_begun_status = 127;
 
-/// In a worker: gives up the system calls that only startup needs, and tells the parent that the worker has begun. The
-/// parent can then tell a worker that never began from one that a clip crashed.
-/// \returns the descriptor for send_to_parent; nothing if this process is not a worker
+/// In a worker: gives up the system calls that only startup needs, and reports to the parent that the worker has begun.
+/// The parent can then distinguish a worker that never began from one that a clip crashed. \returns the descriptor for
+/// send_to_parent; nothing if this process is not a worker
 std::optional<int> begin_worker();
 
 /// In a worker: reads the plan from stdin.

@@ -67,10 +67,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error) {
-    return std::generic_category().message(error);
-}
-
 constexpr std::int64_t second = 1'000'000'000;
 
 Clip clip_of(const std::string& path, const struct stat& status) {
@@ -103,9 +99,8 @@ class Walk {
                     in.string(), in.string()));
         }
         if (::stat(in.c_str(), &status) != 0) {
-            throw Error(code_of_system_error(errno),
-                        fmt::format("cannot read the archive '{}': {}; check its name, and that its disk is mounted",
-                                    in.string(), reason_of(errno)));
+            throw system_error(errno, fmt::format("cannot read the archive '{}'", in.string()),
+                               "check its name, and that its disk is mounted");
         }
         // A link to a folder that contains this one could bring in the whole machine.
         std::error_code none;
@@ -143,7 +138,7 @@ class Walk {
     void enter(const std::string& folder) {
         struct stat status {};
         if (::stat((in_ / folder).c_str(), &status) != 0) {
-            scan_.problems.push_back({folder, reason_of(errno), true});
+            scan_.problems.push_back({folder, text_of_system_error(errno), true});
         } else if (above_.contains({status.st_dev, status.st_ino})) {
             scan_.problems.push_back({folder, "it is a symbolic link to a folder above the archive; remove it"});
         } else if (!is_kernel_filesystem(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
@@ -179,7 +174,7 @@ class Walk {
         }
         struct stat status {};
         if (::stat((in_ / path).c_str(), &status) != 0) {
-            if (clip) scan_.problems.push_back({path, reason_of(errno), true});
+            if (clip) scan_.problems.push_back({path, text_of_system_error(errno), true});
         } else if (S_ISDIR(status.st_mode)) {
             if (link) links_.push_back(path);
         } else if (clip && S_ISREG(status.st_mode)) {

@@ -39,8 +39,7 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
     const ErrorCode code = code_of_system_error(error);
     const char* next = code == ErrorCode::disk_full ? "free some space or choose another folder"
                                                     : "choose a writable folder on a file system with locks";
-    throw Error(code,
-                fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
+    throw system_error(error, fmt::format("cannot lock '{}'", path.string()), next);
 }
 
 /// The name that a lock's file contains. Nothing if vvr did not write it: then the file's own name doesn't match.

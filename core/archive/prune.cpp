@@ -91,10 +91,9 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
             if (!problem.empty()) outputs.problems.push_back({name, std::move(problem)});
         }
     }
-    if (error) {
-        throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot read '{}': {}; check its name and permissions", out.string(), error.message()));
-    }
+    if (error)
+        throw system_error(error.value(), fmt::format("cannot read '{}'", out.string()),
+                           "check its name and permissions");
     std::ranges::sort(outputs.problems, {}, &ScanProblem::path);
     std::ranges::sort(outputs.sidecars, {}, [](const Sidecar& sidecar) { return sidecar.clip.path; });
     return outputs;

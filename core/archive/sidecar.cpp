@@ -33,14 +33,6 @@ events::EventKind kind_of(const std::string& name) {
     return row->kind;
 }
 
-/// The kind of event that a sidecar names. Older ones have only its first letter, and four kinds in the order of
-/// EventKind.
-events::EventKind kind_in_sidecar(const std::string& name) {
-    constexpr std::string_view letters = "mslt";
-    const std::size_t place = name.size() == 1 ? letters.find(name) : std::string_view::npos;
-    return place == std::string_view::npos ? kind_of(name) : static_cast<events::EventKind>(place);
-}
-
 /// \throws Error io for an unknown class
 const detector::ObjectClass* class_of(const std::string& name) {
     if (const detector::ObjectClass* const found = detector::find_class(name)) return found;
@@ -107,7 +99,7 @@ Json json_of(const FoundEvent& event) {
 
 FoundEvent found_event_of(const Json& json) {
     FoundEvent event;
-    event.kind = kind_in_sidecar(json.at(0).get<std::string>());
+    event.kind = kind_of(json.at(0).get<std::string>());
     event.number = whole(json.at(1));
     event.still = whole(json.at(2));
     for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {
@@ -415,11 +407,9 @@ void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
     for (const fs::path& file : files) {
         std::error_code error;
         fs::remove(file, error);
-        if (error) {
-            throw Error(code_of_system_error(error.value()),
-                        fmt::format("cannot remove '{}': {}; fix the permissions of its folder", file.string(),
-                                    error.message()));
-        }
+        if (error)
+            throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
+                               "fix the permissions of its folder");
     }
 }
 

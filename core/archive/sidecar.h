@@ -41,7 +41,7 @@ int length_of(const FoundEvent& event);
 /// last, where it is known.
 nlohmann::ordered_json json_of(const FoundEvent& event);
 
-/// Parses that form. Older sidecars have the first letter of a kind instead of its name.
+/// Parses that form.
 /// \throws nlohmann::json::exception for anything that `json_of` doesn't make, Error io for an unknown kind of event
 FoundEvent found_event_of(const nlohmann::ordered_json& json);
 

@@ -1,18 +1,48 @@
 #include "core/base/av_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <new>
 #include <utility>
 
 extern "C" {
+#include <libavcodec/avcodec.h>
 #include <libavformat/avio.h>
 #include <libavutil/error.h>
 #include <libavutil/mem.h>
+#include <libswscale/swscale.h>
 }
 
 namespace vvr {
+
+void AvFree::operator()(AVCodecContext* context) const {
+    avcodec_free_context(&context);
+}
+
+void AvFree::operator()(AVFrame* frame) const {
+    av_frame_free(&frame);
+}
+
+void AvFree::operator()(AVIOContext* context) const {
+    if (context != nullptr) av_freep(&context->buffer);
+    avio_context_free(&context);
+}
+
+void AvFree::operator()(AVPacket* packet) const {
+    av_packet_free(&packet);
+}
+
+void AvFree::operator()(SwsContext* context) const {
+    sws_freeContext(context);
+}
+
+std::string av_error_text(int error) {
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
+    av_strerror(error, words.data(), words.size());
+    return words.data();
+}
 
 AvWriter::AvWriter(WriteAt write_at) : write_at_(std::move(write_at)) {
     constexpr int buffer_size = 1 << 16;
@@ -25,11 +55,6 @@ AvWriter::AvWriter(WriteAt write_at) : write_at_(std::move(write_at)) {
 }
 
 AvWriter::~AvWriter() = default;
-
-void AvWriter::Free::operator()(AVIOContext* context) const {
-    av_freep(&context->buffer);
-    avio_context_free(&context);
-}
 
 void AvWriter::flush() {
     avio_flush(context_.get());

@@ -6,10 +6,29 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
+struct AVCodecContext;
+struct AVFrame;
 struct AVIOContext;
+struct AVPacket;
+struct SwsContext;
 
 namespace vvr {
+
+/// Owners of libav's objects.
+struct AvFree {
+    void operator()(AVCodecContext* context) const;
+    void operator()(AVFrame* frame) const;
+    void operator()(AVIOContext* context) const;  ///< and its buffer
+    void operator()(AVPacket* packet) const;
+    void operator()(SwsContext* context) const;
+};
+template <class T>
+using AvPtr = std::unique_ptr<T, AvFree>;
+
+/// libav's words for one of its errors.
+std::string av_error_text(int error);
 
 /// Writes bytes at an offset of a file, over existing bytes. A gap after the file's end is filled with zeros.
 using WriteAt = std::function<void(std::int64_t offset, std::span<const std::byte> bytes)>;
@@ -39,15 +58,11 @@ class AvWriter {
     static int write(void* self, std::uint8_t* bytes, int size);
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
-    struct Free {
-        void operator()(AVIOContext* context) const;
-    };
-
     WriteAt write_at_;
     std::int64_t at_ = 0;
     std::int64_t size_ = 0;
     std::exception_ptr failed_;
-    std::unique_ptr<AVIOContext, Free> context_;
+    AvPtr<AVIOContext> context_;
 };
 
 }  // namespace vvr

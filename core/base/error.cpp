@@ -4,7 +4,10 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace vvr {
 
@@ -12,7 +15,7 @@ namespace {
 
 constexpr std::array rows{
     ErrorRow{ErrorCode::usage, "usage", ErrorKind::usage,
-             "the command line or a call of the library asks for something impossible"},
+             "the command line or a call of the library requests something impossible"},
     ErrorRow{ErrorCode::command_unknown, "command-unknown", ErrorKind::usage, "no command has this name"},
     ErrorRow{ErrorCode::option_unknown, "option-unknown", ErrorKind::usage, "no option or setting has this name"},
     ErrorRow{ErrorCode::option_value, "option-value", ErrorKind::usage, "the value of a setting has the wrong format"},
@@ -48,7 +51,7 @@ constexpr std::array rows{
              "a file cannot be read or written, for another reason than those below"},
     ErrorRow{ErrorCode::file_not_found, "file-not-found", ErrorKind::io, "a file or folder does not exist"},
     ErrorRow{ErrorCode::permission_denied, "permission-denied", ErrorKind::io,
-             "the permissions do not allow to use a file or folder, or it is read-only"},
+             "the permissions deny the use of a file or folder, or it is read-only"},
     ErrorRow{ErrorCode::disk_full, "disk-full", ErrorKind::io,
              "the disk is full, or a quota or the maximum file size is reached"},
     ErrorRow{ErrorCode::not_a_file, "not-a-file", ErrorKind::io,
@@ -70,7 +73,7 @@ constexpr std::array rows{
     ErrorRow{ErrorCode::worker_result_invalid, "worker-result-invalid", ErrorKind::io,
              "a worker of an archive ended with an unknown status, without its files, or with an invalid report"},
     ErrorRow{ErrorCode::not_a_model, "not-a-model", ErrorKind::io,
-             "a file is no model of a detector, is damaged, or has a format that vvr does not know"},
+             "a file is not a detector model, is damaged, or has a format that vvr does not know"},
     ErrorRow{ErrorCode::not_video, "not-video", ErrorKind::not_video, "the input is not a video that vvr can decode"},
     ErrorRow{ErrorCode::file_empty, "file-empty", ErrorKind::not_video, "the input is empty"},
     ErrorRow{ErrorCode::no_video_stream, "no-video-stream", ErrorKind::not_video,
@@ -155,6 +158,15 @@ ErrorCode general_code(ErrorKind kind) {
 ErrorCode code_of_system_error(int error) {
     const auto* const known = std::ranges::find(system_errors, error, [](const auto& row) { return row.first; });
     return known == system_errors.end() ? ErrorCode::io : known->second;
+}
+
+std::string text_of_system_error(int error) {
+    return std::generic_category().message(error);
+}
+
+Error system_error(int error, const std::string& failed, std::string_view next) {
+    return {code_of_system_error(error),
+            fmt::format("{}: {}{}{}", failed, text_of_system_error(error), next.empty() ? "" : "; ", next)};
 }
 
 }  // namespace vvr

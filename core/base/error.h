@@ -108,6 +108,9 @@ ErrorCode general_code(ErrorKind kind);
 /// The code for a system error, a value of errno.
 ErrorCode code_of_system_error(int error);
 
+/// The words of the system for it.
+std::string text_of_system_error(int error);
+
 /// The names of the settings (core/base/setting.h) that an error is about.
 class RelatedSettings {
   public:
@@ -139,5 +142,11 @@ class Error : public std::runtime_error {
     ErrorCode code_;
     RelatedSettings about_;
 };
+
+/// The error for a call of the system that failed: "FAILED: the system's words; NEXT".
+/// \param error a value of errno
+/// \param failed "cannot read 'x'"
+/// \param next the next step; empty = none
+Error system_error(int error, const std::string& failed, std::string_view next = {});
 
 }  // namespace vvr

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -66,8 +64,7 @@ bool is_descriptor_path(const std::string& path) {
 }
 
 [[noreturn]] void refuse(const std::string& path, const char* what, int error) {
-    throw Error(code_of_system_error(error),
-                fmt::format("cannot {} '{}': {}; check its name and permissions", what, path, std::strerror(error)));
+    throw system_error(error, fmt::format("cannot {} '{}'", what, path), "check its name and permissions");
 }
 
 [[noreturn]] void refuse_strange(const std::string& path) {
@@ -133,10 +130,7 @@ void write_standard_output(std::span<const std::byte> bytes) {
         } else if (errno == EPIPE) {
             return;
         } else if (errno != EINTR) {
-            const int error = errno;
-            throw Error(code_of_system_error(error),
-                        fmt::format("cannot write to stdout: {}; check where the output goes",
-                                    std::generic_category().message(error)));
+            throw system_error(errno, "cannot write to stdout", "check where the output goes");
         }
     }
 }

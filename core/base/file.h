@@ -13,12 +13,16 @@
 
 namespace vvr {
 
+/// ASCII letters in lower case.
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
 /// The extension with its dot, in lower case: `.png` of `out.PNG`. Empty if there is none.
 inline std::string extension_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    return lower_case(path.extension().string());
 }
 
 /// Maximum length of a file's name, in bytes.

@@ -5,7 +5,7 @@
 
 namespace vvr::detector {
 
-/// What a class of objects is to somebody who watches a scene.
+/// The role of a class of objects in a scene.
 enum class Group {
     person,
     vehicle,  ///< carries people or goods

@@ -80,7 +80,7 @@ class Detector::Network {
         const std::vector<int> shape = output_shape();
         format_ = find_format(shape, input);
         if (format_ == nullptr) {
-            throw Error(ErrorCode::not_a_model, fmt::format("its output has the shape [{}], which is none of {}",
+            throw Error(ErrorCode::not_a_model, fmt::format("its output has the shape [{}], which does not fit {}",
                                                             fmt::join(shape, ", "), known_shapes(input)));
         }
     }
@@ -98,7 +98,7 @@ class Detector::Network {
         output_ = net_.forward();
         const auto count = static_cast<std::size_t>(rows_of(*format_, input_)) * static_cast<std::size_t>(row_length());
         if (output_.type() != CV_32FC1 || !output_.isContinuous() || output_.total() != count) {
-            throw Error(ErrorCode::not_a_model, "its output is another than its operators promise");
+            throw Error(ErrorCode::not_a_model, "its output differs from what its operators declare");
         }
         return {output_.ptr<float>(), count};
     }
@@ -155,9 +155,9 @@ Detector::Detector(const std::filesystem::path& model, Trial trial) {
         failure = error.what();
     }
     if (failure) {
-        throw Error(ErrorCode::not_a_model, fmt::format("cannot use '{}' as a detector: {}; give a model of {} in ONNX "
-                                                        "format",
-                                                        model.string(), *failure, formats().front().name));
+        throw Error(ErrorCode::not_a_model,
+                    fmt::format("cannot use '{}' as a detector: {}; give a {} model in ONNX format", model.string(),
+                                *failure, formats().front().name));
     }
 }
 

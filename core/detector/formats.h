@@ -16,7 +16,7 @@ struct Cell {
     int side = 0;  ///< input pixels
 };
 
-/// An object that a network tells of.
+/// An object that a network has found.
 struct Candidate {
     InputBox box;
     int class_id = 0;  ///< index in object_classes()

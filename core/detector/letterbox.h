@@ -10,7 +10,7 @@ namespace vvr::detector {
 
 enum class ChannelOrder { bgr, rgb };
 
-/// An image of 8-bit pixels with three channels, which somebody else owns.
+/// An image of 8-bit pixels with three channels, not owned.
 struct ImageView {
     std::span<const std::uint8_t> bytes;
     Size size;

@@ -15,8 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/detector/protobuf.h"
-#include "core/detector/tensor.h"
+#include "core/detector/onnx.h"
 
 namespace vvr::detector {
 
@@ -128,7 +127,8 @@ void check_node(std::string_view node, std::set<std::string_view>& known) {
     }
     const auto* const row = std::ranges::find(operators, name, &Operator::name);
     if (row == operators.end()) {
-        refuse(fmt::format("it needs the operator '{}', which no known detector has", shown_text(name.substr(0, 100))));
+        refuse(fmt::format("it needs the operator '{}', which no supported detector uses",
+                           shown_text(name.substr(0, 100))));
     }
     if (inputs.size() < row->least || inputs.size() > row->most) {
         refuse(fmt::format("it is damaged: the operator '{}' has {}", name,
@@ -137,7 +137,7 @@ void check_node(std::string_view node, std::set<std::string_view>& known) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const bool left_out = inputs[i].empty() && i >= row->least;
         if (left_out || known.contains(inputs[i])) continue;
-        refuse(fmt::format("it is damaged: nothing before the operator '{}' makes its input '{}'", name,
+        refuse(fmt::format("it is damaged: no earlier operator produces '{1}', an input of the operator '{0}'", name,
                            shown_text(inputs[i].substr(0, 100))));
     }
     known.insert(outputs.begin(), outputs.end());
@@ -180,7 +180,7 @@ Size size_of_input(const std::vector<Value>& inputs) {
     const std::vector<std::uint64_t>& sides = inputs.front().sides;
     const bool images = sides.size() == 4 && sides[0] <= 1 && sides[1] == 3;
     if (!images) {
-        refuse(fmt::format("its input has the shape [{}], not that of one colour image, [1, 3, height, width]",
+        refuse(fmt::format("its input has the shape [{}], but one colour image has [1, 3, height, width]",
                            fmt::join(sides, ", ")));
     }
     const auto fits = [](std::uint64_t side) { return side > 0 && side <= longest_side && side % grid == 0; };
@@ -222,10 +222,10 @@ Size check_model(std::string_view bytes) {
         while (const auto field = reader.next()) {
             if (field->number == model_field::graph) set_once(graph, *field);
         }
-        if (!graph) refuse("it is no ONNX file");
+        if (!graph) refuse("it is not an ONNX file");
         return check_graph(*graph);
     } catch (const std::invalid_argument& error) {
-        refuse(fmt::format("it is no ONNX file, or a damaged one: {}", error.what()));
+        refuse(fmt::format("it is not an ONNX file, or a damaged one: {}", error.what()));
     }
 }
 

@@ -32,9 +32,9 @@ constexpr int failed = 1;
 
 [[noreturn]] void refuse(const char* call) {
     const int error = errno;
-    throw Error(ErrorCode::limit, fmt::format("cannot try the detector's model in a child process: {}: {}; allow the "
-                                              "program more processes",
-                                              call, std::strerror(error)));
+    throw Error(ErrorCode::limit,
+                fmt::format("cannot try the detector's model in a child process: {}: {}; raise the limit of processes",
+                            call, std::strerror(error)));
 }
 
 /// The two ends of a pipe, closed when it is destroyed.

@@ -47,7 +47,7 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
       row_(*first_.row),
       region_(scene.region),
       flow_(make_flow(options.flow)),
-      whole_frame_flow_(is_whole_frame(options.flow, scene.frames) || !options.seeds.area->object_alone) {
+      whole_frame_flow_(is_short(scene.frames) || !options.seeds.area->object_alone) {
     if (options.second != nullptr) second_.emplace(activate(*options.second, options, std::nullopt));
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {

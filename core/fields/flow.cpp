@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "core/base/setting.h"
 #include "core/fields/blobs.h"
@@ -18,14 +17,7 @@ constexpr std::array rows{
     FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }, true},
 };
 
-// In a short clip the whole frame costs little, and a sequence without an empty scene, such as a benchmark's, needs it.
 constexpr std::int64_t few_frames = 64;
-
-constexpr std::array areas{
-    FlowArea{"auto", "the whole frame in clips of up to 64 frames, else where something moves", few_frames},
-    FlowArea{"moving", "only near visible pixels that change", 0},
-    FlowArea{"all", "the whole frame", std::numeric_limits<std::int64_t>::max()},
-};
 
 // Parts that cover more than this share cost more, with their margins, than the whole picture.
 constexpr double max_share = 0.7;
@@ -90,13 +82,8 @@ std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin) 
     return parts;
 }
 
-std::span<const FlowArea> flow_areas() {
-    return areas;
-}
-
-bool is_whole_frame(const FlowOptions& options, std::int64_t frames) {
-    const std::int64_t most = options.area->whole_up_to;
-    return frames > 0 ? frames <= most : most == std::numeric_limits<std::int64_t>::max();
+bool is_short(std::int64_t frames) {
+    return frames > 0 && frames <= few_frames;
 }
 
 bool has_flow(const FlowOptions& options) {
@@ -113,10 +100,6 @@ std::span<const FlowRow> flow_methods() {
 
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
     return options.method->make(options);
-}
-
-const FlowArea& row_of(Name<FlowArea> name) {
-    return choose("flow-area", name.text, flow_areas());
 }
 
 const FlowRow& row_of(Name<FlowRow> name) {

@@ -76,17 +76,10 @@ bool has_flow(const FlowOptions& options);
 /// The method that computes nothing.
 const FlowRow& no_flow();
 
-/// Where in a frame flow is computed.
-struct FlowArea {
-    std::string_view name;
-    std::string_view help;
-    std::int64_t whole_up_to;  ///< clips of up to this many frames get flow in the whole frame
-};
-std::span<const FlowArea> flow_areas();
-
-/// Whether flow is computed in the whole frame.
+/// Whether a clip is so short that flow is computed in the whole frame, which a sequence without an empty scene, such as
+/// a benchmark's, needs. In others it is computed only near visible pixels that change.
 /// \param frames of the clip; 0 = unknown
-bool is_whole_frame(const FlowOptions& options, std::int64_t frames);
+bool is_short(std::int64_t frames);
 
 /// The chosen method; null for none.
 /// \throws Error usage if a value is out of range
@@ -100,8 +93,7 @@ std::unique_ptr<FlowMethod> make_farneback(const FlowOptions& options);
 struct SolverSettings {
     double alpha = 0;
     int iterations = 0;
-    double pre_smooth = 0;  ///< Gaussian σ, pixels and frames
-    bool cube = false;      ///< finite differences over a cube of 2×2×2 values instead of Barron's
+    bool cube = false;  ///< finite differences over a cube of 2×2×2 values instead of Barron's
 };
 
 /// One row of the table of solvers, with defaults.

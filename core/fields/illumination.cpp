@@ -110,7 +110,7 @@ IlluminationChange line_through(std::span<const Change> changes) {
             slopes.push_back({(b.now - a.now) / distance, std::sqrt(a.weight * b.weight) * distance});
         }
     }
-    // A picture of one level can't tell a gain from an offset; either is fine.
+    // In a picture of one level, a gain and an offset look the same; either is fine.
     IlluminationChange light;
     if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
     std::vector<Vote> offsets;

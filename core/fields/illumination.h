@@ -40,7 +40,7 @@ bool illumination_jumps(const Quantiles& from, const Quantiles& to);
 /// A picture under changed light.
 Planes relight(const Planes& picture, const IlluminationChange& light);
 
-/// One row of the table of illuminations: how to tell a change of light from an object.
+/// One row of the table of illuminations: how to distinguish a change of light from an object.
 struct IlluminationRow {
     std::string_view name;
     std::string_view help;

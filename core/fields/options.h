@@ -16,7 +16,6 @@ struct ReferenceRow;
 // The rows that settings name; each table is in its own header.
 const struct DerivativeRow& row_of(Name<struct DerivativeRow> name);
 const struct FilterRow& row_of(Name<struct FilterRow> name);
-const struct FlowArea& row_of(Name<struct FlowArea> name);
 const struct FlowRow& row_of(Name<struct FlowRow> name);
 const struct IlluminationRow& row_of(Name<struct IlluminationRow> name);
 const struct NormRow& row_of(Name<struct NormRow> name);
@@ -32,11 +31,9 @@ struct FlowOptions {
     Choice<SolverRow> solver = "pyramid";
     Choice<DerivativeRow> derivatives = "barron";  ///< for the solver jacobi
     std::optional<double> alpha{};  ///< weight of smoothness (the paper's "λ = 100" is α² = 100); else the solver's
-    std::optional<int> iterations{};     ///< iterations or warps; else the solver's
-    std::optional<double> pre_smooth{};  ///< Gaussian σ before derivatives, 0 = none; else the solver's
-    std::int64_t every = 1;              ///< flow and seeds at frames whose number is a multiple of this
-    bool every_frame = false;            ///< flow (not seeds) at all frames
-    Choice<FlowArea> area = "auto";
+    std::optional<int> iterations{};  ///< iterations or warps; else the solver's
+    std::int64_t every = 1;           ///< flow and seeds at frames whose number is a multiple of this
+    bool every_frame = false;         ///< flow (not seeds) at all frames
 };
 
 /// Which of the ordered points become seeds.

@@ -12,7 +12,7 @@
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 namespace {

@@ -1,5 +1,3 @@
-#include "core/fields/running_reference.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
+#include "core/fields/reference.h"
 
 namespace vvr::fields {
 namespace {

@@ -21,10 +21,10 @@ float magnitude(const SeedInput& input, int i, int j) {
 }
 
 constexpr std::array orders{
-    SeedOrderRow{"magnitude", "the fastest first", false, magnitude},
-    SeedOrderRow{"difference", "what differs most from the empty scene first", false,
+    SeedOrderRow{"magnitude", "fastest first", false, magnitude},
+    SeedOrderRow{"difference", "largest difference from the empty scene first", false,
                  [](const SeedInput& input, int i, int j) { return static_cast<float>(input.object.at(i, j)); }},
-    SeedOrderRow{"age", "what has been there longest first", true,
+    SeedOrderRow{"age", "longest present first", true,
                  [](const SeedInput& input, int i, int j) { return static_cast<float>(input.age.at(i, j)); }},
 };
 

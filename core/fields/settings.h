@@ -31,7 +31,6 @@ inline constexpr Setting mask{
     .name = "mask", .unit = "AREA", .help = "ignore this area, for example a clock in the video", .may_be_file = true};
 
 inline constexpr Setting flow{"flow", "NAME", "method of the optical flow"};
-inline constexpr Setting flow_area{"flow-area", "NAME", "where flow is computed"};
 inline constexpr Setting flow_every{
     "flow-every", "FRAMES", "keep flow and seeds of frames whose number is a multiple of this", {1, 1e9}};
 inline constexpr Setting solver{"solver", "NAME", "solver of the method horn-schunck"};
@@ -48,12 +47,6 @@ inline constexpr Setting iterations{
     "COUNT",
     "iterations of the solver: warps per scale (pyramid) or steps (jacobi); the default depends on --solver",
     {1, 100'000},
-    "the solver's"};
-inline constexpr Setting pre_smooth{
-    "pre-smooth",
-    "PIXELS",
-    "standard deviation of the Gaussian smoothing before derivatives; the default depends on --solver",
-    {0, 5},
     "the solver's"};
 
 inline constexpr Setting grid{"grid", "PIXELS", "distance between neighbouring seeds", {1, 10'000}};
@@ -110,15 +103,12 @@ void each_field_setting(Options& options, const Each& each) {
     each(setting::roi, options.roi);
     each(setting::mask, options.mask);
     each(setting::flow, options.flow.method, flow_methods());
-    each(setting::flow_area, options.flow.area, flow_areas());
     each(setting::solver, options.flow.solver, flow_solvers());
     each(setting::derivatives, options.flow.derivatives, derivative_kinds());
     each(setting::alpha, options.flow.alpha, *options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.alpha; });
     each(setting::iterations, options.flow.iterations, *options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.iterations; });
-    each(setting::pre_smooth, options.flow.pre_smooth, *options.flow.solver, flow_solvers(),
-         [](const SolverRow& row) { return row.defaults.pre_smooth; });
     each_seed_setting(options.seeds, each);
 }
 

@@ -88,7 +88,7 @@ bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
 }
 
 constexpr std::array rows{
-    ShadowRow{"remove", "remove what is darker but keeps its colour", true},
+    ShadowRow{"remove", "remove areas that are darker but keep their colour", true},
     ShadowRow{"keep", "shadows count as objects", false},
 };
 

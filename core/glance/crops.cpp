@@ -7,7 +7,7 @@
 
 #include "core/image/jpeg.h"
 #include "core/image/picture.h"
-#include "core/video/crop.h"
+#include "core/video/scaler.h"
 
 namespace vvr::glance {
 

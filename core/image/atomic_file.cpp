@@ -28,10 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int error) {
-    return std::generic_category().message(error);
-}
-
 fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -138,10 +134,10 @@ class TemporaryFile {
     }
 
     [[noreturn]] static void throw_error(const char* what, const fs::path& path, int error) {
-        const ErrorCode code = code_of_system_error(error);
-        throw Error(code, fmt::format("cannot {} '{}': {}; {}", what, path.string(), reason(error),
-                                      code == ErrorCode::disk_full ? "free some space or choose another folder"
-                                                                   : "choose another folder or fix its permissions"));
+        const bool full = code_of_system_error(error) == ErrorCode::disk_full;
+        throw system_error(error, fmt::format("cannot {} '{}'", what, path.string()),
+                           full ? "free some space or choose another folder"
+                                : "choose another folder or fix its permissions");
     }
 
     fs::path path_;
@@ -153,13 +149,10 @@ fs::path target_of(const fs::path& path) {
     std::error_code error;
     if (!fs::is_symlink(path, error)) return path;
     fs::path target = fs::weakly_canonical(path, error);
-    if (error) {
-        throw Error(
-            code_of_system_error(error.value()),
-            fmt::format(
-                "cannot write '{}': its symbolic link cannot be followed: {}; remove the link or choose another name",
-                path.string(), error.message()));
-    }
+    if (error)
+        throw system_error(error.value(),
+                           fmt::format("cannot write '{}': its symbolic link cannot be followed", path.string()),
+                           "remove the link or choose another name");
     return target;
 }
 
@@ -175,11 +168,10 @@ void check_file_path(const fs::path& path) {
                     fmt::format("cannot write '{}': the folder '{}' does not exist; create it with: mkdir -p '{}'",
                                 path.string(), folder.string(), folder.string()));
     }
-    if (error) {
-        throw Error(code_of_system_error(error.value()),
-                    fmt::format("cannot write '{}': cannot use the folder '{}': {}; choose another one", path.string(),
-                                folder.string(), error.message()));
-    }
+    if (error)
+        throw system_error(
+            error.value(), fmt::format("cannot write '{}': cannot use the folder '{}'", path.string(), folder.string()),
+            "choose another one");
     if (place.type() != fs::file_type::directory) {
         throw Error(ErrorCode::not_a_folder,
                     fmt::format("cannot write '{}': '{}' is not a folder; choose another folder", path.string(),
@@ -191,12 +183,9 @@ void check_file_path(const fs::path& path) {
                     fmt::format("cannot write '{}': it is {}; give another file name", path.string(),
                                 fs::is_directory(there) ? "a folder" : "not a regular file"));
     }
-    if (fs::exists(there) && ::access(target.c_str(), W_OK) != 0) {
-        const int why = errno;
-        throw Error(code_of_system_error(why),
-                    fmt::format("cannot write '{}': {}; fix its permissions or choose another name", path.string(),
-                                reason(why)));
-    }
+    if (fs::exists(there) && ::access(target.c_str(), W_OK) != 0)
+        throw system_error(errno, fmt::format("cannot write '{}'", path.string()),
+                           "fix its permissions or choose another name");
     // Permissions are not enough: a server or a full disk may still refuse, so create a file.
     const TemporaryFile probe(target);
 }

@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/av_writer.h"
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
 
@@ -22,14 +23,6 @@ namespace vvr::image {
 
 namespace {
 
-struct Free {
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-};
-template <class T>
-using Ptr = std::unique_ptr<T, Free>;
-
 // Full chroma: crops of large frames have all of it. The planes are in the order of OpenCV's YCrCb.
 constexpr AVPixelFormat pixel_format = AV_PIX_FMT_YUVJ444P;
 constexpr std::array planes{0, 2, 1};
@@ -38,22 +31,20 @@ constexpr int quantiser = 3;  // 1 to 31; JPEG quality of about 90
 
 void check(int result, const char* what) {
     if (result >= 0) return;
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
-    av_strerror(result, words.data(), words.size());
-    throw Error(
-        result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
-        fmt::format("cannot {} a picture in memory: {}; use an FFmpeg with its codec mjpeg", what, words.data()));
+    throw Error(result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
+                fmt::format("cannot {} a picture in memory: {}; use an FFmpeg that has the codec mjpeg", what,
+                            av_error_text(result)));
 }
 
 template <class T>
-Ptr<T> owned(T* made, const char* what) {
+AvPtr<T> owned(T* made, const char* what) {
     check(made == nullptr ? AVERROR(ENOMEM) : 0, what);
-    return Ptr<T>(made);
+    return AvPtr<T>(made);
 }
 
-Ptr<AVCodecContext> make_context(const AVCodec* codec, const char* what) {
+AvPtr<AVCodecContext> make_context(const AVCodec* codec, const char* what) {
     check(codec == nullptr ? AVERROR(ENOSYS) : 0, what);
-    Ptr<AVCodecContext> context = owned(avcodec_alloc_context3(codec), what);
+    AvPtr<AVCodecContext> context = owned(avcodec_alloc_context3(codec), what);
     context->thread_count = 1;
     context->flags |= AV_CODEC_FLAG_BITEXACT;
     context->log_level_offset = 100;  // keep messages off stderr
@@ -64,8 +55,8 @@ cv::Mat view_of(const AVFrame& frame, int plane) {
     return {frame.height, frame.width, CV_8UC1, frame.data[plane], static_cast<std::size_t>(frame.linesize[plane])};
 }
 
-Ptr<AVFrame> to_frame(const Plane<Bgr>& picture) {
-    Ptr<AVFrame> frame = owned(av_frame_alloc(), "compress");
+AvPtr<AVFrame> to_frame(const Plane<Bgr>& picture) {
+    AvPtr<AVFrame> frame = owned(av_frame_alloc(), "compress");
     frame->format = pixel_format;
     frame->color_range = AVCOL_RANGE_JPEG;
     frame->width = picture.width();
@@ -87,7 +78,7 @@ Ptr<AVFrame> to_frame(const Plane<Bgr>& picture) {
 }  // namespace
 
 std::vector<std::byte> compress(const Plane<Bgr>& picture) {
-    const Ptr<AVCodecContext> context = make_context(avcodec_find_encoder(AV_CODEC_ID_MJPEG), "compress");
+    const AvPtr<AVCodecContext> context = make_context(avcodec_find_encoder(AV_CODEC_ID_MJPEG), "compress");
     context->width = picture.width();
     context->height = picture.height();
     context->pix_fmt = pixel_format;
@@ -96,9 +87,9 @@ std::vector<std::byte> compress(const Plane<Bgr>& picture) {
     context->flags |= AV_CODEC_FLAG_QSCALE;
     context->global_quality = FF_QP2LAMBDA * quantiser;
     check(avcodec_open2(context.get(), nullptr, nullptr), "compress");
-    const Ptr<AVFrame> frame = to_frame(picture);
+    const AvPtr<AVFrame> frame = to_frame(picture);
     frame->quality = context->global_quality;
-    const Ptr<AVPacket> packet = owned(av_packet_alloc(), "compress");
+    const AvPtr<AVPacket> packet = owned(av_packet_alloc(), "compress");
     check(avcodec_send_frame(context.get(), frame.get()), "compress");
     check(avcodec_receive_packet(context.get(), packet.get()), "compress");
     const auto bytes = std::as_bytes(std::span(packet->data, static_cast<std::size_t>(packet->size)));
@@ -106,12 +97,12 @@ std::vector<std::byte> compress(const Plane<Bgr>& picture) {
 }
 
 Plane<Bgr> decompress(std::span<const std::byte> jpeg) {
-    const Ptr<AVCodecContext> context = make_context(avcodec_find_decoder(AV_CODEC_ID_MJPEG), "decompress");
+    const AvPtr<AVCodecContext> context = make_context(avcodec_find_decoder(AV_CODEC_ID_MJPEG), "decompress");
     check(avcodec_open2(context.get(), nullptr, nullptr), "decompress");
-    const Ptr<AVPacket> packet = owned(av_packet_alloc(), "decompress");
+    const AvPtr<AVPacket> packet = owned(av_packet_alloc(), "decompress");
     check(av_new_packet(packet.get(), static_cast<int>(jpeg.size())), "decompress");
     std::memcpy(packet->data, jpeg.data(), jpeg.size());
-    const Ptr<AVFrame> frame = owned(av_frame_alloc(), "decompress");
+    const AvPtr<AVFrame> frame = owned(av_frame_alloc(), "decompress");
     check(avcodec_send_packet(context.get(), packet.get()), "decompress");
     check(avcodec_receive_frame(context.get(), frame.get()), "decompress");
     check(frame->format == pixel_format ? 0 : AVERROR_INVALIDDATA, "decompress");

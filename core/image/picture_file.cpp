@@ -70,9 +70,8 @@ Samples read_samples(const std::filesystem::path& path) {
     std::array<char, longest_begin> begin{};
     file.read(begin.data(), begin.size());
     if (!file.is_open() || file.bad()) {
-        throw Error(code_of_system_error(errno),
-                    fmt::format("cannot read picture '{}': {}; check its name and permissions", path.string(),
-                                std::strerror(errno)));
+        throw system_error(errno, fmt::format("cannot read picture '{}'", path.string()),
+                           "check its name and permissions");
     }
     const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
     return picture_codec().read(path, format_of(path, bytes), std::nullopt);

@@ -14,10 +14,6 @@
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 
-#include <fmt/format.h>
-
-#include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
 #include "core/image/picture.h"
@@ -129,8 +125,8 @@ void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
 /// The font of all text, loaded on first use.
 struct TextFont {
     std::mutex mutex;
-    std::string file;
-    std::optional<Font> font;
+    std::string file = find_font();
+    Font font{file};
 };
 
 TextFont& text_font() {
@@ -143,11 +139,7 @@ template <class Use>
 auto with_font(const Use& use) {
     TextFont& text = text_font();
     const std::scoped_lock lock(text.mutex);
-    if (!text.font) {
-        if (text.file.empty()) text.file = find_font();
-        text.font.emplace(text.file);
-    }
-    return use(*text.font);
+    return use(text.font);
 }
 
 }  // namespace
@@ -174,30 +166,7 @@ std::string printable(const std::string& text) {
     return result;
 }
 
-void check_font(const std::filesystem::path& file) {
-    check_is_file(file.string());
-    if (std::error_code none; !std::filesystem::exists(file, none)) {
-        throw Error(ErrorCode::file_not_found,
-                    fmt::format("font: cannot read '{}': No such file or directory; check the name", file.string()),
-                    {"font"});
-    }
-    if (!Font(file.string()).measure("0", 12)) {
-        throw Error(ErrorCode::file_invalid,
-                    fmt::format("font: FreeType cannot read '{}' as a font; give a .ttf or .otf file", file.string()),
-                    {"font"});
-    }
-}
-
-void choose_font(const std::filesystem::path& file) {
-    if (!file.empty()) check_font(file);
-    TextFont& text = text_font();
-    const std::scoped_lock lock(text.mutex);
-    text.font.reset();
-    text.file = file.string();
-}
-
 std::string font_name() {
-    with_font([](Font&) { return true; });
     return std::filesystem::path(text_font().file).filename().string();
 }
 

@@ -13,16 +13,7 @@ namespace vvr::image {
 /// Makes text printable on one line: replaces control characters by spaces, and bytes that are not UTF-8 by `?`.
 std::string printable(const std::string& text);
 
-/// Checks a font file.
-/// \throws Error io if it doesn't exist or FreeType can't read it
-void check_font(const std::filesystem::path& file);
-
-/// Sets the font of all later text; an empty path means fontconfig's sans serif font. The font is global, because
-/// nearly all layout functions measure text.
-/// \throws Error as `check_font`
-void choose_font(const std::filesystem::path& file);
-
-/// The font's file name without folders; empty if there is no font.
+/// The file name, without folders, of the font of all text: fontconfig's sans serif font. Empty if there is none.
 std::string font_name();
 
 /// The bounding box of a line of text whose baseline begins at 0,0, in pixels.

@@ -26,15 +26,9 @@ namespace vvr::image {
 
 namespace {
 
-struct Free {
+struct FreeMuxer {
     void operator()(AVFormatContext* context) const { avformat_free_context(context); }
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-    void operator()(SwsContext* context) const { sws_freeContext(context); }
 };
-template <class T>
-using Ptr = std::unique_ptr<T, Free>;
 
 /// x264's own options. Its AVX-512 code reads uninitialised memory, so its output is not deterministic (x264 164).
 /// Therefore processors with AVX-512 use the AVX2 code. On other processors, requesting AVX2 could crash.
@@ -121,9 +115,7 @@ struct VideoEncoder::Parts {
     void check(int result) const {
         if (result >= 0) return;
         writer.check();
-        std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
-        av_strerror(result, words.data(), words.size());
-        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", name, words.data()));
+        throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", name, av_error_text(result)));
     }
 
     void add(const Picture& picture, std::int64_t time) {
@@ -217,12 +209,12 @@ struct VideoEncoder::Parts {
     Size size;
     std::vector<std::byte> memory;  ///< the file, if it is kept in memory
     AvWriter writer;
-    Ptr<AVFormatContext> container;
-    Ptr<AVCodecContext> context;
+    std::unique_ptr<AVFormatContext, FreeMuxer> container;
+    AvPtr<AVCodecContext> context;
     AVStream* stream = nullptr;  ///< the container's
-    Ptr<AVPacket> packet;
-    Ptr<AVFrame> frame;
-    Ptr<SwsContext> scaler;
+    AvPtr<AVPacket> packet;
+    AvPtr<AVFrame> frame;
+    AvPtr<SwsContext> scaler;
     std::optional<Palette> palette;
     std::int64_t duration = 1;  ///< ticks; of the last but one picture, and also used for the last
 };

@@ -1,11 +1,11 @@
-#include "core/kernels/colour_rows.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
+
+#include "core/kernels/rows.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/colour_rows.cpp"

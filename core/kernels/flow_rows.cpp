@@ -1,8 +1,8 @@
-#include "core/kernels/flow_rows.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "core/kernels/rows.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/flow_rows.cpp"

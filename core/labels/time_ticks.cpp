@@ -107,7 +107,7 @@ std::string format_moment(double seconds, const WallClock& clock) {
 }
 
 std::string format_duration(double seconds) {
-    // By way of tenths, as archives store durations: so all places tell the same number.
+    // Rounded to tenths first, as archives store durations, so that all places show the same number.
     const auto whole = std::llround(std::round(seconds * 10) / 10);
     if (whole < 100) return fmt::format("{} s", whole);
     const auto minutes = std::llround(static_cast<double>(whole) / minute);

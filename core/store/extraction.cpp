@@ -82,9 +82,8 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error(code_of_system_error(error),
-                fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose another folder",
-                            path.string(), std::generic_category().message(error)));
+    throw system_error(error, fmt::format("cannot write '{}'", path.string()),
+                       "free some space, fix its permissions or choose another folder");
 }
 
 template <class Bytes>
@@ -113,8 +112,7 @@ void check_data_folder(const fs::path& folder) {
     image::check_file_path(folder / stored::manifest);
 }
 
-DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
-    : folder_(std::move(folder)), flow_every_(flow_every), colour_(colour) {
+DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::move(folder)), flow_every_(flow_every) {
     check_data_folder(folder_);
     std::error_code error;
     created_ = fs::create_directory(folder_, error);
@@ -123,7 +121,6 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
-        if (name == stored::colour && !colour_) continue;
         fs::create_directory(folder_ / name, error);
         if (error) fail(folder_ / name, error.value());
     }
@@ -160,7 +157,7 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
 void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
     StoredFrame stored{field.index, field.pts, {}};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
-    if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
+    write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters compute flow for every frame.
     if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
         write(stored::flow_file(field.index), bytes_of(fields::encode_flo(field.flow)));
@@ -181,7 +178,7 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
               bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
     }
     manifest.flow_every = flow_every_;
-    manifest.colour = colour_;
+    manifest.colour = true;
     manifest.frames = frames_;
     image::replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
     closed_ = true;
@@ -189,15 +186,10 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
 
 namespace {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = image::Metadata;
 
 bool is_time_range(const std::string& option) {
     return option == "start" || option == "end";
-}
-
-std::string value_of(const Settings& settings, const std::string& option) {
-    const auto found = std::ranges::find(settings, option, &Settings::value_type::first);
-    return found == settings.end() ? "" : found->second;
 }
 
 bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
@@ -217,8 +209,8 @@ std::string difference(const Manifest& a, const Manifest& b) {
         return fmt::format("they have the flow of every {} and every {} frames", a.flow_every, b.flow_every);
     for (const Settings* settings : {&a.settings, &b.settings}) {
         for (const auto& [option, value] : *settings) {
-            const std::string one = value_of(a.settings, option);
-            const std::string other = value_of(b.settings, option);
+            const std::string one = image::value_of(a.settings, option);
+            const std::string other = image::value_of(b.settings, option);
             if (!is_time_range(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
@@ -234,7 +226,7 @@ Settings merged(const Manifest& first, const Manifest& last) {
     for (const auto& [option, value] : first.settings) {
         if (option != "end") settings.emplace_back(option, value);
     }
-    const std::string end = value_of(last.settings, "end");
+    const std::string end = image::value_of(last.settings, "end");
     if (!end.empty()) settings.emplace_back("end", end);
     return settings;
 }
@@ -261,7 +253,7 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
     settings_ = merged(first, last);
     info_ = first.clip;
     info_.name = parts_.front().folder.string();
-    const bool whole = first.frames.front().index == 0 && value_of(settings_, "end").empty();
+    const bool whole = first.frames.front().index == 0 && image::value_of(settings_, "end").empty();
     if (!whole) {
         info_.frames = last.frames.back().index - first.frames.front().index + 1;
         info_.duration = info_.rate > 0 ? static_cast<double>(info_.frames) / info_.rate : 0;
@@ -336,10 +328,8 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
     }
     if (needs.colour && !parts_.front().manifest.colour) {
         throw Error(ErrorCode::extraction_unsuitable,
-                    fmt::format("'{}' does not have the frames' colours; extract it again with colours, or render the "
-                                "clip itself",
-                                info_.name),
-                    {"with-color"});
+                    fmt::format("'{}' does not have the frames' colours; extract it again, or render the clip itself",
+                                info_.name));
     }
     fields::FieldSummary summary;
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;

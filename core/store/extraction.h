@@ -21,10 +21,9 @@ void check_data_folder(const std::filesystem::path& folder);
 class DataFolder {
   public:
     /// Creates the folder, or deletes an older extraction in it.
-    /// \param colour whether to store every frame's picture
     /// \param flow_every store flow and seeds of frames whose index is a multiple of it; 0 = never
     /// \throws Error io if the folder can't be written
-    DataFolder(std::filesystem::path folder, std::int64_t flow_every, bool colour);
+    DataFolder(std::filesystem::path folder, std::int64_t flow_every);
     ~DataFolder();
     DataFolder(const DataFolder&) = delete;
     DataFolder& operator=(const DataFolder&) = delete;
@@ -42,7 +41,6 @@ class DataFolder {
 
     std::filesystem::path folder_;
     std::int64_t flow_every_;
-    bool colour_;
     bool created_ = false;
     bool closed_ = false;
     std::vector<StoredFrame> frames_;

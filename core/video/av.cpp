@@ -18,10 +18,6 @@ extern "C" {
 
 namespace vvr::video {
 
-void AvFrameFree::operator()(AVFrame* frame) const {
-    av_frame_free(&frame);
-}
-
 namespace av {
 namespace {
 
@@ -37,11 +33,6 @@ Error out_of_memory() {
 }
 
 }  // namespace
-
-void Free::operator()(AVIOContext* context) const {
-    if (context) av_freep(&context->buffer);
-    avio_context_free(&context);
-}
 
 Ptr<AVPacket> make_packet() {
     Ptr<AVPacket> packet(av_packet_alloc());
@@ -146,9 +137,7 @@ std::string Log::text(int code) const {
         const std::lock_guard lock(mutex_);
         if (!last_.empty()) return last_;
     }
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
-    av_strerror(code, words.data(), words.size());
-    return words.data();
+    return av_error_text(code);
 }
 
 }  // namespace av

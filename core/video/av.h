@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/av_writer.h"
 #include "core/video/frame.h"
 
 extern "C" {
@@ -48,11 +49,9 @@ class Watchdog {
 // RAII owners of libav objects, and libav's error messages.
 namespace vvr::video::av {
 
-struct Free {
+struct Free : AvFree {
+    using AvFree::operator();
     void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(AVIOContext* context) const;
 };
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;

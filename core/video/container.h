@@ -21,7 +21,7 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
 /// Longest plausible duration of a clip, seconds: ten years. A header with more is wrong.
 inline constexpr double longest_clip = 10 * 365.25 * 86'400;
 
-/// What a container's header tells without decoding.
+/// What a container's header states, without decoding.
 struct ClipHeader {
     double length = 0;                      ///< seconds; 0 = unknown
     double implausible_length = 0;          ///< duration in the header if above `longest_clip`, seconds

@@ -1,4 +1,3 @@
-#include "core/video/crop.h"
 
 #include <algorithm>
 #include <cmath>

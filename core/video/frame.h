@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/base/av_writer.h"
 #include "core/base/plane.h"
 
 namespace vvr::video {
@@ -40,16 +41,7 @@ inline Plane<Bgr> picture_of(const Frame& frame) {
     return picture;
 }
 
-}  // namespace vvr::video
-
-struct AVFrame;
-
-namespace vvr::video {
-
-struct AvFrameFree {
-    void operator()(AVFrame* frame) const;
-};
-using AvFrame = std::unique_ptr<AVFrame, AvFrameFree>;
+using AvFrame = AvPtr<AVFrame>;
 
 /// The transform that turns a stored picture upright: first transpose, then flip.
 struct Orientation {

@@ -41,21 +41,17 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         const int why = errno;
-        throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
-                                why == ENOENT   ? "check its name"
-                                : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
-                                                : "check its permissions and those of its folder"));
+        throw system_error(why, fmt::format("cannot read '{}'", path),
+                           why == ENOENT   ? "check its name"
+                           : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
+                                           : "check its permissions and those of its folder");
     }
     return std::make_shared<Descriptor>(fd);
 }
 
 struct stat status_of(const Descriptor& file, const std::string& name) {
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) {
-        const int why = errno;
-        throw Error(code_of_system_error(why), fmt::format("cannot read '{}': {}", name, std::strerror(why)));
-    }
+    if (::fstat(file.get(), &status) != 0) throw system_error(errno, fmt::format("cannot read '{}'", name));
     return status;
 }
 
@@ -75,8 +71,10 @@ Error spool_error(const std::string& name, const std::string& where, std::int64_
     const std::string next = why == ENOSPC || why == EDQUOT || why == EFBIG
                                  ? "set TMPDIR to a folder with more space, or give a file"
                                  : "set TMPDIR to a writable folder, or give a file";
-    return {code_of_system_error(why), fmt::format("cannot store the stream '{}' in {} after {:.1f} MB: {}; {}", name,
-                                                   where, static_cast<double>(bytes) / 1e6, std::strerror(why), next)};
+    return system_error(why,
+                        fmt::format("cannot store the stream '{}' in {} after {:.1f} MB", name, where,
+                                    static_cast<double>(bytes) / 1e6),
+                        next);
 }
 
 std::shared_ptr<const Descriptor> make_unlinked(const std::string& name, const std::string& where) {
@@ -113,9 +111,8 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         const auto got = ::read(from.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) {
-            const int why = errno;
-            throw Error(code_of_system_error(why), fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
-                                                               static_cast<double>(total) / 1e6, std::strerror(why)));
+            throw system_error(
+                errno, fmt::format("cannot read '{}' after {:.1f} MB", name, static_cast<double>(total) / 1e6));
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
@@ -133,7 +130,7 @@ void require_redirected_stdin() {
 Input open_stdin() {
     require_redirected_stdin();
     const int fd = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
-    if (fd < 0) throw Error(code_of_system_error(errno), fmt::format("cannot read stdin: {}", std::strerror(errno)));
+    if (fd < 0) throw system_error(errno, "cannot read stdin");
     Input input{"-", {}, std::make_shared<Descriptor>(fd)};
     if (!S_ISREG(status_of(*input.file, "-").st_mode)) input.file = spool(*input.file, "-");
     require_bytes(*input.file, "-");
@@ -262,11 +259,7 @@ void load_devices(const std::string& name) {
 }
 
 Input open_pipe(const std::string& name, int fd) {
-    if (fd < 0) {
-        const int why = errno;
-        throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; check its name and permissions", name, std::strerror(why)));
-    }
+    if (fd < 0) throw system_error(errno, fmt::format("cannot read '{}'", name), "check its name and permissions");
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }
 
@@ -296,10 +289,8 @@ Input open_any(const std::string& name, const Watchdog& watchdog) {
     if (::stat(name.c_str(), &status) != 0) {
         const int why = errno;
         if (is_url(name)) return {redact_secrets(name), name, nullptr};
-        throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; give a URL such as rtsp://camera/stream, a device, a pipe or a "
-                                "file",
-                                name, std::strerror(why)));
+        throw system_error(why, fmt::format("cannot read '{}'", name),
+                           "give a URL such as rtsp://camera/stream, a device, a pipe or a file");
     }
     if (S_ISREG(status.st_mode)) return open_input(name);
     if (S_ISDIR(status.st_mode)) {

@@ -58,11 +58,9 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
             files.push_back(entry->path().string());
         }
     }
-    if (why) {
-        throw Error(
-            code_of_system_error(why.value()),
-            fmt::format("cannot read the folder '{}': {}; check its permissions", folder.string(), why.message()));
-    }
+    if (why)
+        throw system_error(why.value(), fmt::format("cannot read the folder '{}'", folder.string()),
+                           "check its permissions");
     return files;
 }
 
@@ -146,11 +144,7 @@ std::vector<std::string> files_of_list(const std::string& list) {
                                 most_list_bytes / 1024 / 1024));
     }
     std::ifstream text(list);
-    if (!text) {
-        const int why = errno;
-        throw Error(code_of_system_error(why),
-                    fmt::format("cannot read '{}': {}; check its permissions", list, std::strerror(why)));
-    }
+    if (!text) throw system_error(errno, fmt::format("cannot read '{}'", list), "check its permissions");
     const fs::path folder = fs::path(list).parent_path();
     const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
     std::vector<std::string> files;
@@ -195,11 +189,9 @@ std::vector<std::string> files_in(const fs::path& folder, const std::string& ask
         std::string file = entry->path().filename().string();
         if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
     }
-    if (why) {
-        throw Error(
-            code_of_system_error(why.value()),
-            fmt::format("cannot read the folder of '{}': {}; check its name and permissions", asked, why.message()));
-    }
+    if (why)
+        throw system_error(why.value(), fmt::format("cannot read the folder of '{}'", asked),
+                           "check its name and permissions");
     return names;
 }
 

@@ -175,19 +175,19 @@ bool LiveSource::pause(const std::stop_token& stop, double seconds) {
 bool LiveSource::reconnect(const std::stop_token& stop) {
     if (!reconnects_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
-    options_.tell(fmt::format("lost the connection to '{}' after {:.0f} s: {}", input_.name, time_,
-                              demuxer_->log().text(AVERROR_EOF)));
+    options_.report(fmt::format("lost the connection to '{}' after {:.0f} s: {}", input_.name, time_,
+                                demuxer_->log().text(AVERROR_EOF)));
     std::string reported;
     for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
         try {
             connect();
         } catch (const Error& error) {
             // Reports the same error only once.
-            if (error.what() != reported) options_.tell(fmt::format("{}; trying again", error.what()));
+            if (error.what() != reported) options_.report(fmt::format("{}; trying again", error.what()));
             reported = error.what();
             continue;
         }
-        options_.tell(
+        options_.report(
             fmt::format("reconnected to '{}' after {:.1f} s", input_.name, seconds_between(lost, Clock::now())));
         const std::lock_guard lock(mutex_);
         ++reconnections_;

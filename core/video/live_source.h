@@ -50,7 +50,7 @@ struct LiveOptions {
     double patience = 5;             ///< timeout in seconds after which a connection is lost
     double lag = 1;                  ///< seconds that a frame may wait; older ones are dropped
     std::optional<double> duration;  ///< seconds after which the stream ends
-    std::function<void(const std::string&)> tell = [](const std::string&) {
+    std::function<void(const std::string&)> report = [](const std::string&) {
     };  ///< reports on connections; called from any thread
 };
 

@@ -1,17 +1,50 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/av_writer.h"
+#include "core/video/frame_span.h"
 #include "core/video/input.h"
-#include "core/video/packet_range.h"
 
 namespace vvr::video {
+
+/// A packet range of a clip's video stream that can be copied. It begins with a key packet. Times are seconds from the
+/// clip's first frame.
+struct PacketRange {
+    std::int64_t first = 0;        ///< index of the key packet in the video stream
+    std::int64_t last = 0;         ///< index of the last packet that is needed
+    std::int64_t first_stamp = 0;  ///< of the key frame, in the stream's time base; earlier frames are not shown
+    std::int64_t last_stamp = 0;   ///< presentation timestamp of the last frame
+    double begin = 0;              ///< time of the key frame
+    double end = 0;                ///< time of the last frame
+    double wanted = 0;             ///< time of the first requested frame; at least `begin`
+    std::int64_t frames = 0;       ///< requested frames; 0 = none, and only `over` is set
+    std::optional<double> over{};  ///< time of the clip's last frame if the whole clip comes before the span
+    std::int64_t damaged = 0;      ///< packets in the range that the container marks as damaged
+    bool ends_early = false;       ///< the clip ends before the span does
+};
+
+/// Finds the packets that are needed to show a span of a clip. Decodes only the clip's first frame, and reads the file
+/// only up to the end of the span.
+/// \param rate frames per second of inputs without timestamps
+/// \throws Error not_video if packets have no presentation timestamps, or if no key frame comes before the span
+PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
+
+/// A clip's duration from its first frame that decodes, in seconds. Reads all packets, and handles clock jumps as
+/// StampClock does.
+/// \throws Error not_video if no frame decodes
+double length_of(const Input& input, double rate);
+
+/// Reports that a span has no frame.
+/// \param last time of the clip's last frame, seconds; none = unknown
+[[noreturn]] void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last);
 
 /// Metadata of a container: libav's keys and their values.
 using Tags = std::vector<std::pair<std::string, std::string>>;

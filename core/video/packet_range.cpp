@@ -1,5 +1,3 @@
-#include "core/video/packet_range.h"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -12,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
+#include "core/video/packet_copy.h"
 
 namespace vvr::video {
 namespace {

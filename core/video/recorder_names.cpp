@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/file.h"
 #include "core/base/wall_clock.h"
 
 namespace vvr::video {
@@ -75,9 +76,7 @@ bool is_generic_name(std::string_view name) {
     constexpr std::string_view counts = "0123456789-_. #()";
     while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
     if (name.empty()) return true;
-    std::string word(name);
-    std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::binary_search(common_words, word);
+    return std::ranges::binary_search(common_words, lower_case(name));
 }
 
 enum class Zone { local, utc };

@@ -85,7 +85,7 @@ class RecorderPattern {
 /// \param near an approximate time, to resolve the hour that repeats at the end of daylight saving time
 std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near = {});
 
-/// What a file name tells.
+/// What a file name states.
 struct RecorderName {
     std::string layout;                ///< the recorder's name, or "--names"; empty = unknown
     std::string camera;                ///< empty = unknown

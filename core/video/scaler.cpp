@@ -16,7 +16,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/kernels/colour_rows.h"
+#include "core/kernels/rows.h"
 #include "core/video/av.h"
 #include "core/video/frame_source.h"
 
@@ -31,10 +31,6 @@ namespace vvr::video {
 
 namespace {
 
-struct SwsFree {
-    void operator()(SwsContext* context) const { sws_freeContext(context); }
-};
-
 /// Scales 8-bit planes. Each axis is scaled separately: by area averaging to shrink, by linear interpolation to grow.
 /// The result is valid until the next call.
 class AreaScaler {
@@ -47,7 +43,7 @@ class AreaScaler {
     void prepare(cv::Size from, cv::Size to);
 
     std::optional<std::pair<cv::Size, cv::Size>> sizes_;
-    std::unique_ptr<SwsContext, SwsFree> context_;
+    AvPtr<SwsContext> context_;
     AvFrame scaled_;
 };
 
@@ -147,7 +143,7 @@ class PixelConverter {
     void prepare(const AVFrame& from, bool colour);
 
     std::optional<Key> key_;
-    std::unique_ptr<SwsContext, SwsFree> context_;
+    AvPtr<SwsContext> context_;
     AvFrame to_;
 };
 

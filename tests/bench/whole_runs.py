@@ -213,7 +213,7 @@ def archive(setting):
         clips, out = setting.made(f"archive/{name}"), setting.scratch / "archive"
         drawn = f"rm -rf {out}; {setting.vvr} archive {clips} -o {out} --backend {setting.backend} --quiet"
         results = in_turn({"ffmpeg": ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'],
-                           "pictures": ["bash", "-ec", f"{drawn} --no-pages"], "pages": ["bash", "-ec", drawn]}, setting.runs)
+                           "pictures": ["bash", "-ec", f"{drawn} --write pictures,index"], "pages": ["bash", "-ec", drawn]}, setting.runs)
         again = in_turn({"again": ["bash", "-ec", drawn.split("; ")[1]]}, setting.runs)["again"]
         files = sorted(pathlib.Path(clips).iterdir())
         frames = sum(frames_of(str(file)) for file in files)
@@ -227,7 +227,7 @@ def archive(setting):
         said.append(f"an hour of {name} video takes {3600 * rate * seconds['pages'] / frames:.0f} s with pages")
         numbers[name] = {"clips": len(files), "frames": frames, "bytes": written, "again": [r.seconds for r in again]} | {
             kind: [[r.seconds, r.processor] for r in of] for kind, of in results.items()}
-    measured = ("`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--no-pages`, beside `ffmpeg -i CLIP -f null -` "
+    measured = ("`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--write pictures,index`, beside `ffmpeg -i CLIP -f null -` "
                 "for one clip after another, which decodes and throws away. camera: a generated hall of 1920×1080 "
                 "at 25 frames/s, H.264 at 4 Mbit/s, a minute each. sd: parts of vtest.avi, 768×576 at 10 frames/s, MPEG-4, 60 or 80 "
                 "seconds each.")

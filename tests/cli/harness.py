@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import time
 from dataclasses import dataclass
@@ -146,6 +147,13 @@ class Bench:
     def expect_picture(self, name="out.png", size=(160, 100)):
         check(os.path.exists(self.path(name)), f"there is no {name}")
         check(self.picture_size(name) == size, f"{name} is {self.picture_size(name)}, not {size}")
+
+
+def without_colours(t, folder):
+    """Removes the frames' pictures from an extraction."""
+    shutil.rmtree(t.path(folder) / "color")
+    manifest = t.path(folder) / "manifest.json"
+    manifest.write_text(manifest.read_text().replace('"color": true', '"color": false'))
 
 
 def moving_clip(t, frames=40, step=1.5):

@@ -191,7 +191,7 @@ def test_archive_does_what_is_new(t):
     t.path("out/c.avi.json").unlink()
     only("c.avi", "new")
     check(archive(t, "--dry-run", "--opacity", "2").out.count("other settings") == 3, "settings make no difference")
-    archive(t, "--no-pages").expect(0, "3 clips drawn")
+    archive(t, "--write", "pictures,index").expect(0, "3 clips drawn")
     check(not any(name.endswith("avi.html") for name in outputs(t)), "pages that are not true any more")
 
 
@@ -290,7 +290,7 @@ def test_archive_goes_on_past_what_it_cannot_read(t):
     t.path("in/gone.avi").unlink()
     clips(t, "cam/d.avi")
     t.write("out/cam", "in the way")
-    archive(t, "--no-index").expect(6, "cam/d.avi failed, ", "'out/cam'", code="not-a-folder")
+    archive(t, "--write", "pictures,pages").expect(6, "cam/d.avi failed, ", "'out/cam'", code="not-a-folder")
 
 
 def test_archive_refuses_what_cannot_be(t):
@@ -305,10 +305,10 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "file").expect(2, "'file'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "file/out").expect(2, "'file/out'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "'/proc/out'", "-o", code="file-not-found")
-    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard", "'3/2'", "2/8", code="option-value")
+    t.vvr("archive", "in", "-o", "out", "--part", "3/2").expect(1, "--part", "'3/2'", "2/8", code="option-value")
     t.vvr("archive", "in", "-o", "out", "--redraw", "soon").expect(1, "--redraw", "'soon'", "90s", code="option-value")
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory", "'much'", "500M", code="option-value")
-    t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only", "--prune", code="options-conflict")
+    t.vvr("archive", "in", "-o", "out", "--write", "index", "--prune").expect(1, "--write index", "--prune", code="options-conflict")
     t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(
         1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
@@ -321,7 +321,7 @@ def test_archive_knows_the_names_of_recorders(t):
     clips(t, "2026-11-21/08/gate/00.10.mp4", "hall/door at 21.11.2026 09-30.avi", "2026/11/21/10/yard/x.avi")
 
     def index(*arguments):
-        archive(t, *arguments, "--no-pages").expect(0)
+        archive(t, *arguments, "--write", "pictures,index").expect(0)
         text = t.path("out/index.html").read_text()
         data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
         return {row[1]: (data["cameras"][row[0]], row[2]) for row in data["clips"]}, data["zone"]
@@ -339,7 +339,7 @@ def test_archive_knows_the_names_of_recorders(t):
 
 def test_archive_without_opengl_blames_no_clip(t):
     clips(t, "a.avi", "b.avi")
-    result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl", "--device", "200")
+    result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl:200")
     result.expect(4, "egl", "`vvr doctor`", code="opengl-unavailable")
     check(all(known["tries"] == 0 for known in sidecars(t).values()), "the clips are blamed")
     archive(t).expect(0, "2 clips drawn")
@@ -369,7 +369,7 @@ def test_an_archive_says_what_its_workers_warn_of(t):
 
 
 def of_shard(t, number, count):
-    return archive(t, "--shard", f"{number}/{count}", "--no-index", "--dry-run").expect(0, out=None).out.splitlines()
+    return archive(t, "--part", f"{number}/{count}", "--write", "pictures,pages", "--dry-run").expect(0, out=None).out.splitlines()
 
 
 def test_archive_is_shared_out(t):
@@ -381,9 +381,9 @@ def test_archive_is_shared_out(t):
     for number, part in enumerate(parts):
         check(all(fnv1a(line[16:].split("  ")[0]) % 3 == number for line in part), "not the hash that docs/archive.md names")
     for number in (1, 2, 3):
-        archive(t, "--shard", f"{number}/3", "--no-index").expect(0, "drawn, 0 failed")
+        archive(t, "--part", f"{number}/3", "--write", "pictures,pages").expect(0, "drawn, 0 failed")
     check("index.html" not in outputs(t), "a shard writes an index")
-    t.vvr("archive", "-o", "out", "--index-only").expect(0, "'out/index.html' is up to date")
+    t.vvr("archive", "-o", "out", "--write", "index").expect(0, "'out/index.html' is up to date")
     complete(t, [f"cam{k % 3}/{k}.avi" for k in range(9)])
 
 
@@ -434,7 +434,7 @@ def test_archive_takes_no_other_file_for_a_lock(t):
     os.mkfifo(t.path("out/.vvr-2222222222222222.lock"))
     t.path("out/.vvr-3333333333333333.lock").mkdir()
     before = t.files()
-    t.vvr("archive", "-o", "out", "--index-only", timeout=20).expect(0, "'out/index.html' is up to date")
+    t.vvr("archive", "-o", "out", "--write", "index", timeout=20).expect(0, "'out/index.html' is up to date")
     check(t.files() == sorted(before + ["out/index.html"]), f"files are gone or new: {set(before) ^ set(t.files())}")
     check(t.path("out/.vvr-1111111111111111.lock").read_text() == "photo", "what is no lock was written")
     # A link at the place of a clip's own lock.
@@ -450,7 +450,7 @@ def test_archive_takes_no_other_file_for_a_lock(t):
     check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
     t.path("out/index.html").unlink()
     t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
-    t.vvr("archive", "-o", "out", "--index-only").expect(2, f"'out/{lock_name('index.html')}'", code="not-a-file")
+    t.vvr("archive", "-o", "out", "--write", "index").expect(2, f"'out/{lock_name('index.html')}'", code="not-a-file")
 
 
 def test_archive_tidies_only_what_is_the_clips(t):
@@ -463,7 +463,7 @@ def test_archive_tidies_only_what_is_the_clips(t):
     t.path("out/gone.html").symlink_to("other.html")
     t.write("out/other.txt", "mine")
     kept = [f"gone.report{ending}" for ending in ENDINGS] + ["gone.html", "gone.jpg", "index.html", "other.txt"]
-    t.vvr("archive", "-o", "out", "--index-only").expect(0)
+    t.vvr("archive", "-o", "out", "--write", "index").expect(0)
     check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
 
 
@@ -805,7 +805,7 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
 
 def test_archive_keeps_a_day_whose_redraw_fails(t):
     """Until a new set is whole the old one stays, and says what it shows."""
-    slow = ("--per", "day", "--field-size", "source", "--flow", "horn-schunck", "--no-pages")
+    slow = ("--per", "day", "--field-size", "source", "--flow", "horn-schunck", "--write", "pictures,index")
     frigate(t, "2026-11-21/08/gate/00.00.avi", "2026-11-21/08/gate/00.02.avi")
     archive(t, *slow).expect(0, "1 clip drawn")
     day = "gate/2026-11-21"

@@ -42,7 +42,7 @@ def known(t, clip, begins, **more):
 
 
 def write_index(t):
-    t.vvr("archive", "-o", "out", "--index-only").expect(0, "is up to date")
+    t.vvr("archive", "-o", "out", "--write", "index").expect(0, "is up to date")
 
 
 def opened(t):

@@ -13,7 +13,7 @@ def test_unknown_backend(t):
 
 def test_backend_that_is_not_there(t):
     t.clip()
-    t.render("clip.avi", "--backend", "egl", "--device", "99").expect(4, "egl", "99", "`vvr doctor`", code="opengl-unavailable")
+    t.render("clip.avi", "--backend", "egl:99").expect(4, "egl", "99", "`vvr doctor`", code="opengl-unavailable")
     t.expect_files("clip.avi")
 
 
@@ -32,7 +32,7 @@ def test_doctor_tells_programs(t):
 
 def test_doctor_tells_of_the_backend_that_is_asked_for(t):
     t.vvr("doctor", "--backend", "software").expect(0, out=None)
-    t.vvr("doctor", "--backend", "egl", "--device", "200").expect(4, "egl", "200", code="opengl-unavailable", out=None)
+    t.vvr("doctor", "--backend", "egl:200").expect(4, "egl", "200", code="opengl-unavailable", out=None)
 
 
 def test_doctor_tells_of_every_backend(t):

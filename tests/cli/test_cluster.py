@@ -154,7 +154,7 @@ def test_cluster_refuses_what_cannot_be(t):
         (("in", "out", "--shards", "0"), "--shards: '0' is not a whole number above 0"),
         (("in", "out", "--cpus"), "--cpus needs a value"),
         (("in", "out", "--partition", "long"), "unknown option '--partition'"),
-        (("in", "out", "--", "--shard=1/2"), "--shard is for submit-archive to set"),
+        (("in", "out", "--", "--part=1/2"), "--part is for submit-archive to set"),
         (("in", "out", "--", "--sise", "1x1"), "did you mean"),
     ]:
         result = submit(t, "submit-archive", *arguments)

@@ -6,7 +6,7 @@ from harness import check, moving_clip
 
 # Time runs from left to right over the whole width.
 STRAIGHT = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--fov", "0", "--size", "400x120",
-            "--show", "volume", "--reference", "empty.png", "--flow-area", "all")
+            "--show", "volume", "--reference", "empty.png")
 
 
 def square(t, x, seconds=4):

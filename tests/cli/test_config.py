@@ -36,7 +36,7 @@ def test_config_file_is_found(t, places):
         (named, [], (60, 30)),
         (named, ["--config", "own.toml"], (70, 30)),
         (named, ["--size", "80x30"], (80, 30)),
-        (named, ["--no-config"], (1280, 800)),
+        (named, ["--config", "none"], (1280, 800)),
         (named | {"VVR_CONFIG": ""}, [], (1280, 800)),
     ]:
         found = size_drawn(t, environment, *arguments)
@@ -56,7 +56,6 @@ def test_found_config_file_with_errors(t, places):
     render().expect(1, "--alpha", "'lots'", f"'{found}'", code="option-value")
     result = t.vvr("render", "clip.avi", "-o", "out.png", "--alpha", "few", env=places)
     check(str(found) not in result.expect(1, "--alpha", "'few'", code="option-value").err, str(result))
-    t.vvr("render", "clip.avi", "-o", "out.png", "--no-config", "--config", "named.toml").expect(1, "--no-config", "--config", code="usage")
     check(not t.path("out.png").exists(), "a picture all the same")
 
 
@@ -79,7 +78,7 @@ def test_config_says_what_is_in_force(t, places):
     check(re.search(r"^filter +difference \(default\)$", said, flags=re.MULTILINE), said)
     said = t.vvr("config", "--config", "named.toml", env=places).expect(0, out=None).out
     check(said == "config file: named.toml (named by --config)\nvvr render: size = 60x30\n", said)
-    t.vvr("config", "--no-config", env=places).expect(0, out="config file: none (because of --no-config)\n")
+    t.vvr("config", "--config", "none", env=places).expect(0, out="config file: none (because of --config none)\n")
     t.vvr("config").expect(0, out="config file: none (because VVR_CONFIG is empty)\n")
     found.write_text("size = 40x30\n")
     said = t.vvr("config", env=places).expect(0, out=None).out

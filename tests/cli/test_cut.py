@@ -154,6 +154,11 @@ def test_cut_takes_the_searches_options(t):
     clip = bag(t)
     t.vvr("render", clip, "--events", "left", "--report", "left.json").expect(0, "1 event")
     left = json.loads(t.path("left.json").read_text())["events"][0]
+    length = left["seconds"]
+    for events, count in ((f"left,{length - 1}s", 1), (f"{length + 1}s,left", 0), (f"{length + 1}s", 0)):
+        t.vvr("render", clip, "--events", events, "--report", "some.json").expect(0)
+        some = json.loads(t.path("some.json").read_text())["events"]
+        check(len(some) == count, f"{events}: {some}")
     t.vvr("cut", clip, "--events", "left", "--event", "1", "--exact", "-o", "left.mp4").expect(
         0, f"{left['last']['frame'] - left['first']['frame'] + 1} frames encoded")
     t.vvr("cut", clip, "--events", "left", "--event", "2", "-o", "none.mp4").expect(

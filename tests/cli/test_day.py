@@ -22,16 +22,16 @@ def report_of(t, name):
 
 def room_of(report, begin, end):
     """Share of the arc that a stretch has in which something moves."""
-    idle = sum(stretch["room"] for stretch in report["volume"]["squeezed"])
-    check(all(stretch["first"] >= end - 4 or stretch["first"] + stretch["seconds"] <= begin + 4 for stretch in report["volume"]["squeezed"]),
-          f"motion from {begin} to {end} is squeezed: {report['volume']['squeezed']}")
+    idle = sum(stretch["room"] for stretch in report["volume"]["compressed"])
+    check(all(stretch["first"] >= end - 4 or stretch["first"] + stretch["seconds"] <= begin + 4 for stretch in report["volume"]["compressed"]),
+          f"motion from {begin} to {end} is compressed: {report['volume']['compressed']}")
     return 1 - idle
 
 
 def test_room_goes_where_something_moves(t):
     recording(t)
     t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "each layer merges ")
-    check(report_of(t, "even.json")["volume"]["squeezed"] == [], "even time is squeezed")
+    check(report_of(t, "even.json")["volume"]["compressed"] == [], "even time is compressed")
     told = t.render("day.mkv", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(
         0, "'busy.png': 2400 frames", "36 min without motion are compressed on the time axis, in 3 places")
     report = report_of(t, "busy.json")
@@ -44,7 +44,7 @@ def test_room_goes_where_something_moves(t):
     check(t.path("again.png").read_bytes() != b"", "an empty file")
     # By default the header decides: a short clip has even time, and one of more than two minutes has not.
     t.render("day.mkv", "--end", "110s", "--report", "r.json").expect(0)
-    check(report_of(t, "r.json")["volume"]["squeezed"] == [], "a short clip is squeezed")
+    check(report_of(t, "r.json")["volume"]["compressed"] == [], "a short clip is compressed")
     t.clip("busy.avi", seconds=130)
     for name, *options in (("auto.png",), ("busy.png", "--time", "busy"), ("even.png", "--time", "even")):
         t.render("busy.avi", "--reference", "first", "--show", "volume,ruler", *options, output=name).expect(0)

@@ -93,7 +93,7 @@ def test_cron_lines_draw_what_is_new(t):
         for _ in range(2):
             done = t.run(["/bin/sh", "-c", line], cwd=here, env=as_cron_has_it(t))
             check(done.status == 0 and done.out + done.err == "", f"{page}: cron would send a mail: {done}")
-        if "--index-only" in line:
+        if "--write index" in line:
             check((here / "pictures/index.html").exists(), str(done))
         else:
             drawn += len(list((here / "pictures").glob("*.avi.png")))

@@ -182,7 +182,7 @@ def test_backend_is_tried_before_a_long_clip_is_read(t):
     t.clip("clip.avi", seconds=520)
     library = built(t, "libvvr_fail_nth.so")
     reads = {}
-    for backend, status in ((("egl", "--device", "99"), 4), (("software",), 0)):
+    for backend, status in ((("egl:99",), 4), (("software",), 0)):
         environment = os.environ | {"VVR_FAULT": "count", "VVR_FAULT_LOG": str(t.path("log")), "LD_PRELOAD": library}
         t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, "--flow", "none", "--backend", *backend, env=environment).expect(status)
         reads[status] = int(t.path("log").read_text().split("count main read ")[1].split()[0])

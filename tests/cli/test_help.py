@@ -50,7 +50,7 @@ def sample(option):
 
 TOGETHER = {  # options that are for other outputs, or go with others
     "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--bless": ["--golden", "golden.png"],
-    "--index-only": ["-o", "out"], 
+    "--write": ["-o", "out"],
     "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
 }
 
@@ -74,13 +74,13 @@ def test_help_lists_only_what_the_command_accepts(t, command):
         if option.text in shared:
             continue
         beside = TOGETHER.get(f"--{option.name}", [])
-        if option.name in ("help", "version", "config", "no-config", "log-file") or beside is None:
+        if option.name in ("help", "version", "config", "log-file") or beside is None:
             continue
         for value in sample(option):
             given = [f"--{option.name}"] if value is None else [f"--{option.name}={value}"]
             needs = [] if "-o" in beside else example  # a run has one -o
             done = t.vvr(command, missing, *needs, *beside, *given)
-            # --index-only reads no clips.
+            # --write index reads no clips.
             accepted = done.status == 0 or (done.status == 2 and "missing" in done.err)
             check(accepted, f"{done}\nthe help lists what is refused")
 

@@ -95,7 +95,7 @@ def test_info_says_what_a_render_would_do(t):
     t.clip()
     text = t.vvr("info", "clip.avi").expect(0, out=None)
     check(text.err == "", str(text))
-    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, as the container says", "2.000 s", "20 layers", "MB"):
+    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, from the container", "2.000 s", "20 layers", "MB"):
         check(part in text.out, f"{text}\nexpected: {part}")
     # Colours of objects, the default where the filter marks any, take four bytes a voxel.
     memory = [json.loads(t.vvr("info", "clip.avi", "--json", *colour).expect(0, out=None).out)["render"]["memory_bytes"]

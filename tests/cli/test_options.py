@@ -39,7 +39,11 @@ UNUSABLE = {  # option and value, the error's code, and what the text has to say
     ("--samples", "65"): ("option-value-out-of-range", "1 to 64"),
     ("--samples", "two"): ("option-value", "'two'"),
     ("--slices", "-1"): ("option-value-out-of-range", "0 to"),
-    ("--device", "-2"): ("option-value-out-of-range", "-1 to"),
+    ("--backend", "egl:256"): ("option-value-out-of-range", "0 to"),
+    ("--backend", "auto:1"): ("option-value", "'auto:1'", "egl:1"),
+    ("--backend", "egl:"): ("option-value", "''"),
+    ("--events", "left,flew"): ("choice-unknown", "'flew'", "5s"),
+    ("--events", "left,2d"): ("option-value-out-of-range", "'2d'"),
 }
 
 

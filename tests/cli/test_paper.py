@@ -8,7 +8,7 @@ FRAMES = 24
 SPEED = 1.5  # pixels per frame, to the right
 
 # The whole picture moves, which is no shaking of the camera.
-MOVES = ("--flow-area", "all", "--stabilize", "off")
+MOVES = ("--stabilize", "off")
 
 # Looked at along time, from the clip's beginning: columns are those of the video. Nothing is shown but lines and arrows.
 ALONG = ("--backend", "software", "--layout", "box", "--camera", "-90,0", "--fov", "0", "--size", "960x640")
@@ -139,7 +139,7 @@ def test_the_preset_is_the_paper(t):
     moving_clip(t)
     look = ("--backend", "software", "--size", "480x300")
     t.render("clip.mkv", *look, "--preset", "paper", output="preset.png").expect(0)
-    t.render("clip.mkv", *look, "--solver", "jacobi", "--iterations", "60", "--alpha", "10", "--flow-area", "all", "--shadows", "keep",
+    t.render("clip.mkv", *look, "--solver", "jacobi", "--iterations", "60", "--alpha", "10", "--shadows", "keep",
              "--illumination", "none", "--stabilize", "off", "--color", "transfer", "--transfer", "grey", "--show", "volume,arrows",
              output="said.png").expect(0)
     check(t.rgb("preset.png") == t.rgb("said.png"), "the preset is something else than the paper's settings")

@@ -110,7 +110,7 @@ def test_tree_tells_camera_begin_and_order(t, part):
         first = files[sorted(files)[0]]
         listed = told(t, example)
         check([(clip["file"], clip["begin"]) for clip in listed] == first, f"{tree}: {example} gives {listed}")
-        check({clip["told_by"] for clip in listed} == {"file-name"}, f"{tree}: {listed}")
+        check({clip["recorded_by"] for clip in listed} == {"file-name"}, f"{tree}: {listed}")
 
 
 def test_tree_says_the_same_wherever_one_stands(t):
@@ -134,7 +134,7 @@ def test_tree_says_the_same_wherever_one_stands(t):
     for name in ("clip1.avi", "1280x720_30fps.avi", "IMG_0001.avi", "v1.20.30.avi", "03-04-2026_20-00-00.avi"):
         os.link(t.path("clip.avi"), t.path(name))
         [clip] = told(t, name)
-        check((clip["camera"], clip["begin"], clip["told_by"]) == (None, None, "none"), f"{clip}")
+        check((clip["camera"], clip["begin"], clip["recorded_by"]) == (None, None, "none"), f"{clip}")
 
 
 def test_cameras_of_one_folder_are_several_days(t):

@@ -279,7 +279,7 @@ def check_day(t, segments):
         file = begin - datetime.timedelta(seconds=1)
         check(event["first"]["file"] == f"day/{file:%Y-%m-%d/%H}/gate/{file:%M.%S}.mkv", f"{event['first']} and {file}")
         check(0 <= event["first"]["offset"] <= 2.1, f"{event['first']}")
-    check(report["volume"]["squeezed"], "nothing is squeezed")
+    check(report["volume"]["compressed"], "nothing is compressed")
     return report["peak_memory_bytes"], report["seconds"]["total"], most_open
 
 

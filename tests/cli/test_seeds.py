@@ -6,7 +6,7 @@ from harness import check, moving_clip
 
 # Time runs from left to right over the whole width, and all that has a colour is an arrow.
 STRAIGHT = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--fov", "0", "--size", "400x120",
-            "--show", "arrows", "--flow-area", "all")
+            "--show", "arrows")
 
 
 def is_arrow(pixel):
@@ -90,7 +90,7 @@ def test_one_list_that_all_frames_share(t):
     t.render("clip.mkv", *STRAIGHT, "--seeds", "other.txt", output="other.png").expect(0)
     check(t.rgb("other.png") == t.rgb("out.png"), "the list's own directions were taken")
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
-    t.render("data", *STRAIGHT[:-2], "--seeds", "shared.txt", output="stored.png").expect(0)
+    t.render("data", *STRAIGHT, "--seeds", "shared.txt", output="stored.png").expect(0)
     check(arrows(t, "stored.png") > 0, "no arrows of a stored flow")
 
 
@@ -129,7 +129,7 @@ def test_seeds_on_the_object_or_all_over_the_field(t):
     check(at("object") and min(at("object")) >= 48, f"seeds beside the object: {at('object')}")
     check(min(at("field")) < 16 and max(at("field")) > 80, f"seeds do not fill the field: {at('field')}")
     for area in ("object", "field"):
-        t.render("clip.mkv", *right, *STRAIGHT[:-2], "--camera", "-90,0", "--seed-area", area, output=f"{area}.png").expect(0)
+        t.render("clip.mkv", *right, *STRAIGHT, "--camera", "-90,0", "--seed-area", area, output=f"{area}.png").expect(0)
     check(arrows(t, "field.png") > 1.3 * arrows(t, "object.png"), "the picture shows no more arrows")
 
 
@@ -151,7 +151,7 @@ def test_seeds_of_a_stored_flow(t):
         check(all(point in anew for point in of_extract), f"frame {frame}: seeds that extract chose are missing")
         count = len(points_of(t, f"fine/{frame:06}.txt"))
         check(count == 9, f"{count} seeds, not the first nine")
-    t.render("data", *STRAIGHT[:-2], "--seeds", "fine").expect(0)
+    t.render("data", *STRAIGHT, "--seeds", "fine").expect(0)
     check(arrows(t) > 0, "the lists draw no arrows")
     # Somebody else's flow: all to the left, in two frames.
     t.path("flows").mkdir()

@@ -46,7 +46,7 @@ def test_portraits_show_what_the_small_frame_cannot_hold(t):
     check(portraits(t, "pipe.html") == sharp, "a pipe gives another portrait than its file")
 
     # Data files have only frames at the size of the fields.
-    t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
+    t.vvr("extract", clip, "-o", "data").expect(0)
     t.render("data", "--backend", "software", output="data.html").expect(0)
     blurred = portraits(t, "data.html")
     check(len(blurred) == 1, f"{len(blurred)} portraits of data files")

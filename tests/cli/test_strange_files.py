@@ -80,7 +80,7 @@ def test_what_has_no_end_is_read_nowhere(t):
     with open(t.path("holes"), "wb") as holes:
         holes.truncate(20 << 30)
     for strange in ("/dev/zero", "pipe"):
-        for option in ("--transfer", "--config", "--roi", "--mask", "--reference", "--seeds", "--font", "--golden"):
+        for option in ("--transfer", "--config", "--roi", "--mask", "--reference", "--seeds", "--golden"):
             run = t.vvr("render", "clip.avi", "-o", "out.png", option, strange, *SMALL, timeout=30)
             check(run.status in (1, 2, 7) and strange in run.err, f"{option} {strange}: {run}")
         t.vvr("watch", f"@{strange}", "-o", "out.png", timeout=30).expect(2, f"'{strange}'", code="not-a-file")

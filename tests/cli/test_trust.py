@@ -133,7 +133,7 @@ def test_json_that_is_deep_is_none(t):
     t.vvr("render", "data", "-o", "out.png").expect(2, "'data/manifest.json'", code="file-invalid")
     t.path("pictures").mkdir()
     t.write("pictures/a.json", '{\n  "vvr-archive": ' + deep)
-    t.vvr("archive", "-o", "pictures", "--index-only").expect(0)
+    t.vvr("archive", "-o", "pictures", "--write", "index").expect(0)
     t.clip("clip.avi", seconds=1)
     t.write("r.json", deep)
     t.vvr("cut", "clip.avi", "--event", "1", "--report", "r.json", "-o", "x.avi").expect(1, "'r.json'", code="input-unsuitable")
@@ -255,7 +255,7 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
                    ('"recorded": null', '"recorded": "99999-11-21 00:00:00"'), ('"modified_ns": 1', '"modified_ns": 9')):
         check(change[0] in text, f"{change} {text}")
         t.write("out/a.avi.json", text.replace(*change))
-        t.vvr("archive", "-o", "out", "--index-only", timeout=20, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0)
+        t.vvr("archive", "-o", "out", "--write", "index", timeout=20, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0)
     # What can't be is no sidecar, so the clip is new.
     t.vvr(*archive, timeout=60).expect(0, "1 clip drawn")
 
@@ -309,7 +309,7 @@ def test_a_signal_ends_the_wait_for_a_lock(t):
     lock = open(t.path(f"out/{lock_name('index.html')}"), "w", encoding="utf-8")
     fcntl.flock(lock, fcntl.LOCK_EX)
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        run = subprocess.Popen([t.vvr_path, "archive", "-o", "out", "--index-only"], cwd=t.folder, stdin=subprocess.DEVNULL,
+        run = subprocess.Popen([t.vvr_path, "archive", "-o", "out", "--write", "index"], cwd=t.folder, stdin=subprocess.DEVNULL,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(1)
         check(run.poll() is None, f"it did not wait: {run.returncode}")
@@ -318,7 +318,7 @@ def test_a_signal_ends_the_wait_for_a_lock(t):
         run.wait(timeout=30)
         check(time.monotonic() - begin < 2 and run.returncode == -number, f"{run.returncode} after {time.monotonic() - begin:.1f} s")
     lock.close()
-    t.vvr("archive", "-o", "out", "--index-only").expect(0, "is up to date")
+    t.vvr("archive", "-o", "out", "--write", "index").expect(0, "is up to date")
 
 
 def test_a_page_without_its_preview_is_a_page(t):

@@ -114,7 +114,7 @@ KINDS = [
     Kind("pictures", pictures, "frames/*", [["render", "frames", "-o", "out.png", *SMALL], ["info", "frames"]], OF_A_CLIP,
          ["out.png"]),
     Kind("data", data, "data/*", [["render", "data", "-o", "out.png", *SMALL]], OF_DATA, ["out.png"]),
-    Kind("archive", archive, "out/*", [["archive", "-o", "out", "--index-only"],
+    Kind("archive", archive, "out/*", [["archive", "-o", "out", "--write", "index"],
                                        ["archive", "in", "-o", "out", "--dry-run", *SMALL]],
          OF_AN_ARCHIVE),
     Kind("settings", settings, "set-*", [["render", "clip.avi", "-o", "out.png", *SMALL, *FILES]], OF_A_FILE, ["out.png"]),

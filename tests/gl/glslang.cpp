@@ -24,8 +24,8 @@ std::vector<gl::ProgramSource> all_programs() {
         programs.push_back(gl::frame_program(channels));
         for (const space::LayoutRow& row : space::layouts()) {
             const auto layout = row.make(space::shape_for({4, 3}));
-            for (const gl::VolumeColourRow& colour : gl::volume_colours()) {
-                for (const gl::VolumeShadingRow& shading : gl::volume_shadings()) {
+            for (const gl::VolumeColourRow& colour : gl::volume_colours) {
+                for (const gl::VolumeShadingRow& shading : gl::volume_shadings) {
                     programs.push_back(gl::volume_program(*layout, colour.colour, shading.shading, channels));
                 }
             }

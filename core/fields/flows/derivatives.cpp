@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 namespace {
@@ -19,6 +19,10 @@ Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<c
     kernels::weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
     return result;
 }
+
+/// σ of the Gaussian before the derivatives of Barron, Fleet and Beauchemin, in pixels and frames. Those of Horn and
+/// Schunck have none.
+constexpr double barron_smooth = 1.5;
 
 /// A thread's buffers, which it reuses for each frame.
 struct LinearWorkspace {
@@ -34,7 +38,7 @@ class Jacobi final : public FlowMethod {
         : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
           iterations_(settings.iterations),
           cube_(settings.cube),
-          taps_(gaussian_taps(settings.pre_smooth)) {}
+          taps_(gaussian_taps(settings.cube ? 0 : barron_smooth)) {}
 
     int reach() const override {
         const auto smoothing = static_cast<int>(taps_.size() / 2);
@@ -83,11 +87,11 @@ class Jacobi final : public FlowMethod {
 constexpr std::array solvers{
     SolverRow{"pyramid",
               "coarse to fine with warping, for motion of many pixels per frame",
-              {.alpha = 15, .iterations = 1, .pre_smooth = 0.8},
+              {.alpha = 15, .iterations = 1},
               make_pyramid},
     SolverRow{"jacobi",
               "the paper's: a number of steps from zero",
-              {.alpha = 10, .iterations = 60, .pre_smooth = 1.5},
+              {.alpha = 10, .iterations = 60},
               [](const SolverSettings& settings) -> std::unique_ptr<FlowMethod> {
                   return std::make_unique<Jacobi>(settings);
               }},
@@ -112,7 +116,6 @@ std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options) {
     SolverSettings settings = options.solver->defaults;
     if (options.alpha) settings.alpha = *options.alpha;
     if (options.iterations) settings.iterations = *options.iterations;
-    if (options.pre_smooth) settings.pre_smooth = *options.pre_smooth;
     settings.cube = options.derivatives->cube;
     return options.solver->make(settings);
 }

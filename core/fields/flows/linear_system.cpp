@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/kernels/flow_rows.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 namespace {

@@ -12,14 +12,14 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/kernels/flow_rows.h"
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr::fields {
 
 namespace {
 
 constexpr int border = 2;
+constexpr double pre_smooth = 0.8;  // σ of the Gaussian before derivatives, pixels
 
 /// Rows that may be read one vector beyond their end, with a border on each side.
 class WideRows {
@@ -154,7 +154,7 @@ class Pyramid final : public FlowMethod {
     explicit Pyramid(const SolverSettings& settings)
         : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
           warps_(settings.iterations),
-          taps_(gaussian_taps(settings.pre_smooth)) {}
+          taps_(gaussian_taps(pre_smooth)) {}
 
     int reach() const override { return 1; }
     int margin() const override { return 16; }

@@ -2,11 +2,7 @@
 #include <iostream>
 #include <string>
 
-#include <vvr/clip.h>
-#include <vvr/failure.h>
-#include <vvr/image.h>
-#include <vvr/library_version.h>
-#include <vvr/render.h>
+#include <vvr/vvr.h>
 
 int main(int argc, char** argv) {
     if (argc < 3) {

@@ -49,16 +49,6 @@ TEST(FoundEvent, KeepsItsClass) {
     EXPECT_THROW(archive::found_events(other), Error);
 }
 
-TEST(FoundEvent, OfAnOlderSidecarHasALetter) {
-    const std::vector<std::pair<const char*, events::EventKind>> letters{{"m", events::EventKind::moved},
-                                                                         {"s", events::EventKind::stood},
-                                                                         {"l", events::EventKind::left},
-                                                                         {"t", events::EventKind::taken}};
-    for (const auto& [letter, kind] : letters) {
-        EXPECT_EQ(archive::found_event_of(Json{letter, 1, 2}).kind, kind) << letter;
-    }
-}
-
 TEST(FoundEvent, OfAnUnknownKindIsNone) {
     for (const char* name : {"flew", "x", "", "ms", "<b>"}) {
         EXPECT_THROW(archive::found_event_of(Json{name, 1, 2}), Error) << name;

@@ -178,5 +178,30 @@ TEST(ExitStatusTable, HasARowForEveryKind) {
     }
 }
 
+TEST(Values, EventsHaveKindsAndALeastLength) {
+    const Setting setting{"events", "LIST", ""};
+    events::EventChoice choice;
+    EXPECT_EQ(options::value_text(setting, choice), "moved,stood,left,taken");
+    const std::pair<const char*, const char*> texts[] = {
+        {"left", "left"}, {"taken,left", "left,taken"}, {"left,5s", "left,5s"}, {"1m,moved", "moved,60s"}};
+    for (const auto& [given, shown] : texts) {
+        options::set_value(setting, given, choice);
+        EXPECT_EQ(options::value_text(setting, choice), shown);
+    }
+    options::set_value(setting, "3s", choice);
+    EXPECT_EQ(options::value_text(setting, choice), "moved,stood,left,taken,3s") << "a length alone is of all kinds";
+}
+
+TEST(Values, ABackendMayHaveADevice) {
+    const Setting setting{"backend", "NAME", ""};
+    app::BackendOptions backend;
+    EXPECT_EQ(options::value_text(setting, app::BackendAndDevice{backend}), "auto");
+    for (const char* text : {"egl:3", "software", "software:0"}) {
+        options::set_value(setting, text, app::BackendAndDevice{backend});
+        EXPECT_EQ(options::value_text(setting, app::BackendAndDevice{backend}), text);
+    }
+    EXPECT_THROW(options::set_value(setting, "auto:0", app::BackendAndDevice{backend}), Error);
+}
+
 }  // namespace
 }  // namespace vvr

@@ -143,7 +143,7 @@ TEST_F(DetectorTest, SaysWhichFileCannotBeRead) {
 
 TEST_F(DetectorTest, SaysWhyAFileIsNoModel) {
     EXPECT_EQ(complaint(""), "cannot use 'FILE' as a detector: it is empty; give a model of YOLOX in ONNX format");
-    EXPECT_NE(complaint("This is a text.\n").find("it is no ONNX file, or a damaged one"), std::string::npos);
+    EXPECT_NE(complaint("This is a text.\n").find("it is not an ONNX file, or a damaged one"), std::string::npos);
     const std::string model = TinyModel().onnx();
     EXPECT_NE(complaint(std::string_view(model).substr(0, model.size() - 100)).find("a field is cut"),
               std::string::npos);

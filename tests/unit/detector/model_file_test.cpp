@@ -41,17 +41,17 @@ TEST(ModelFile, SaysTheSizeOfItsImages) {
 
 TEST(ModelFile, IsNoOtherFile) {
     EXPECT_EQ(complaint(""), "it is empty");
-    EXPECT_EQ(complaint("\x08\x07"), "it is no ONNX file");
-    EXPECT_EQ(complaint("This is a text.\n"), "it is no ONNX file, or a damaged one: a field is of no known type");
-    EXPECT_EQ(complaint(std::string(100, '\xff')), "it is no ONNX file, or a damaged one: a number is too long");
+    EXPECT_EQ(complaint("\x08\x07"), "it is not an ONNX file");
+    EXPECT_EQ(complaint("This is a text.\n"), "it is not an ONNX file, or a damaged one: a field has an unknown type");
+    EXPECT_EQ(complaint(std::string(100, '\xff')), "it is not an ONNX file, or a damaged one: a number is too long");
     const std::string model = TinyModel().onnx();
     EXPECT_EQ(complaint(std::string_view(model).substr(0, model.size() / 2)),
-              "it is no ONNX file, or a damaged one: a field is cut");
+              "it is not an ONNX file, or a damaged one: a field is cut");
 }
 
 TEST(ModelFile, HasAsManyWeightsAsItsShapesSay) {
     constexpr std::uint64_t floats = 1;
-    const std::string_view damaged = "it is damaged: the shape of 'w' is another than that of its numbers";
+    const std::string_view damaged = "it is damaged: the shape of 'w' does not match its numbers";
     EXPECT_EQ(complaint(with_part(5, tensor_of(2, floats, "1234567"))), damaged);
     EXPECT_EQ(complaint(with_part(5, tensor_of(3, floats, "12345678"))), damaged);
     EXPECT_EQ(complaint(with_part(5, tensor_of(std::uint64_t{1} << 62U, floats, "12345678"))), damaged);
@@ -70,10 +70,10 @@ TEST(ModelFile, HasOnlyKnownOperators) {
         return model.replace(model.find(name), name.size(), replacement);
     };
     EXPECT_EQ(complaint(with_name("Transpose", "Transpos\n")),
-              "it needs the operator 'Transpos\\n', which no known detector has");
+              "it needs the operator 'Transpos\\n', which no supported detector uses");
     EXPECT_EQ(complaint(with_name("Conv", "Relu")), "it is damaged: the operator 'Relu' has 3 inputs");
     EXPECT_EQ(complaint(with_name("constants", "constantS")),
-              "it is damaged: nothing before the operator 'Conv' makes its input 'constants'");
+              "it is damaged: no earlier operator produces 'constants', an input of the operator 'Conv'");
 }
 
 TEST(ModelFile, HasNoLoops) {
@@ -88,7 +88,7 @@ TEST(ModelFile, HasOneColourImageAsItsInput) {
     EXPECT_EQ(complaint(TinyModel{.side = 4096}.onnx()),
               "its images have 4096x4096 pixels; export it for a fixed size of multiples of 32, at most 2048");
     EXPECT_EQ(complaint(with_part(11, ProtobufWriter().bytes(1, "tokens").text())),
-              "its input has the shape [], not that of one colour image, [1, 3, height, width]");
+              "its input has the shape [], but one colour image has [1, 3, height, width]");
 }
 
 }  // namespace

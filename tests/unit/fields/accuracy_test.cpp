@@ -16,13 +16,12 @@ namespace {
 
 constexpr int border = 14;
 
-fields::FlowOptions paper_solver(const char* derivatives, double pre_smooth) {
+fields::FlowOptions paper_solver(const char* derivatives) {
     fields::FlowOptions options;
     options.solver = "jacobi";
     options.alpha = 0.5;
     options.iterations = 100;
     options.derivatives = derivatives;
-    options.pre_smooth = pre_smooth;
     return options;
 }
 
@@ -46,12 +45,12 @@ std::vector<Plane<std::uint8_t>> sinusoids() {
 }
 
 TEST(Accuracy, SinusoidsWithBarronsDerivatives) {
-    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("barron", 1.5));
+    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("barron"));
     EXPECT_NEAR(test::error_of(flow, sinusoid_u, sinusoid_v, border).angle, 2.53, 0.15);
 }
 
 TEST(Accuracy, SinusoidsWithTheCube) {
-    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("cube", 0));
+    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("cube"));
     EXPECT_NEAR(test::error_of(flow, sinusoid_u, sinusoid_v, border).angle, 4.19, 0.15);
 }
 
@@ -67,7 +66,7 @@ TEST(Accuracy, SquareHasTheApertureProblem) {
         const Plane<float> blurred = fields::smoothed(large, blur);
         frames.push_back(test::grey_plane({100, 100}, [&](int i, int j) { return blurred.at(3 * i + 1, 3 * j + 1); }));
     }
-    const fields::Flow flow = test::flow_of(frames, 7, paper_solver("barron", 1.5));
+    const fields::Flow flow = test::flow_of(frames, 7, paper_solver("barron"));
     EXPECT_NEAR(test::error_of(flow, 4.0 / 3, 4.0 / 3, border).angle, 32, 1.5);
 }
 

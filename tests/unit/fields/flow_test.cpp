@@ -90,7 +90,6 @@ TEST(Flow, TheLastFrameMovesLikeTheOneBefore) {
     const auto frames = test::moving_texture({96, 80}, 3, 1.5, 0.5);
     fields::FlowOptions options;
     options.derivatives = "cube";
-    options.pre_smooth = 0.8;
     for (const fields::SolverRow& solver : fields::flow_solvers()) {
         if (solver.name == "jacobi") continue;
         options.solver = solver.name;

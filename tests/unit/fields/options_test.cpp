@@ -34,7 +34,6 @@ TEST(FieldOptions, NumbersOutOfRange) {
     EXPECT_EQ(error_of([&](auto& o) { o.flow.alpha = infinity; }), "alpha: inf is not between 0.01 and 10000");
     EXPECT_EQ(error_of([](auto& o) { o.flow.alpha = 0; }), "alpha: 0 is not between 0.01 and 10000");
     EXPECT_EQ(error_of([](auto& o) { o.flow.iterations = 0; }), "iterations: 0 is not between 1 and 100000");
-    EXPECT_EQ(error_of([](auto& o) { o.flow.pre_smooth = -1; }), "pre-smooth: -1 is not between 0 and 5");
     EXPECT_EQ(error_of([](auto& o) { o.seeds.grid = 0; }), "grid: 0 is not between 1 and 10000");
     EXPECT_EQ(error_of([&](auto& o) { o.seeds.min_magnitude = -infinity; }),
               "min-magnitude: -inf is not between 0 and 10000");

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/running_reference.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

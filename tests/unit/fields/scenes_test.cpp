@@ -152,7 +152,6 @@ TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
     const generator::Scene scene = generator::make_shifted_texture(options);
     fields::FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.area = "all";
     const std::vector<fields::Field> result = fields_of(scene, fields);
     EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
     EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
@@ -168,7 +167,6 @@ TEST(ShiftedTexture, ThePyramidHalvesTheErrorOfSixtySteps) {
     const generator::Scene scene = generator::make_shifted_texture(options);
     fields::FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.area = "all";
     fields.flow.every = 7;
     const auto angle = [&](const char* solver) {
         fields.flow.solver = solver;
@@ -183,7 +181,6 @@ TEST(SpinningSphere, FlowTurns) {
     const generator::Scene scene = generator::make_spinning_sphere(options);
     fields::FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.area = "all";
     const fields::Field field = fields_of(scene, fields)[2];
     const generator::Truth truth = scene.truth(2);
     double sum = 0;
@@ -210,7 +207,7 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
         fields.span.start = 10;
         fields.span.end = 12;
         const std::vector<fields::Field> parts = fields_of(scene, fields);
-        fields.flow.area = "all";
+        fields.seeds.area = "field";  // needs flow in the whole frame
         const std::vector<fields::Field> whole = fields_of(scene, fields);
         ASSERT_EQ(parts.size(), 50U);
         double sum = 0, most = 0;

@@ -1,6 +1,6 @@
-#include "core/glance/idle.h"
-
 #include <gtest/gtest.h>
+
+#include "core/glance/time_strip.h"
 
 namespace vvr {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/kernels/colour_rows.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/kernels/rows.h"
 
 namespace vvr {
 namespace {

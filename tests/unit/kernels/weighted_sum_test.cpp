@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/kernels/smoothing.h"
+#include "core/kernels/rows.h"
 
 namespace vvr {
 namespace {

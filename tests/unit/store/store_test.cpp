@@ -55,7 +55,7 @@ class Store : public testing::Test {
     Store& operator=(const Store&) = delete;
 
     std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
-        store::DataFolder data(folder_ / name, 2, false);
+        store::DataFolder data(folder_ / name, 2);
         for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
         data.close(manifest_of(), {});
         return (folder_ / name).string();
@@ -88,7 +88,7 @@ TEST_F(Store, GivesBackWhatItTook) {
 
 TEST_F(Store, WithoutCloseNothingStays) {
     {
-        store::DataFolder data(folder_ / "a", 1, false);
+        store::DataFolder data(folder_ / "a", 1);
         data.add(frame_of(0), field_of(0));
         EXPECT_TRUE(store::is_data_folder(folder_ / "a"));
         const std::vector<std::string> names{(folder_ / "a").string()};

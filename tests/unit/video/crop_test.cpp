@@ -16,7 +16,6 @@ extern "C" {
 }
 
 #include "core/base/cv_view.h"
-#include "core/video/crop.h"
 #include "core/video/scaler.h"
 
 namespace vvr {

@@ -12,7 +12,7 @@ extern "C" {
 
 #include "core/base/error.h"
 #include "core/video/input_files.h"
-#include "core/video/packet_range.h"
+#include "core/video/packet_copy.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/kernels/colour_rows.h"
+#include "core/kernels/rows.h"
 #include "core/video/decoder.h"
 #include "core/video/frame_sampler.h"
 #include "core/video/frame_source.h"

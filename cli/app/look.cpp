@@ -1,7 +1,10 @@
-#include "cli/app/part.h"
+#include "cli/app/look.h"
 
 #include <algorithm>
 #include <array>
+
+#include "core/base/setting.h"
+#include "core/fields/filter.h"
 
 namespace vvr::app {
 
@@ -11,13 +14,13 @@ constexpr std::array table{
     PartRow{.part = Part::volume, .name = "volume", .help = "what moved or is new, over time", .by_default = true},
     PartRow{.part = Part::portraits,
             .name = "portraits",
-            .help = "stills of the objects that tell most, each at its best moment",
+            .help = "stills of the most important objects, each at its best moment",
             .by_default = true,
             .needs_pictures = true,
             .needs_events = true},
     PartRow{.part = Part::map,
             .name = "map",
-            .help = "the empty scene, and the way of each object through it",
+            .help = "the empty scene with the path of each object",
             .by_default = true,
             .needs_pictures = true,
             .needs_events = true},
@@ -33,16 +36,16 @@ constexpr std::array table{
             .needs_events = true},
     PartRow{.part = Part::directions,
             .name = "directions",
-            .help = "arrows along the trails: which way each object went, and how fast",
+            .help = "arrows along the trails: direction and speed of each object",
             .by_default = true,
             .needs_events = true},
     PartRow{.part = Part::arrows,
             .name = "arrows",
-            .help = "the optical flow at single places: which way things go, and how fast",
+            .help = "the optical flow at the seeds: direction and speed",
             .needs_seeds = true},
     PartRow{.part = Part::tracelines,
             .name = "tracelines",
-            .help = "the paths that the flow carries points along",
+            .help = "the paths of points that follow the flow from the seeds",
             .needs_seeds = true,
             .needs_flow = true},
     PartRow{.part = Part::outline, .name = "outline", .help = "the edges of the volume", .by_default = true},
@@ -52,12 +55,12 @@ constexpr std::array table{
             .by_default = true},
     PartRow{.part = Part::frames,
             .name = "frames",
-            .help = "the first and the last frame where they stand in the volume, and key frames between them",
+            .help = "the first and the last frame at their places in the volume, and key frames between them",
             .by_default = true,
             .needs_pictures = true},
     PartRow{.part = Part::ends,
             .name = "ends",
-            .help = "the first and the last frame, flat, beside the volume",
+            .help = "the first and the last frame, undistorted, beside the volume",
             .by_default = true,
             .needs_pictures = true},
     PartRow{.part = Part::floor, .name = "floor", .help = "the shadow of the volume on the floor"},
@@ -95,6 +98,40 @@ Parts Parts::by_default() {
 
 bool Parts::any(bool PartRow::*trait) const {
     return std::ranges::any_of(table, [&](const PartRow& row) { return row.*trait && has(row.part); });
+}
+
+namespace {
+
+std::vector<ColourRow> make_rows() {
+    std::vector<ColourRow> rows{
+        {"auto",
+         "object if a part that describes objects is shown, the filter marks objects, and no transfer function is "
+         "given; else transfer"},
+        {"object", "a colour for each object; everything else is faint grey", gl::VolumeColour::object},
+        {"transfer", "the filter's values, through the transfer function"},
+        {"video", "the colours of the video", gl::VolumeColour::own, true},
+        {"direction", "the direction of motion, on a wheel of colours; grey at rest", gl::VolumeColour::own, false,
+         true, true},
+        {"speed", "the speed of motion, in the colours of the arrows", gl::VolumeColour::own, false, true},
+        {"time", "the time, from the first moment to the last", gl::VolumeColour::time},
+    };
+    for (const fields::FilterRow& filter : fields::filters()) {
+        const std::string name(filter.name);
+        rows.push_back({name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false,
+                        false, false, &filter});
+    }
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<ColourRow>& colour_rows() {
+    static const std::vector<ColourRow> rows = make_rows();
+    return rows;
+}
+
+const ColourRow& row_of(Name<ColourRow> name) {
+    return choose("color", name.text, colour_rows());
 }
 
 }  // namespace vvr::app

@@ -1,10 +1,66 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/base/plane.h"
 
+extern "C" {
+#include <libavutil/pixfmt.h>
+}
+
 namespace vvr::kernels {
+
+/// The chroma factors of the conversion from luma and chroma to BGR, in units of 1/8192.
+struct ColourMatrix {
+    /// \param full_range whether chroma uses the full range 0 to 255
+    ColourMatrix(AVColorSpace space, bool full_range);
+
+    std::int16_t red_of_cr = 0;
+    std::int16_t blue_of_cb = 0;
+    std::int16_t green_of_cb = 0;
+    std::int16_t green_of_cr = 0;
+
+    friend bool operator==(const ColourMatrix&, const ColourMatrix&) = default;
+};
+
+/// Converts a row of full-range luma and chroma to BGR in fixed point, with the same result on every machine. All spans
+/// have the same length.
+void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
+            std::span<const std::uint8_t> cr, std::span<Bgr> out);
+
+/// Converts a row of luma from 16…235 to 0…255; values outside are clipped.
+void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out);
+
+/// The weights of a Gaussian at -radius … radius, with sum 1.
+/// \param sigma pixels; may be 0 if `radius` is
+inline std::vector<double> gaussian_weights(double sigma, int radius) {
+    std::vector<double> weights;
+    double sum = 0;
+    for (int k = -radius; k <= radius; ++k) {
+        weights.push_back(k == 0 ? 1 : std::exp(-k * k / (2 * sigma * sigma)));
+        sum += weights.back();
+    }
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+/// Gaussian smoothing of 8-bit values, with the kernel cut off at 1.5 σ but at least at 1 pixel. Edges are replicated;
+/// weights are multiples of 1/256. cv::GaussianBlur takes 1.5 times as long and rounds differently: by one grey level
+/// in one pixel out of 3000.
+/// \param size of the picture, in pixels of `channels` values each
+/// \param sigma pixels
+/// \param from, to size.width * size.height * channels values, row by row
+void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to);
+
+/// out[i] = Σ weights[k] · inputs[k][i] for i < count: a convolution along the row if the inputs are shifted pointers
+/// into one row, along columns if they point to rows, along time if they point to frames.
+///
+/// Reads and writes nothing beyond `count`; `out` must not be one of the inputs.
+void weighted_sum(std::span<const float* const> inputs, std::span<const float> weights, float* out, int count);
 
 /// The rows that one Jacobi iteration needs. All start on a cache line and may be read one vector beyond their end.
 struct RelaxRows {
