@@ -2,44 +2,23 @@
 
 from harness import check
 
-UNUSABLE = {  # option and value, the error's code, and what the text has to say
+UNUSABLE = {  # one for each type of value; tests/unit has others: option and value, the error's code, what the text says
     ("--size", "0x0"): ("option-value-out-of-range", "1x1 to 16384x16384"),
-    ("--size", "100000x100000"): ("option-value-out-of-range", "1x1 to 16384x16384"),
     ("--size", "1280"): ("option-value", "1280x800"),
-    ("--size", "-5x10"): ("option-value-out-of-range", "1x1 to 16384x16384"),
-    ("--field-size", "0x10"): ("option-value-out-of-range", "1x1 to"),
     ("--alpha", "nan"): ("option-value-out-of-range", "0.01 to 10000"),
-    ("--alpha", "inf"): ("option-value-out-of-range", "0.01 to 10000"),
-    ("--alpha", "-3"): ("option-value-out-of-range", "0.01 to 10000"),
-    ("--alpha", "ten"): ("option-value", "'ten'"),
     ("--alpha", "3,5"): ("option-value", "'3,5'"),
     ("--iterations", "2.5"): ("option-value", "'2.5'"),
     ("--threshold", "256"): ("option-value-out-of-range", "0 to 255"),
-    ("--start", "soon"): ("option-value", "12.5s, 1h30m, 00:00:12.5 or 250f"),
     ("--start", "250"): ("option-value", "250f", "250s"),
-    ("--start", "-1s"): ("option-value", "'-1s'"),
-    ("--start", "00:99:00"): ("option-value", "'00:99:00'"),
     ("--brick", "0"): ("option-value-out-of-range", "0"),
-    ("--window", "0"): ("option-value-out-of-range", "1 to 256"),
     ("--radius", "1:0.5"): ("option-value", "'1:0.5'"),
-    ("--radius", "1"): ("option-value", "'1'", "':'"),
-    ("--camera", "10"): ("option-value", "'10'", "','"),
     ("--camera", "0,91"): ("option-value", "-90 to 90"),
-    ("--height", "0"): ("option-value-out-of-range", "'0'"),
-    ("--fov", "180"): ("option-value-out-of-range", "0 to 150"),
     ("--filter", "diference"): ("choice-unknown", "'difference'"),
-    ("--flow", "horn"): ("choice-unknown", "'horn-schunck'"),
     ("--reference", "medain"): ("choice-unknown", "'median'"),
     ("--roi", "1,2 3"): ("option-value", "character 6"),
     ("--seed-select", "some"): ("option-value", "'some'"),
-    ("--layout", "horsehoe"): ("choice-unknown", "'horseshoe'"),
     ("--backend", "softwar"): ("choice-unknown", "'software'"),
     ("--show", "volume,arows"): ("choice-unknown", "'arrows'"),
-    ("--samples", "0"): ("option-value-out-of-range", "1 to 64"),
-    ("--samples", "65"): ("option-value-out-of-range", "1 to 64"),
-    ("--samples", "two"): ("option-value", "'two'"),
-    ("--slices", "-1"): ("option-value-out-of-range", "0 to"),
-    ("--device", "-2"): ("option-value-out-of-range", "-1 to"),
 }
 
 

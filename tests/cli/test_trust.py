@@ -247,7 +247,8 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
     t.ffmpeg("-i", "b.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,15),N*100,1000000000000000000+N*100)'", "in/jump.mkv")
     os.utime(t.path("in/jump.mkv"), (time.time() - 86400, time.time() - 86400))
     archive = ("archive", "in", "-o", "out", *QUICK)
-    t.vvr(*archive, timeout=60, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0, "2 clips drawn", "jump.mkv: its times give an impossible length of 1e+15 s")
+    t.zone("Europe/Berlin")
+    t.vvr(*archive, timeout=60).expect(0, "2 clips drawn", "jump.mkv: its times give an impossible length of 1e+15 s")
     known = json.loads(t.path("out/jump.mkv.json").read_text())
     check(known["seconds"] == 0 and known["state"] == "done", f"{known}")
     text = t.path("out/a.avi.json").read_text()
@@ -255,7 +256,7 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
                    ('"recorded": null', '"recorded": "99999-11-21 00:00:00"'), ('"modified_ns": 1', '"modified_ns": 9')):
         check(change[0] in text, f"{change} {text}")
         t.write("out/a.avi.json", text.replace(*change))
-        t.vvr("archive", "-o", "out", "--index-only", timeout=20, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0)
+        t.vvr("archive", "-o", "out", "--index-only", timeout=20).expect(0)
     # What can't be is no sidecar, so the clip is new.
     t.vvr(*archive, timeout=60).expect(0, "1 clip drawn")
 
@@ -313,10 +314,9 @@ def test_a_signal_ends_the_wait_for_a_lock(t):
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(1)
         check(run.poll() is None, f"it did not wait: {run.returncode}")
-        begin = time.monotonic()
         run.send_signal(number)
         run.wait(timeout=30)
-        check(time.monotonic() - begin < 2 and run.returncode == -number, f"{run.returncode} after {time.monotonic() - begin:.1f} s")
+        check(run.returncode == -number, f"{run.returncode}")
     lock.close()
     t.vvr("archive", "-o", "out", "--index-only").expect(0, "is up to date")
 

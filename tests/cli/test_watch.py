@@ -135,12 +135,14 @@ def test_render_of_a_live_stream_is_refused(t):
     t.expect_files("cam.ts")
 
 
+@pytest.mark.slow
 def test_watch_over_udp(t):
     source(t)
     said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
     check(figures(said)["pictures"] >= 1, said)
 
 
+@pytest.mark.slow
 def test_watch_over_http(t):
     source(t)
     port = free_port()
@@ -152,6 +154,7 @@ def test_watch_over_http(t):
     t.expect_picture(size=(320, 200))
 
 
+@pytest.mark.slow
 def test_watch_over_rtsp(t):
     """From a server of Debian's, rtsp-server-perl."""
     if not shutil.which("rtsp-server-perl"):
@@ -210,6 +213,7 @@ def test_watch_of_a_finished_file_is_not_now(t):
     check("is a complete file" not in said, f"it may grow: {said}")
 
 
+@pytest.mark.slow
 def test_watch_draws_the_last_seconds_before_an_outage(t):
     """A camera is cut off in the middle of a brick, for longer than the window: what it showed is in a picture."""
     source(t, seconds=30)
@@ -291,6 +295,7 @@ def test_watch_while_nobody_sends_ends_too(t):
     check(figures(watch.end(0, seconds=5))["pictures"] >= 1, watch.said())
 
 
+@pytest.mark.slow
 def test_watch_falls_behind_gracefully(t):
     # Sent as fast as can be, at a size at which no machine keeps up.
     source(t, seconds=20, size="1280x720")
