@@ -1,6 +1,7 @@
 #include "core/kernels/colour_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,16 @@ TEST(ColourRows, AreTheStandardsMatrix) {
                 ASSERT_NEAR(out[k][2], level(luma + 1.402 * r), 0.53);
             }
         }
+    }
+}
+
+TEST(FullRange, IsRoundedWhereverAPixelStands) {
+    std::vector<std::uint8_t> luma(2 * 256 + 7), out(luma.size());
+    for (std::size_t i = 0; i < luma.size(); ++i) luma[i] = static_cast<std::uint8_t>(i % 256);
+    kernels::to_full_range(luma, out);
+    for (std::size_t i = 0; i < luma.size(); ++i) {
+        const long wanted = std::clamp(std::lround((luma[i] - 16) * 255.0 / 219), 0L, 255L);
+        EXPECT_EQ(out[i], wanted) << int{luma[i]};
     }
 }
 

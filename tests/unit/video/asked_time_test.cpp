@@ -154,5 +154,16 @@ TEST(RequestedTime, HasToBeInTheClip) {
                        {"between: 12:00-13:00", "'gate'"});
 }
 
+TEST(FrameSpan, ToleratesTimesThatWereRounded) {
+    video::FrameSpan span;
+    span.start = 1.04;
+    span.end = 2.08;
+    EXPECT_TRUE(video::is_before(span, 0, 1));
+    EXPECT_FALSE(video::is_before(span, 0, 1.0399));
+    EXPECT_FALSE(video::is_past(span, 0, 2.04));
+    EXPECT_TRUE(video::is_past(span, 0, 2.0799)) << "the end belongs to what follows";
+    EXPECT_TRUE(video::is_past(span, 0, 2.08));
+}
+
 }  // namespace
 }  // namespace vvr
