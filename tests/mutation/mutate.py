@@ -25,7 +25,8 @@ PYTEST = ("/usr/bin/python3", "-m", "pytest", "-q", "-x", "-p", "timeout", "-p",
 
 
 def run(*command):
-    environment = os.environ | {"VVR_BUILD": str(BUILD), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = os.environ | {"VVR_BUILD": str(BUILD), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "PYTHONDONTWRITEBYTECODE": "1",
+                                "GTEST_FAIL_FAST": "1"}
     return subprocess.run(command, cwd=SOURCE, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
                           encoding="utf-8", errors="replace")
 

@@ -161,6 +161,7 @@ TEST(ManifestText, HasNoValueThatCannotBe) {
     refuse(R"([{"op": "replace", "path": "/frames/3/pts", "value": null}])", invalid, {"'frames[3].pts'", "null"});
     refuse(R"([{"op": "replace", "path": "/frames/3/pts", "value": 0.15}])", invalid,
            {"frame 3, 0.15 s", "frame 2, 0.2 s"});
+    refuse(R"([{"op": "replace", "path": "/frames/5/pts", "value": 1e300}])", invalid, {"'frames[5].pts'", "1e+300"});
     refuse(R"([{"op": "remove", "path": "/frames/3"}])", invalid, {"frame 4", "frame 2"});
     refuse(R"([{"op": "replace", "path": "/frames", "value": []}])", ErrorCode::no_frame, {});
     refuse(R"([{"op": "replace", "path": "/field_width", "value": 1e300}])", invalid, {"'field_width'", "1e+300"});
