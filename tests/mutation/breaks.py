@@ -65,6 +65,6 @@ BREAKS = [
     # cli
     Break("cli/app/window.cpp", "key.number -= plan_.window.brick_frames();", "key.number += plan_.window.brick_frames();"),
     Break("cli/commands/footage.cpp", "part.span.start = std::max(0.0, from - file.begin);", "part.span.start = std::max(0.0, file.begin - from);"),
-    Break("cli/options/parse_value.cpp", "if (!value || (!last && *value != std::floor(*value)))", "if (!value)"),
+    Break("cli/options/parse_value.cpp", "(!last && *value != std::floor(*value))", "(last && *value != std::floor(*value))"),
     Break("cli/workers/worker_message.cpp", "if (message.warnings.size() == most_warnings) break;", ""),
 ]
