@@ -302,14 +302,10 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "file").expect(2, "'file'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "file/out").expect(2, "'file/out'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "'/proc/out'", "-o", code="file-not-found")
-    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard", "'3/2'", "2/8", code="option-value")
-    t.vvr("archive", "in", "-o", "out", "--redraw", "soon").expect(1, "--redraw", "'soon'", "90s", code="option-value")
-    t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory", "'much'", "500M", code="option-value")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only", "--prune", code="options-conflict")
     t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(
         1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
-    t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "'--sise'", "'--size'", code="option-unknown")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
     check(not t.path("out").exists(), "a refused run leaves something")
 
