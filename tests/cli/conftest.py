@@ -24,10 +24,19 @@ PASSED = pytest.StashKey[bool]()
 os.environ["VVR_CONFIG"] = ""  # what the machine's own config file says shall decide nothing here
 
 
+@pytest.fixture(scope="session")
+def made(tmp_path_factory):
+    """Clips that several tests need; all processes of a run share them."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "made"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
 @pytest.fixture
-def t(request, tmp_path, monkeypatch):
+def t(request, tmp_path, monkeypatch, made):
     """The folder of one test, with ways to run vvr in it; it goes when the test has passed."""
-    yield Bench(os.environ["VVR"], SOURCE, tmp_path, monkeypatch)
+    yield Bench(os.environ["VVR"], SOURCE, tmp_path, monkeypatch, made)
     if request.node.stash.get(PASSED, False):
         shutil.rmtree(tmp_path, ignore_errors=True)
 

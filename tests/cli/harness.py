@@ -1,5 +1,6 @@
 """What the command line's tests share: the means to make clips, run vvr and check what it did."""
 
+import hashlib
 import os
 import pathlib
 import re
@@ -57,11 +58,12 @@ class Result:
 class Bench:
     """The folder of one test, with ways to fill it and to run vvr in it."""
 
-    def __init__(self, vvr, source, folder, monkeypatch):
+    def __init__(self, vvr, source, folder, monkeypatch, made):
         self.vvr_path = vvr
         self._monkeypatch = monkeypatch
         self.source = pathlib.Path(source)
         self.folder = pathlib.Path(folder)
+        self._made = made
 
     def zone(self, name):
         """The time zone of what runs from here to the end of the test."""
@@ -116,14 +118,31 @@ class Bench:
 
     def clip(self, name="clip.avi", seconds=2, size="64x48", codec=("-c:v", "mpeg4", "-g", "5")):
         """A clip in which much moves, 10 frames per second."""
-        self.ffmpeg("-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration={seconds}", *codec, name)
+        return self.make(name, "clip", seconds, size, codec, how=lambda: self.ffmpeg(
+            "-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration={seconds}", *codec, name))
+
+    def make(self, name, *key, how):
+        """A file that `how` makes, or a copy of what an earlier test of this run has made by the same key."""
+        ending = pathlib.Path(name).suffix
+        kept = self._made / (hashlib.sha256(repr((key, ending)).encode()).hexdigest()[:24] + ending)
+        if kept.exists():
+            shutil.copyfile(kept, self.path(name))
+            return name
+        how()
+        if self.path(name).is_file() and self.path(name).stat().st_size < 32e6:
+            part = kept.with_name(f"{os.getpid()}{kept.name}")
+            shutil.copyfile(self.path(name), part)
+            part.rename(kept)
         return name
 
     def scene(self, name, clip, *options):
         """A generated scene, of which everything is known."""
-        done = self.run([os.environ["VVR_SCENE"], name, clip, *options])
-        check(done.status == 0, str(done))
-        return clip
+
+        def run():
+            done = self.run([os.environ["VVR_SCENE"], name, clip, *options])
+            check(done.status == 0, str(done))
+
+        return self.make(clip, name, options, how=run)
 
     def files(self):
         """Everything in the folder, hidden files too."""
@@ -159,7 +178,7 @@ def without_colours(t, folder):
 def moving_clip(t, frames=40, step=1.5):
     """Makes clip.mkv: a textured square that crosses an empty scene, 10 frames per second."""
     seconds = frames / 10
-    t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
-             f"testsrc2=size=24x24:rate=10:duration={seconds}", "-filter_complex",
-             f"[0][1]overlay=x='2+{step}*n':y=20", "-c:v", "ffv1", "clip.mkv")
-    return "clip.mkv"
+    return t.make("clip.mkv", "moving", frames, step, how=lambda: t.ffmpeg(
+        "-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
+        f"testsrc2=size=24x24:rate=10:duration={seconds}", "-filter_complex", f"[0][1]overlay=x='2+{step}*n':y=20",
+        "-c:v", "ffv1", "clip.mkv"))

@@ -211,10 +211,7 @@ def test_annotations_that_are_refused(t):
     for options, code, *texts in [
         (("--theme", "lihgt"), "choice-unknown", "--theme", "'lihgt'", "'light'"),
         (("--background", "red"), "option-value", "--background", "'red'", "#rrggbb"),
-        (("--background", "#12345g"), "option-value", "'#12345g'", "#rrggbb"),
         (("--start-time", "yesterday"), "option-value", "--start-time", "'yesterday'", "2026-11-21 08:00:00"),
-        (("--start-time", "2026-02-30 08:00"), "option-value", "'2026-02-30 08:00'"),
-        (("--keyframes", "33"), "option-value-out-of-range", "--keyframes", "'33'"),
         (("--show", "volume,rulre"), "choice-unknown", "--show", "'rulre'", "'ruler'"),
     ]:
         t.render("clip.avi", *options).expect(1, *texts, code=code)

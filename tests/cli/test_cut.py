@@ -17,10 +17,13 @@ H264 = ("-c:v", "libx264", "-bf", "2", "-g", str(KEYS), "-keyint_min", str(KEYS)
 
 def bag(t, name="bag.mp4", *codec):
     """A clip with three events: somebody leaves a bag, and fetches it. With sound."""
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
-    t.ffmpeg("-i", "bag.y4m", "-f", "lavfi", "-i", "sine=duration=16", *(codec or H264), "-c:a", "aac", "-shortest", name)
-    t.path("bag.y4m").unlink()
-    return name
+
+    def encode():
+        t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+        t.ffmpeg("-i", "bag.y4m", "-f", "lavfi", "-i", "sine=duration=16", *(codec or H264), "-c:a", "aac", "-shortest", name)
+        t.path("bag.y4m").unlink()
+
+    return t.make(name, "bag with sound", codec, how=encode)
 
 
 def events(t, name):

@@ -2,7 +2,6 @@
 
 import datetime
 import json
-import os
 import shutil
 
 from harness import check
@@ -217,24 +216,24 @@ def test_report_has_the_digests_that_the_docs_describe(t):
 def test_cut_keeps_camera_date_and_time(t):
     bag(t)
     names = segments(t)
-    zone = {"env": os.environ | {"TZ": "Europe/Berlin"}}  # Frigate's names are in UTC
+    t.zone("Europe/Berlin")  # Frigate's names are in UTC
     for ending in (".mp4", ".mkv", ".mov"):
-        t.vvr("cut", "day", "--start", "8s", "--end", "12s", "-o", "a" + ending, **zone).expect(
+        t.vvr("cut", "day", "--start", "8s", "--end", "12s", "-o", "a" + ending).expect(
             0, "frames copied, 8.000 s to ", "of 'day', which is 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0")
         told = tags(t, "a" + ending)
         check(told["creation_time"].startswith("2026-11-21T07:59:58"), f"{ending}: {told}")
         check(told["title"] == "gate" and told["comment"].startswith("gate; 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0"), f"{ending}: {told}")
         check("cut by vvr from 59.54.mp4, 59.59.mp4" in told["comment"], f"{ending}: {told}")
-    t.vvr("cut", names[1], "--start", "1.6s", "--end", "2s", "--exact", "-o", "b.mp4", **zone).expect(0, "which is 2026-11-21T08:59:55+01:00 to")
+    t.vvr("cut", names[1], "--start", "1.6s", "--end", "2s", "--exact", "-o", "b.mp4").expect(0, "which is 2026-11-21T08:59:55+01:00 to")
     check(tags(t, "b.mp4")["creation_time"].startswith("2026-11-21T07:59:55"), f"{tags(t, 'b.mp4')}")
     # Who knows better says so.
-    t.vvr("cut", "bag.mp4", "--start", "8s", "--start-time", "2026-06-01 12:00:00", "-o", "c.mkv", **zone).expect(
+    t.vvr("cut", "bag.mp4", "--start", "8s", "--start-time", "2026-06-01 12:00:00", "-o", "c.mkv").expect(
         0, "which is 2026-06-01T12:00:08 to ")
     check(tags(t, "c.mkv")["creation_time"].startswith("2026-06-01T10:00:08"), f"{tags(t, 'c.mkv')}")
     t.vvr("cut", "day", "--start", "8s", "--start-time", "none", "-o", "d.mkv").expect(0)
     check("creation_time" not in tags(t, "d.mkv") and tags(t, "d.mkv")["title"] == "gate", f"{tags(t, 'd.mkv')}")
     shutil.copy(t.path("bag.mp4"), t.path("till__20261121_0930.mp4"))
-    t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--start", "8s", "-o", "e.mp4", **zone).expect(
+    t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--start", "8s", "-o", "e.mp4").expect(
         0, "which is 2026-11-21T09:30:08+01:00")
     check(tags(t, "e.mp4")["title"] == "till" and tags(t, "e.mp4")["creation_time"].startswith("2026-11-21T08:30:08"), f"{tags(t, 'e.mp4')}")
     t.vvr("cut", "bag.mp4", "--start", "8s", "-o", "f.mp4").expect(0)
@@ -243,8 +242,8 @@ def test_cut_keeps_camera_date_and_time(t):
 
 def test_cut_of_an_avi_keeps_the_day(t):
     t.clip("gate_2026-11-21_07-12-00.avi", seconds=4)
-    t.vvr("cut", "gate_2026-11-21_07-12-00.avi", "--names", "{camera}_%Y-%m-%d_%H-%M-%S", "--start", "2s", "-o", "x.avi",
-          env=os.environ | {"TZ": "UTC"}).expect(0, "which is 2026-11-21T07:12:02+00:00")
+    t.zone("UTC")
+    t.vvr("cut", "gate_2026-11-21_07-12-00.avi", "--names", "{camera}_%Y-%m-%d_%H-%M-%S", "--start", "2s", "-o", "x.avi").expect(0, "which is 2026-11-21T07:12:02+00:00")
     check("2026-11-21T07:12:02" in json.dumps(tags(t, "x.avi")), f"{tags(t, 'x.avi')}")
 
 
@@ -295,16 +294,16 @@ def test_cut_exactly_where_each_packet_says_that_it_is_a_key_frame(t):
 def test_cut_by_the_clock_on_the_wall(t):
     bag(t)
     segments(t)
-    zone = {"env": os.environ | {"TZ": "UTC"}}
+    t.zone("UTC")
     whole = pictures(t, "-i", "bag.mp4")
     for first, last in (("2026-11-21 07:59:58", "2026-11-21 08:00:02"), ("@07:59:58", "@08:00:02")):
-        t.vvr("cut", "day", "--start", first, "--end", last, "-o", "a.mkv", **zone).expect(
+        t.vvr("cut", "day", "--start", first, "--end", last, "-o", "a.mkv").expect(
             0, "100 frames copied, 8.000 s to 11.960 s of 'day', which is 2026-11-21T07:59:58+00:00 to 2026-11-21T08:00:01+00:00")
         check(pictures(t, "-i", "a.mkv") == whole[200:300], "other pictures")
     t.vvr("cut", "bag.mp4", "--start", "@08:00", "-o", "b.mkv").expect(1, "@08:00", "'bag.mp4'", "--start-time", code="time-of-day-unknown")
     t.vvr("cut", "bag.mp4", "--start", "@08:00:02", "--start-time", "2026-11-21 08:00:00", "--exact", "-o", "c.mp4").expect(
         0, "350 frames encoded again without sound, 2.000 s to 15.960 s")
-    t.vvr("cut", "day", "--start", "2026-11-21 07:00", "--end", "@08:00:02", "-o", "d.mkv", **zone).expect(
+    t.vvr("cut", "day", "--start", "2026-11-21 07:00", "--end", "@08:00:02", "-o", "d.mkv").expect(
         0, "warning: 'day' begins at 2026-11-21T07:59:50+00:00, later than the requested start", "0.000 s to ")
     # An offset stays one, and the log says which time of day that is.
-    t.vvr("cut", "day", "--start", "00:00:08", "-o", "e.mkv", **zone).expect(0, "which is 2026-11-21T07:59:58+00:00 to ")
+    t.vvr("cut", "day", "--start", "00:00:08", "-o", "e.mkv").expect(0, "which is 2026-11-21T07:59:58+00:00 to ")

@@ -84,7 +84,7 @@ def test_cron_lines_draw_what_is_new(t):
         here = t.path(f"{number}")
         (here / "clips").mkdir(parents=True)
         (here / "pictures").mkdir()
-        for name in "abc":
+        for name in "a":
             t.clip(f"{number}/clips/door {name}.avi", seconds=1)
             os.utime(here / "clips" / f"door {name}.avi", (1e9 + 60 * ord(name), 1e9 + 60 * ord(name)))  # not at once
         for place, there in (("/usr/local/bin/vvr", t.vvr_path), ("/usr/bin/vvr", t.vvr_path), ("/media/frigate/recordings", "clips"), ("/srv/cctv", "clips"), ("/data/cctv", "clips"),
@@ -98,8 +98,8 @@ def test_cron_lines_draw_what_is_new(t):
         else:
             drawn += len(list((here / "pictures").glob("*.avi.png")))
         if "--log-file" in line:
-            check("3 clips drawn" in (here / "archive.log").read_text(), "the log is empty")
-    check(drawn >= 6, f"{drawn} pictures were drawn")
+            check("1 clip drawn" in (here / "archive.log").read_text(), "the log is empty")
+    check(drawn >= 2, f"{drawn} pictures were drawn")
 
 
 def exec_line(t, unit, **places):

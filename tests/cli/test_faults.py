@@ -1,6 +1,6 @@
 """Calls that fail, kills, clocks that jump, folders that go away, OpenGL that is lost: tests/faults has the means.
 
-scripts/faults does the same for as long as one likes.
+They take minutes, so they are of the nightly set. scripts/faults does the same for as long as one likes.
 """
 
 import os
@@ -17,6 +17,8 @@ from harness import check
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "faults"))
 from faults import SCENES, Walk, faults_of  # noqa: E402
 
+pytestmark = pytest.mark.slow
+
 SMALL = ("--size", "64x40", "--quiet")
 PNG = next(scene for scene in SCENES if scene.name == "png")
 
@@ -28,7 +30,6 @@ def each(scenes):
 
 
 by_name = each(SCENES)
-briefly = each([scene for scene in SCENES if scene != PNG])  # which html draws too
 
 
 def built(t, name):
@@ -49,16 +50,6 @@ def check_findings(walk):
     check(not ours, "\n".join(ours))
 
 
-@briefly
-def test_a_call_that_fails_leaves_nothing_half_done(walk, scene):
-    """One or two of each kind, chosen once and for all."""
-    for number, fault in enumerate(faults_of(walk, scene, most=1, seed=1)):
-        if not fault.startswith("clock"):
-            walk.inject(scene, fault, always=number % 4 == 0)
-    check_findings(walk)
-
-
-@pytest.mark.slow
 @by_name
 def test_many_calls_that_fail_leave_nothing_half_done(walk, scene):
     for fault in faults_of(walk, scene, most=20, seed=2):
@@ -75,12 +66,6 @@ def kill(walk, scene, count, seed):
     check_findings(walk)
 
 
-@briefly
-def test_a_kill_at_any_moment_leaves_nothing_half_done(walk, scene):
-    kill(walk, scene, count=3, seed=1)
-
-
-@pytest.mark.slow
 @by_name
 def test_many_kills_leave_nothing_half_done(walk, scene):
     kill(walk, scene, count=60, seed=2)
@@ -161,7 +146,7 @@ def test_data_that_cannot_be_removed_stay_known(walk):
     check(stays > 0, f"{walk.statuses}")
 
 
-@briefly
+@by_name
 def test_a_clock_that_jumps_back_changes_no_picture(walk, scene):
     walk.learn(scene)
     count = walk.counts[scene.name, "clock"]
@@ -313,7 +298,6 @@ def test_opengl_that_fails_in_the_middle(t, error, lasts, status, code):
     opengl_fails(t, error, lasts, status, code, step=6)
 
 
-@pytest.mark.slow
 @of_both
 def test_opengl_that_fails_anywhere(t, error, lasts, status, code):
     """At each place where OpenGL is asked for errors."""

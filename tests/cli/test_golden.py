@@ -16,8 +16,6 @@ from harness import check
 GLANCE = ("--size", "640x480", "--title", "Hall")
 EVERYTHING = ("--size", "480x300", "--title", "Hall", "--start-time", "2026-11-21 08:00:00")
 PICTURES = {
-    "volume": ("--show", "volume"),
-    "arrows": ("--show", "arrows"),
     "volume-arrows": ("--show", "volume,arrows"),
     "tracelines": ("--show", "tracelines"),
     "boxes-slices": ("--show", "volume,boxes,slices"),
@@ -25,7 +23,6 @@ PICTURES = {
     "glance": GLANCE,
     "glance-dark": (*GLANCE, "--theme", "dark"),
     "light": EVERYTHING,
-    "dark": (*EVERYTHING, "--theme", "dark"),
     "print": (*EVERYTHING, "--theme", "print"),
     "transparent": ("--show", "volume,outline", "--background", "none"),
     "keyframes": ("--show", "volume,frames,outline", "--keyframes", "2"),

@@ -29,11 +29,13 @@ def growth(t, *options):
 LIMIT = 0.25
 
 
+@pytest.mark.slow
 def test_a_long_clip_takes_the_memory_of_a_short_one(t):
     found = growth(t)
     check(found < LIMIT, f"{found:.3f} bytes per pixel and frame, {found * FIELD[0] * FIELD[1] / 1e3:.1f} kB per frame")
 
 
+@pytest.mark.slow
 def test_memory_that_grows_with_a_clip_is_seen(t):
     """Where every frame is asked to have a layer of its own, and all of it is seen, each pixel of each frame is kept."""
     found = growth(t, "--layers", str(MANY * FRAMES), "--step", "1", "--time", "even", "--filter", "luminance", "--flow", "none",

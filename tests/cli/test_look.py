@@ -13,13 +13,9 @@ def frames_of(t, name):
 
 def test_a_series_of_pictures(t):
     t.clip()
-    for name, files in (("a.{frame:4}.png", "a.%04d.png"), ("b.###.png", "b.%03d.png"), ("c%d.png", "c%d.png")):
-        t.render("clip.avi", "--animate", "3", *LINES, output=name).expect(0)
-        for i in range(3):
-            t.expect_picture(files % i)
-    t.expect_files("clip.avi", *[f"a.000{i}.png" for i in range(3)], *[f"b.00{i}.png" for i in range(3)],
-                   *[f"c{i}.png" for i in range(3)])
-    pictures = {t.path(f"c{i}.png").read_bytes() for i in range(3)}
+    t.render("clip.avi", "--animate", "3", *LINES, output="a.{frame:4}.png").expect(0)
+    t.expect_files("clip.avi", *[f"a.000{i}.png" for i in range(3)])
+    pictures = {t.path(f"a.000{i}.png").read_bytes() for i in range(3)}
     check(len(pictures) == 3, "pictures of the series are the same")
 
 
@@ -73,8 +69,6 @@ def test_transfer_functions(t):
     t.write("wrong.tf", "0 0 0 0 0\n9 1 0 red 1\n")
     t.render("clip.avi", "--transfer", "wrong.tf", output="no.png").expect(
         1, "--transfer", "wrong.tf:2", "blue", "'red'", "0 to 1", code="option-value")
-    t.render("clip.avi", "--transfer", "heet", output="no.png").expect(1, "'heet'", "'heat'", code="choice-unknown")
-    t.render("clip.avi", "--transfer", "/", output="no.png").expect(2, "'/'", code="not-a-file")
     t.expect_files("clip.avi", "heat.png", "mine.tf", "out.png", "wrong.tf")
 
 
@@ -91,9 +85,3 @@ def test_colours_of_the_video(t):
         return sum(g > r + 60 and g > b + 60 for r, g, b in pixels)
     check(green_pixels("transfer.png") == 0, "green where the transfer function has blue")
     check(green_pixels("video.png") > 20, f"{green_pixels('video.png')} green pixels")
-
-
-def test_boxes_and_slices(t):
-    t.clip()
-    t.render("clip.avi", "--show", "boxes,slices,volume", "--camera", "35,30").expect(0)
-    t.expect_picture()

@@ -284,18 +284,16 @@ def check_day(t, segments):
 
 
 def test_recording_of_an_hour_of_segments(t):
-    memory, _, most_open = check_day(t, 360)
+    _, _, most_open = check_day(t, 360)
     check(most_open < 60, f"{most_open} files are open")
-    check(memory < 400e6, f"{memory / 1e6:.0f} MB")
 
 
 @pytest.mark.slow
 def test_recording_of_a_day_of_8640_segments(t):
-    hour, hour_took, hour_open = check_day(t, 360)
+    hour, _, hour_open = check_day(t, 360)
     shutil.rmtree(t.path("day"))
     for name in ("empty.mkv", "visit.mkv"):
         t.path(name).unlink()
-    day, day_took, day_open = check_day(t, 8640)
+    day, _, day_open = check_day(t, 8640)
     check(day < 1.1 * hour, f"{hour / 1e6:.0f} MB for an hour, {day / 1e6:.0f} MB for a day")
     check(day_open < 16, f"{hour_open} and {day_open} open files")  # looked at now and then
-    check(day_took < 40 * hour_took, f"{hour_took:.0f} s for an hour, {day_took:.0f} s for a day")

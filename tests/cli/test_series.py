@@ -171,6 +171,7 @@ def test_a_series_that_fails_half_way_leaves_whole_pictures(t):
         t.expect_picture(f"a.{i}.png")
 
 
+@pytest.mark.slow
 def test_memory_of_a_series_depends_on_the_window(t):
     size = "320x240"
     t.clip("short.avi", seconds=10, size=size)

@@ -147,10 +147,6 @@ def test_long_titles_and_names_cost_nothing(t):
 
 
 def test_what_has_no_end_is_no_file(t):
-    t.clip("clip.avi", seconds=1)
-    for option in ("--mask", "--reference", "--roi", "--seeds"):
-        run = t.vvr("render", "clip.avi", "-o", "out.png", option, "/dev/zero", timeout=20)
-        check(run.status in (1, 2) and "/dev/zero" in run.err, f"{option}: {run.status} {run.err}")
     t.vvr("render", "/dev/zero", "-o", "out.png", timeout=20).expect(2, "'/dev/zero'", "vvr watch", code="not-a-file")
     t.vvr("compare", "/dev/zero", "/dev/zero", timeout=20).expect(2, "'/dev/zero'", code="not-a-file")
     os.mkfifo(t.path("pipe"))
@@ -196,16 +192,6 @@ def test_too_few_files_are_said(t):
         2, "'clip.avi'", "Too many open files", "`ulimit -n`", code="too-many-open-files")
 
 
-def test_times_that_cannot_be_are_refused(t):
-    t.clip("clip.avi", seconds=1)
-    t.vvr("extract", "clip.avi", "-o", "data", "--quiet").expect(0)
-    manifest = json.loads(t.path("data/manifest.json").read_text())
-    manifest["frames"][-1]["pts"] = 1e300
-    t.write("data/manifest.json", json.dumps(manifest))
-    t.vvr("render", "data", "-o", "out.png").expect(
-        2, "'data/manifest.json'", "'frames[9].pts'", "1e+300", "0 to 9200000000000", "`vvr extract`", code="file-invalid")
-
-
 def test_a_filter_that_a_manifest_invents_is_its_fault(t):
     t.clip("clip.avi", seconds=1)
     t.vvr("extract", "clip.avi", "-o", "data", "--quiet").expect(0)
@@ -247,7 +233,8 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
     t.ffmpeg("-i", "b.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,15),N*100,1000000000000000000+N*100)'", "in/jump.mkv")
     os.utime(t.path("in/jump.mkv"), (time.time() - 86400, time.time() - 86400))
     archive = ("archive", "in", "-o", "out", *QUICK)
-    t.vvr(*archive, timeout=60, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0, "2 clips drawn", "jump.mkv: its times give an impossible length of 1e+15 s")
+    t.zone("Europe/Berlin")
+    t.vvr(*archive, timeout=60).expect(0, "2 clips drawn", "jump.mkv: its times give an impossible length of 1e+15 s")
     known = json.loads(t.path("out/jump.mkv.json").read_text())
     check(known["seconds"] == 0 and known["state"] == "done", f"{known}")
     text = t.path("out/a.avi.json").read_text()
@@ -255,7 +242,7 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
                    ('"recorded": null', '"recorded": "99999-11-21 00:00:00"'), ('"modified_ns": 1', '"modified_ns": 9')):
         check(change[0] in text, f"{change} {text}")
         t.write("out/a.avi.json", text.replace(*change))
-        t.vvr("archive", "-o", "out", "--write", "index", timeout=20, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0)
+        t.vvr("archive", "-o", "out", "--write", "index", timeout=20).expect(0)
     # What can't be is no sidecar, so the clip is new.
     t.vvr(*archive, timeout=60).expect(0, "1 clip drawn")
 
@@ -313,10 +300,9 @@ def test_a_signal_ends_the_wait_for_a_lock(t):
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(1)
         check(run.poll() is None, f"it did not wait: {run.returncode}")
-        begin = time.monotonic()
         run.send_signal(number)
         run.wait(timeout=30)
-        check(time.monotonic() - begin < 2 and run.returncode == -number, f"{run.returncode} after {time.monotonic() - begin:.1f} s")
+        check(run.returncode == -number, f"{run.returncode}")
     lock.close()
     t.vvr("archive", "-o", "out", "--write", "index").expect(0, "is up to date")
 

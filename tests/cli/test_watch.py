@@ -135,12 +135,14 @@ def test_render_of_a_live_stream_is_refused(t):
     t.expect_files("cam.ts")
 
 
+@pytest.mark.slow
 def test_watch_over_udp(t):
     source(t)
     said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
     check(figures(said)["pictures"] >= 1, said)
 
 
+@pytest.mark.slow
 def test_watch_over_http(t):
     source(t)
     port = free_port()
@@ -152,6 +154,7 @@ def test_watch_over_http(t):
     t.expect_picture(size=(320, 200))
 
 
+@pytest.mark.slow
 def test_watch_over_rtsp(t):
     """From a server of Debian's, rtsp-server-perl."""
     if not shutil.which("rtsp-server-perl"):
@@ -210,6 +213,7 @@ def test_watch_of_a_finished_file_is_not_now(t):
     check("is a complete file" not in said, f"it may grow: {said}")
 
 
+@pytest.mark.slow
 def test_watch_draws_the_last_seconds_before_an_outage(t):
     """A camera is cut off in the middle of a brick, for longer than the window: what it showed is in a picture."""
     source(t, seconds=30)
@@ -291,6 +295,7 @@ def test_watch_while_nobody_sends_ends_too(t):
     check(figures(watch.end(0, seconds=5))["pictures"] >= 1, watch.said())
 
 
+@pytest.mark.slow
 def test_watch_falls_behind_gracefully(t):
     # Sent as fast as can be, at a size at which no machine keeps up.
     source(t, seconds=20, size="1280x720")
@@ -325,7 +330,6 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "options-conflict", "--reference median"),
         (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "choice-unknown", "--start-time"),
         (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "options-conflict", "--seeds"),
-        (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "option-value", "--duration", "'30x'", "90s"),
         (("clip.avi", "-o", "out.png", "--patience", "0"), 1, "option-value-out-of-range", "--patience", "0.5s to 3600s"),
         (("missing.ts", "-o", "out.png"), 2, "file-not-found", "'missing.ts'", "No such file", "rtsp://camera/stream"),
         (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "stream-unreachable", "'tcp://127.0.0.1:1'", "Connection refused"),
@@ -333,7 +337,6 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "none/out.png"), 2, "file-not-found", "'none'", "mkdir -p 'none'"),
         (("text.txt", "-o", "out.png"), 3, "not-video", "'text.txt'", "`ffprobe`"),
         (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "not-video" if device_library() else "usage", "/dev/null"),
-        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "choice-unknown", "--log-format", "'xml'", "text, json"),
         (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "file-not-found", "'none/log'"),
     ]:
         t.vvr("watch", *arguments).expect(status, *texts, code=code)

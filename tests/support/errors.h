@@ -1,6 +1,9 @@
 #pragma once
 
+#include <initializer_list>
+#include <source_location>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -8,16 +11,23 @@
 
 namespace vvr::test {
 
-/// What is said by the error that a call throws, which is to be of that kind; "no error" when it throws none.
+/// Expects an error with this code from a call, and these facts in its text: names, values and places. Its words may
+/// change.
 template <class Call>
-std::string error_text(ErrorKind kind, const Call& call) {
+void expect_error(ErrorCode code, const Call& call, std::initializer_list<std::string_view> facts = {},
+                  const std::source_location& at = std::source_location::current()) {
+    const testing::ScopedTrace trace(at.file_name(), static_cast<int>(at.line()), "the error expected here");
     try {
         call();
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), kind);
-        return error.what();
+        const std::string_view text = error.what();
+        EXPECT_STREQ(row_of(error.code()).name, row_of(code).name) << text;
+        for (const std::string_view fact : facts) {
+            EXPECT_NE(text.find(fact), std::string_view::npos) << text << "\nlacks " << fact;
+        }
+        return;
     }
-    return "no error";
+    ADD_FAILURE() << "no error";
 }
 
 }  // namespace vvr::test

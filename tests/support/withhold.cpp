@@ -1,4 +1,5 @@
-/// Runs a program as if the kernel were an older one: `vvr-withhold landlock,seccomp PROGRAM ARGUMENT...`.
+/// Runs a program as if the kernel were an older one: `vvr-withhold landlock,seccomp PROGRAM ARGUMENT...`. Without
+/// `network`, a call that opens a connection ends the program by a signal.
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <linux/seccomp.h>
 #include <seccomp.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace {
@@ -15,7 +17,7 @@ namespace {
 struct Call {
     std::string_view feature;
     const char* name;
-    int error;  ///< that a kernel without the feature answers
+    int error;  ///< that a kernel without the feature answers; 0: the call ends the program
     unsigned count;
     scmp_arg_cmp argument;
 };
@@ -26,6 +28,10 @@ constexpr std::array calls{
     Call{"landlock", "landlock_restrict_self", ENOSYS, 0, {}},
     Call{"seccomp", "seccomp", ENOSYS, 0, {}},
     Call{"seccomp", "prctl", EINVAL, 1, {0, SCMP_CMP_EQ, PR_SET_SECCOMP, 0}},
+    Call{"network", "connect", 0, 0, {}},
+    Call{"network", "sendto", 0, 0, {}},
+    Call{"network", "socket", 0, 1, {0, SCMP_CMP_EQ, AF_INET, 0}},
+    Call{"network", "socket", 0, 1, {0, SCMP_CMP_EQ, AF_INET6, 0}},
 };
 
 bool withhold(std::string_view features) {
@@ -35,7 +41,8 @@ bool withhold(std::string_view features) {
         if (features.find(call.feature) == std::string_view::npos) continue;
         const int number = seccomp_syscall_resolve_name(call.name);
         const auto error = static_cast<std::uint32_t>(call.error);
-        if (seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(error), number, call.count, &call.argument) < 0) return false;
+        const std::uint32_t action = call.error == 0 ? SCMP_ACT_KILL_PROCESS : SCMP_ACT_ERRNO(error);
+        if (seccomp_rule_add_array(filter, action, number, call.count, &call.argument) < 0) return false;
     }
     return seccomp_load(filter) == 0;
 }

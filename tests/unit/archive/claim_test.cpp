@@ -1,5 +1,7 @@
+#include <atomic>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/stat.h>
@@ -28,6 +30,28 @@ TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
     const auto held = archive::LockFile::try_take(out(), "index.html");
     EXPECT_THROW(archive::LockFile::wait_for(out(), "index.html", 50ms), Error);
     EXPECT_NO_THROW(archive::LockFile::wait_for(out(), "other.html", 50ms));
+}
+
+TEST_F(Archive, HasOneOwnerHoweverManyAsk) {
+    std::atomic<int> owners = 0;
+    std::atomic<int> shared = 0;
+    std::atomic<int> taken = 0;
+    const auto ask = [&] {
+        for (int i = 0; i < 3000; ++i) {
+            const auto lock = archive::LockFile::try_take(out(), "a.avi");
+            if (!lock) continue;
+            ++taken;
+            if (++owners > 1) ++shared;
+            std::this_thread::yield();
+            --owners;
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (int k = 0; k < 4; ++k) threads.emplace_back(ask);
+    }
+    EXPECT_GT(taken, 0);
+    EXPECT_EQ(shared, 0);
 }
 
 TEST_F(Archive, IsClaimedByOneAtATime) {

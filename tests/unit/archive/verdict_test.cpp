@@ -4,6 +4,8 @@
 #include <tuple>
 #include <vector>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "core/archive/clips.h"
@@ -141,6 +143,17 @@ TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
     EXPECT_EQ(need(90, now - minutes(20)), archive::Need::nothing) << "the recorder removed some";
     before.clip.modified = ns(now - minutes(40));
     EXPECT_EQ(need(120, now - minutes(30)), archive::Need::changed) << "nothing has come since";
+}
+
+TEST(Gone, IsOnlyWhatIsCertainlyNotThere) {
+    const fs::path folder = fs::temp_directory_path() / ("vvr-gone-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    fs::create_symlink("loop", folder / "loop");
+    EXPECT_TRUE(archive::is_gone(folder / "none.avi"));
+    EXPECT_TRUE(archive::is_gone(folder / "none" / "a.avi"));
+    EXPECT_FALSE(archive::is_gone(folder / "loop")) << "the link is there";
+    EXPECT_FALSE(archive::is_gone(folder / "loop" / "a.avi")) << "nobody knows";
+    fs::remove_all(folder);
 }
 
 }  // namespace

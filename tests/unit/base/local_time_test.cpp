@@ -42,5 +42,13 @@ TEST_F(LocalTime, SaysZonesPlainly) {
     EXPECT_EQ(zone_text(summer_begins), "UTC-3");
 }
 
+TEST_F(LocalTime, OfAnHourThatComesTwiceIsTheFirstOrTheNearer) {
+    live_in("Europe/Berlin");
+    const std::int64_t half_past_two = summer_ends + 3600 + 1800;  // on the clock on the wall
+    EXPECT_EQ(utc_of_local(half_past_two, std::nullopt), summer_ends - 1800);
+    EXPECT_EQ(utc_of_local(half_past_two, summer_ends), summer_ends - 1800);
+    EXPECT_EQ(utc_of_local(half_past_two, summer_ends + 7200), summer_ends + 1800);
+}
+
 }  // namespace
 }  // namespace vvr

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/setting.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
@@ -28,6 +29,16 @@ TEST(SuggestTest, FindsTheNearestName) {
 TEST(SuggestTest, Asks) {
     EXPECT_EQ(did_you_mean("inof", names), " (did you mean 'info'?)");
     EXPECT_EQ(did_you_mean("xyzzy", names), "");
+}
+
+TEST(Choose, NamesTheSettingTheValueTheNearestAndAll) {
+    struct Row {
+        std::string_view name;
+    };
+    const std::array<Row, 2> rows{{{"pyramid"}, {"jacobi"}}};
+    EXPECT_EQ(&choose("solver", "jacobi", rows), &rows[1]);
+    test::expect_error(ErrorCode::choice_unknown, [&] { choose("solver", "pyramids", rows, ", or a file"); },
+                       {"solver: 'pyramids'", "'pyramid'?", ": pyramid, jacobi, or a file"});
 }
 
 }  // namespace

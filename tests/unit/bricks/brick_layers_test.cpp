@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -67,6 +68,26 @@ TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     EXPECT_EQ(texel(3, 50, 59), 100);
 
     EXPECT_EQ(bricks::BrickLayers(volume, {5, 1}).area(), 1U) << "nothing is in it";
+}
+
+TEST(BrickLayers, GiveAnOwnerItsNeighboursInTimeToo) {
+    bricks::Volume volume({6, 6}, {.capacity = 8, .keep_owners = true});
+    const std::array run{fields::LabelRun{2, 2, 3, 5}};
+    for (int i = 0; i < 5; ++i) {
+        fields::Field field = frame(i, {6, 6}, 0);
+        if (i == 2) field.scalar.at(2, 2) = 200;
+        volume.add(field, {}, i == 2 ? std::span<const fields::LabelRun>(run) : std::span<const fields::LabelRun>());
+    }
+    const bricks::Identify identify = [](std::size_t track, const bricks::Layer&) {
+        return bricks::Identity{static_cast<std::uint8_t>(track), 1};
+    };
+    const bricks::BrickLayers layers(volume, {0, 5}, identify);
+    std::vector<bool> owned;
+    for (std::int64_t layer = 1; layer <= 5; ++layer) {
+        owned.push_back(std::ranges::any_of(texels_of<bricks::ColouredTexel>(layers, layer),
+                                            [](const bricks::ColouredTexel& texel) { return texel[0] == 5; }));
+    }
+    EXPECT_EQ(owned, (std::vector<bool>{false, true, true, true, false}));
 }
 
 TEST(Volume, KeepsTheColourOfTheStrongestFrame) {

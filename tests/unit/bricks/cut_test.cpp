@@ -27,6 +27,12 @@ TEST(Cut, ByLengthLeavesTheRestToTheLast) {
     EXPECT_TRUE(bricks::cut_by(0, 3).empty());
 }
 
+TEST(Cut, AtLayersLeavesNoBrickEmpty) {
+    const std::vector<bricks::Brick> whole{{0, 4}, {4, 4}};
+    EXPECT_EQ(bricks::cut_at(whole, std::vector<std::int64_t>{0, 2, 4, 5, 8}),
+              (std::vector<bricks::Brick>{{0, 2}, {2, 2}, {4, 1}, {5, 3}}));
+}
+
 TEST(Cut, IntoPiecesStaysWithinBricks) {
     EXPECT_EQ(bricks::cut_into_sub_bricks(std::vector<bricks::Brick>{{0, 32}, {32, 33}, {65, 100}}),
               (std::vector<bricks::Brick>{{0, 32}, {32, 16}, {48, 17}, {65, 25}, {90, 25}, {115, 25}, {140, 25}}));

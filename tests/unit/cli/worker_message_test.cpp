@@ -42,5 +42,11 @@ TEST(WorkerMessage, IsEmptyWhereItIsNone) {
     EXPECT_EQ(forged.warnings, std::vector<std::string>{""});
 }
 
+TEST(WorkerMessage, HasNoMoreWarningsThanItMay) {
+    std::string forged = R"({"warnings": ["0")";
+    for (int i = 1; i < 1000; ++i) forged += R"(, "x")";
+    EXPECT_EQ(workers::decode_message(forged + "]}").warnings.size(), workers::most_warnings);
+}
+
 }  // namespace
 }  // namespace vvr

@@ -57,6 +57,8 @@ TEST(ModelFile, HasAsManyWeightsAsItsShapesSay) {
     EXPECT_EQ(complaint(with_part(5, tensor_of(std::uint64_t{1} << 62U, floats, "12345678"))), damaged);
     EXPECT_EQ(complaint(with_part(5, tensor_of(~std::uint64_t{0}, floats, "12345678"))), damaged);
     EXPECT_EQ(complaint(with_part(5, tensor_of(2, floats, "12345678") + ProtobufWriter().real(4, 1).text())), damaged);
+    const std::string numbers = ProtobufWriter().real(4, 1).text();
+    EXPECT_EQ(complaint(with_part(5, tensor_of(2, floats, "") + numbers + numbers)), damaged) << "in two places";
     EXPECT_EQ(complaint(with_part(5, tensor_of(2, floats, "12345678"))), "it has 0 inputs, not one image");
     EXPECT_EQ(complaint(with_part(5, tensor_of(4, 10, "12345678"))),
               "its weights are of type 10, which OpenCV does not read; export it with 32-bit floats");

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,15 +14,6 @@
 
 namespace vvr {
 namespace {
-
-template <class Call>
-std::string error_of(const Call& call) {
-    return test::error_text(ErrorKind::io, call);
-}
-
-std::string seeds_error(const std::string& text) {
-    return error_of([&] { fields::parse_seeds(text, "s.txt"); });
-}
 
 const std::string good_head = "vvr-seeds 1\nframe 3\nsize 40 30\n";
 
@@ -45,46 +38,34 @@ TEST(SeedFile, TakesCommentsEmptyLinesAndOtherLineEnds) {
 }
 
 TEST(SeedFile, SaysWhatIsWrongAndWhere) {
-    EXPECT_NE(seeds_error("").find("s.txt:1: expected the first line 'vvr-seeds 1'"), std::string::npos);
-    EXPECT_NE(seeds_error(std::string("\0\xff\x13junk", 7)).find("s.txt:1: expected the first line"),
-              std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 2\n").find("expected the first line"), std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 1\nsize 40 30\n").find("s.txt:2: expected 'frame' and 1 number"),
-              std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 1\nframe 3\nsize 40\n").find("s.txt:3: expected 'size' and 2 numbers"),
-              std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 1\nframe x\n").find("s.txt:2: 'x' is not a number"), std::string::npos);
-    EXPECT_NE(seeds_error("vvr-seeds 1\nframe 3\nsize 0 30\npoints 0\n")
-                  .find("a field has sides of 1 to 65536 pixels, found 0x30"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points -1\n").find("'-1' is not a number"), std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 99999999999999999999\n").find("is not a number"), std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 2\n1 2 0 0 1\n").find("s.txt:6: the file ends after 1 of 2 points"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 1\n1 2 0 0 1\n")
-                  .find("s.txt:6: there are more points than 'points 1' says"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0\n").find("expected a point 'x y u v flag', found '1 2 0 0'"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 2\n")
-                  .find("expected a flag of 1 to 32 digits, each 0 or 1, found '2'"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1,5 2 0 0 1\n").find("'1,5' is not a number"), std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 nan 0 1\n").find("'nan' is not a finite number"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 -inf 1\n").find("'-inf' is not a finite number"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n40 2 0 0 1\n").find("the point 40, 2 lies outside the field of 40x30"),
-              std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n-0.5 2 0 0 1\n").find("outside"), std::string::npos);
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"", "s.txt:1"},
+        {std::string("\0\xff\x13junk", 7), "s.txt:1"},
+        {"vvr-seeds 2\n", "vvr-seeds 1"},
+        {"vvr-seeds 1\nsize 40 30\n", "s.txt:2: expected 'frame'"},
+        {"vvr-seeds 1\nframe 3\nsize 40\n", "s.txt:3: expected 'size'"},
+        {"vvr-seeds 1\nframe x\n", "s.txt:2: 'x'"},
+        {"vvr-seeds 1\nframe 3\nsize 0 30\npoints 0\n", "0x30"},
+        {good_head + "points -1\n", "'-1'"},
+        {good_head + "points 99999999999999999999\n", "'99999999999999999999'"},
+        {good_head + "points 2\n1 2 0 0 1\n", "1 of 2"},
+        {good_head + "points 1\n1 2 0 0 1\n1 2 0 0 1\n", "s.txt:6"},
+        {good_head + "points 1\n1 2 0 0\n", "'1 2 0 0'"},
+        {good_head + "points 1\n1 2 0 0 2\n", "'2'"},
+        {good_head + "points 1\n1,5 2 0 0 1\n", "'1,5'"},
+        {good_head + "points 1\n1 2 nan 0 1\n", "'nan'"},
+        {good_head + "points 1\n1 2 0 -inf 1\n", "'-inf'"},
+        {good_head + "points 1\n40 2 0 0 1\n", "40, 2"},
+        {good_head + "points 1\n-0.5 2 0 0 1\n", "-0.5, 2"}};
+    for (const auto& [text, fact] : wrong) {
+        test::expect_error(ErrorCode::file_invalid, [&, list = text] { fields::parse_seeds(list, "s.txt"); }, {fact});
+    }
 }
 
 TEST(SeedFile, AFileThatIsNotThere) {
-    EXPECT_EQ(error_of([] { fields::read_seeds("/nowhere/s.txt"); }),
-              "cannot open '/nowhere/s.txt': No such file or directory; check its name and permissions");
-    const std::string folder = std::filesystem::temp_directory_path().string();
-    EXPECT_EQ(error_of([&] { fields::read_seeds(folder); }),
-              "cannot open '" + folder + "': Is a directory; check its name and permissions");
+    test::expect_error(ErrorCode::file_not_found, [] { fields::read_seeds("/nowhere/s.txt"); }, {"'/nowhere/s.txt'"});
+    test::expect_error(ErrorCode::not_a_file,
+                       [] { fields::read_seeds(std::filesystem::temp_directory_path().string()); });
 }
 
 fields::Flow small_flow() {
@@ -112,33 +93,22 @@ TEST(FloFile, ReadsWhatItWrote) {
 }
 
 TEST(FloFile, SaysWhatIsWrong) {
-    const auto flo_error = [](const std::string& bytes) {
-        return error_of([&] { fields::decode_flo(bytes, "f.flo"); });
-    };
     const std::string good = fields::encode_flo(small_flow());
-    EXPECT_EQ(
-        flo_error(""),
-        "f.flo: not a flow file: it has 0 bytes, fewer than the 12 of a header; docs/formats.md describes the format");
-    EXPECT_EQ(flo_error("PIEJ" + good.substr(4)),
-              "f.flo: not a flow file: it doesn't begin with the number 202021.25 (\"PIEH\"); docs/formats.md "
-              "describes the format");
-    EXPECT_EQ(
-        flo_error(good + "x"),
-        "f.flo: not a flow file: it has 61 bytes, but a flow of 3x2 needs 60; docs/formats.md describes the format");
-    EXPECT_EQ(
-        flo_error(good.substr(0, 59)),
-        "f.flo: not a flow file: it has 59 bytes, but a flow of 3x2 needs 60; docs/formats.md describes the format");
     std::string huge = good;
     huge.replace(4, 4, "\xff\xff\xff\x7f");
-    EXPECT_EQ(flo_error(huge),
-              "f.flo: not a flow file: its header gives 2147483647x2 pixels, but a side has 1 to 65536; "
-              "docs/formats.md describes the format");
     fields::Flow bad = small_flow();
     bad.v.at(1, 0) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(flo_error(fields::encode_flo(bad)),
-              "f.flo: not a flow file: vector 1 is not a number; docs/formats.md describes the format");
-    EXPECT_EQ(error_of([] { fields::read_flo("/nowhere/f.flo"); }),
-              "cannot open '/nowhere/f.flo': No such file or directory; check its name and permissions");
+    for (const auto& [bytes, fact] :
+         std::vector<std::pair<std::string, std::string>>{{"", " 0 bytes"},
+                                                          {"PIEJ" + good.substr(4), "PIEH"},
+                                                          {good + "x", "61 bytes"},
+                                                          {good.substr(0, 59), "59 bytes"},
+                                                          {huge, "2147483647x2"},
+                                                          {fields::encode_flo(bad), "vector 1"}}) {
+        test::expect_error(ErrorCode::file_invalid, [&, file = bytes] { fields::decode_flo(file, "f.flo"); },
+                           {"f.flo", fact});
+    }
+    test::expect_error(ErrorCode::file_not_found, [] { fields::read_flo("/nowhere/f.flo"); }, {"'/nowhere/f.flo'"});
 }
 
 }  // namespace

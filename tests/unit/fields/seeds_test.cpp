@@ -110,5 +110,14 @@ TEST(Seeds, RandomIsFair) {
     for (const auto& [point, count] : drawn) EXPECT_NEAR(count, 500, 100) << point.first << ", " << point.second;
 }
 
+TEST(Age, StaysAtItsMaximum) {
+    const Plane<std::uint16_t> before({2, 1}, 65'535);
+    Plane<std::uint8_t> object({2, 1});
+    object.at(1, 0) = 1;
+    EXPECT_EQ(fields::aged(before, object).at(0, 0), 0);
+    EXPECT_EQ(fields::aged(before, object).at(1, 0), 65'535);
+    EXPECT_EQ(fields::aged({}, object).at(1, 0), 1) << "in the first frame";
+}
+
 }  // namespace
 }  // namespace vvr

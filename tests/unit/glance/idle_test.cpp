@@ -6,7 +6,7 @@ namespace vvr {
 namespace {
 
 TEST(IdlePeriods, AreTheRestOfTheClip) {
-    const std::vector<glance::Period> idle = glance::idle_periods({{5, 20}, {3, 8}, {30, 40}}, 0, 50);
+    const std::vector<glance::Period> idle = glance::idle_periods({{5, 8}, {3, 20}, {30, 40}}, 0, 50);
     ASSERT_EQ(idle.size(), 3U);
     EXPECT_EQ(idle[0].begin, 0);
     EXPECT_EQ(idle[0].end, 3);

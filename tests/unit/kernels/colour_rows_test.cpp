@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,17 @@ TEST(ColourRows, AreTheStandardsMatrix) {
                 ASSERT_NEAR(out[k][2], level(luma + 1.402 * r), 0.53);
             }
         }
+    }
+}
+
+TEST(FullRange, IsRoundedWhereverAPixelStands) {
+    // No whole number of vectors: each level stands in one, and in the rest after them.
+    std::vector<std::uint8_t> luma(64 + 7), out(luma.size());
+    for (int level = 0; level < 256; ++level) {
+        std::ranges::fill(luma, static_cast<std::uint8_t>(level));
+        kernels::to_full_range(luma, out);
+        const long wanted = std::clamp(std::lround((level - 16) * 255.0 / 219), 0L, 255L);
+        EXPECT_TRUE(std::ranges::all_of(out, [&](int value) { return value == wanted; })) << level;
     }
 }
 

@@ -206,6 +206,12 @@ TEST(Preview, IsNoneWhereItWouldBeLarge) {
     EXPECT_TRUE(!film || film->bytes.size() <= page::Preview::most_bytes);
 }
 
+TEST(Preview, TakesFramesOfOneTime) {
+    page::Preview preview({16, 16}, {20, 1});
+    for (int i = 0; i < 20; ++i) preview.add(i, i < 10 ? 0 : 0.5, Plane<Bgr>({16, 16}));
+    EXPECT_TRUE(preview.finish()) << preview.problem();
+}
+
 TEST(Preview, OfNothingIsNone) {
     EXPECT_FALSE(page::Preview({16, 16}, {}).finish());
 }

@@ -97,16 +97,6 @@ TEST(Horseshoe, RunsFromLeftToRightAwayFromTheViewer) {
     EXPECT_GT(layout->p_from_c({0.5, 0, 0.5}).z, 0.5);
 }
 
-TEST(LayoutTable, NamesWhatThereIs) {
-    try {
-        space::make_layout("spiral", {});
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "layout: 'spiral' is unknown; choose one of: horseshoe, box");
-    }
-}
-
 TEST(FitCamera, HoldsEveryPointAndTouchesTheMargins) {
     const auto layout = space::make_horseshoe({0.45, 1.0, 0.4});
     std::vector<glm::dvec3> points;

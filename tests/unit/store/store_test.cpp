@@ -1,17 +1,22 @@
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/fields/seed_list.h"
 #include "core/store/extraction.h"
+#include "core/store/manifest.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
@@ -141,6 +146,30 @@ TEST(ManifestText, ReadsWhatItWrote) {
     EXPECT_EQ(read.settings, manifest.settings);
     EXPECT_EQ(read.field_size, size);
     EXPECT_EQ(store::format_manifest(read), store::format_manifest(manifest));
+}
+
+TEST(ManifestText, HasNoValueThatCannotBe) {
+    store::Manifest manifest = manifest_of();
+    for (int i = 0; i < 6; ++i) manifest.frames.push_back({i, 0.1 * i, 0});
+    const nlohmann::json good = nlohmann::json::parse(store::format_manifest(manifest));
+    const auto refuse = [&](const char* patch, ErrorCode code, std::initializer_list<std::string_view> facts) {
+        const std::string text = good.patch(nlohmann::json::parse(patch)).dump();
+        test::expect_error(
+            code, [&] { store::parse_manifest(text, "m.json"); }, facts);
+    };
+    constexpr ErrorCode invalid = ErrorCode::file_invalid;
+    refuse(R"([{"op": "replace", "path": "/frames/3/pts", "value": null}])", invalid, {"'frames[3].pts'", "null"});
+    refuse(R"([{"op": "replace", "path": "/frames/3/pts", "value": 0.15}])", invalid,
+           {"frame 3, 0.15 s", "frame 2, 0.2 s"});
+    refuse(R"([{"op": "replace", "path": "/frames/5/pts", "value": 1e300}])", invalid, {"'frames[5].pts'", "1e+300"});
+    refuse(R"([{"op": "remove", "path": "/frames/3"}])", invalid, {"frame 4", "frame 2"});
+    refuse(R"([{"op": "replace", "path": "/frames", "value": []}])", ErrorCode::no_frame, {});
+    refuse(R"([{"op": "replace", "path": "/field_width", "value": 1e300}])", invalid, {"'field_width'", "1e+300"});
+    refuse(R"([{"op": "replace", "path": "/clip/rate", "value": "fast"}])", invalid, {"'clip.rate'", "\"fast\""});
+    refuse(R"([{"op": "remove", "path": "/settings"}])", invalid, {"'settings'"});
+    refuse(R"([{"op": "replace", "path": "/format_version", "value": 2}])", invalid, {"format_version", "2", "1"});
+    refuse(R"([{"op": "replace", "path": "/complete", "value": false}])", invalid, {});
+    test::expect_error(invalid, [] { store::parse_manifest("{ junk", "m.json"); }, {"'m.json'", "`vvr extract`"});
 }
 
 }  // namespace

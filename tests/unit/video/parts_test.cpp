@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/kernels/rows.h"
 #include "core/video/decoder.h"
 #include "core/video/frame_sampler.h"
 #include "core/video/frame_source.h"
@@ -114,16 +113,6 @@ TEST(FieldSize, RefusesWhatCannotBe) {
     EXPECT_EQ(kind_of({0, 100}), ErrorKind::usage);
     EXPECT_EQ(kind_of({-5, 100}), ErrorKind::usage);
     EXPECT_EQ(kind_of({100'000, 100'000}), ErrorKind::limit);
-}
-
-TEST(FullRange, IsRoundedWhereverAPixelStands) {
-    std::vector<std::uint8_t> luma(2 * 256 + 7), out(luma.size());
-    for (std::size_t i = 0; i < luma.size(); ++i) luma[i] = static_cast<std::uint8_t>(i % 256);
-    kernels::to_full_range(luma, out);
-    for (std::size_t i = 0; i < luma.size(); ++i) {
-        const long wanted = std::clamp(std::lround((luma[i] - 16) * 255.0 / 219), 0L, 255L);
-        EXPECT_EQ(out[i], wanted) << int{luma[i]};
-    }
 }
 
 }  // namespace
