@@ -31,7 +31,7 @@ constexpr std::array variables{
     Variable{"VVR_CONFIG", "names the config file; empty = no config file"},
     Variable{"VVR_GL_DEBUG",
              "if set, messages of the OpenGL driver become warnings, to report driver problems; slower"},
-    Variable{"XDG_CONFIG_HOME", "the user's config file is below this folder; ~/.config if not set"},
+    Variable{"XDG_CONFIG_HOME", "folder of the user's config file `vvr/vvr.toml`; `~/.config` if not set"},
     Variable{"TMPDIR", "folder for the temporary copy of a clip from stdin; `/var/tmp` if not set"},
     Variable{"TZ", "the time zone for clips whose names do not give one, and for days"},
     Variable{"COLUMNS", "width of `--help` in columns; the terminal's width if not set"},
