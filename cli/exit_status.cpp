@@ -33,6 +33,28 @@ constexpr std::array table{
 
 }  // namespace
 
+std::span<const StatusHelp> exit_statuses() {
+    static constexpr std::array all{
+        StatusHelp{0, "success"},
+        StatusHelp{1, "an error in the command line or the config file"},
+        StatusHelp{2, "a file can't be read or written"},
+        StatusHelp{3, "the input is not usable video"},
+        StatusHelp{4,
+                   "no OpenGL backend, or OpenGL failed; `archive --sandbox required`: the kernel has no such sandbox"},
+        StatusHelp{5, "out of memory, or over a given limit"},
+        StatusHelp{
+            6,
+            "`archive`: some clips failed, the others are done. A recording: some files were skipped completely, "
+            "because others show the same time"},
+        StatusHelp{7, "a picture differs from its golden image, or there is no golden image to compare with"},
+        StatusHelp{70, "an internal error: a bug in vvr"},
+        StatusHelp{129, "ended by SIGHUP, as a shell reports it; `watch` finishes its picture and exits with 0"},
+        StatusHelp{130, "ended by SIGINT, in the same way"},
+        StatusHelp{143, "ended by SIGTERM, in the same way"},
+    };
+    return all;
+}
+
 ExitStatus exit_status(ErrorKind kind) {
     const auto row = std::ranges::find(table, kind, &Row::kind);
     return row == table.end() ? ExitStatus::bug : row->status;

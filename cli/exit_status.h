@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include <spdlog/logger.h>
 
@@ -24,6 +26,15 @@ enum class ExitStatus {
 };
 
 ExitStatus exit_status(ErrorKind kind);
+
+/// An exit status of the program and its meaning, for help.
+struct StatusHelp {
+    int status;
+    std::string_view meaning;
+};
+
+/// All of them, in the order of their numbers.
+std::span<const StatusHelp> exit_statuses();
 
 /// The general error code for an exit status; nothing if the status is not an error.
 std::optional<ErrorCode> code_of_status(int status);

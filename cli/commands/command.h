@@ -94,6 +94,10 @@ std::string version_text();
 /// \throws Error usage when no command has that name
 const CommandRow& find_command(const std::string& name);
 
+/// Prints the commands, or with the argument --json all help for programs.
+/// \throws Error usage for other arguments
+cli::ExitStatus print_help(Arguments arguments);
+
 /// Runs the command line: a command's name and its arguments, or --help.
 cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment);
 

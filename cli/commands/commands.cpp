@@ -33,13 +33,6 @@ void apply(const LogOptions& options, spdlog::logger& log) {
     if (!options.log_file.empty()) cli::add_file(log, options.log_file, *options.log_format);
 }
 
-std::string help() {
-    std::string text = "vvr: surveillance video as one still picture\n\nUsage: vvr COMMAND [OPTIONS]\n\n";
-    for (const CommandRow& command : command_rows) text += fmt::format("  vvr {:<8} {}\n", command.name, command.help);
-    text += "\n`vvr COMMAND --help` lists a command's options, `vvr --version` the libraries' versions.\n";
-    return text;
-}
-
 /// Whether the text looks like an input: people first try `vvr clip.avi`.
 bool looks_like_input(const std::string& text) {
     std::error_code none;
@@ -111,14 +104,11 @@ cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environ
                                 fmt::join(names_of(command_rows), ", ")));
     }
     const std::string& name = arguments.front();
-    if (name == "--help" || name == "-h" || name == "help") {
-        if (name == "help" && arguments.size() > 1) {
-            const std::string asked = "--help";
-            return run_with(find_command(arguments[1]), std::span(&asked, 1), environment);
-        }
-        cli::print(help());
-        return cli::ExitStatus::done;
+    if (name == "help" && arguments.size() == 2 && arguments[1] != "--json") {
+        const std::string asked = "--help";
+        return run_with(find_command(arguments[1]), std::span(&asked, 1), environment);
     }
+    if (name == "--help" || name == "-h" || name == "help") return print_help(arguments.subspan(1));
     if (name == "--version" || name == "-V" || name == "version") {
         cli::print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return cli::ExitStatus::done;

@@ -32,29 +32,25 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+FileUse file_use(const Setting& setting, const OptionExtra& extra) {
+    return setting.may_be_file ? FileUse::read : extra.use;
+}
+
 /// The option's names in CLI11's syntax.
 std::string flag_of(const Setting& setting, char letter = 0) {
     return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
 }
 
-/// The part of a help text about range and default value.
-std::string limits_of(const Setting& setting, const std::string& shown) {
-    std::string text;
-    const auto& [low, high] = setting.range;
-    const char* const unit = setting.unit == "TIME" ? "s" : "";
-    if (low < high) text += fmt::format(" ({}{} to {}{})", low, unit, high, unit);
-    if (!shown.empty()) text += fmt::format(" [{}]", shown);
-    return text;
-}
-
 HelpOption help_of(Group group, const Setting& setting, const std::string& shown, const OptionExtra& extra) {
-    return {
-        group,
-        extra.letter,
-        std::string(setting.name),
-        std::string(setting.unit),
-        std::string(setting.help) + extra.help + limits_of(setting, extra.defaults.empty() ? shown : extra.defaults),
-        extra.values};
+    return {.group = group,
+            .letter = extra.letter,
+            .name = std::string(setting.name),
+            .unit = std::string(setting.unit),
+            .text = std::string(setting.help) + extra.help,
+            .range = setting.range,
+            .default_text = extra.defaults.empty() ? shown : extra.defaults,
+            .values = extra.values,
+            .file = file_use(setting, extra)};
 }
 
 /// Options of other programs that people try here, and the equivalent.
@@ -151,6 +147,13 @@ CommandLine::CommandLine(const std::string& command, const std::string& help)
 
 CommandLine::~CommandLine() = default;
 
+CommandHelp CommandLine::help() const {
+    CommandHelp help = impl_->help;
+    help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
+    help.options.push_back(help_of(Group::run, config_option, "", {.use = FileUse::read}));
+    return help;
+}
+
 void CommandLine::arguments(std::vector<std::string>& target, const std::string& name, const std::string& help) {
     impl_->app.add_option("INPUT", target)->type_name("");
     impl_->arguments = &target;
@@ -177,7 +180,7 @@ void CommandLine::value(Group group, const Setting& setting, const std::string& 
         [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); });
     option->type_name(std::string(setting.unit))->default_str(shown)->group(title_of(group))->take_last();
     if (setting.may_be_file) impl_->files.insert(option);
-    const FileUse use = setting.may_be_file ? FileUse::read : extra.use;
+    const FileUse use = file_use(setting, extra);
     if (use != FileUse::none) impl_->uses.emplace(option, use);
     impl_->help.options.push_back(help_of(group, setting, shown, extra));
 }
@@ -190,6 +193,7 @@ void CommandLine::flag(Group group, bool& target, const Setting& setting, const 
 void CommandLine::list(Group group, std::vector<std::string>& target, const Setting& setting,
                        const OptionExtra& extra) {
     impl_->help.options.push_back(help_of(group, setting, "", extra));
+    impl_->help.options.back().repeats = true;
     impl_->app.add_option(flag_of(setting, extra.letter), target)
         ->type_name(std::string(setting.unit))
         ->group(title_of(group))
@@ -230,8 +234,6 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     CLI::Option* const file = reads_config ? app.set_config(flag_of(config_option))
                                            : app.add_option(flag_of(config_option))->configurable(false);
     file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
-    impl_->help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
-    impl_->help.options.push_back(help_of(Group::run, config_option, "", {}));
     const std::string config_name = impl_->config.file.string();
     // If the file can't be read, parsing it reports that.
     if (!config_name.empty() && reads_config) check_is_file(config_name, most_bytes::text);
@@ -251,7 +253,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     try {
         app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
-        cli::print(help_text(impl_->help, help_width()));
+        cli::print(help_text(this->help(), help_width()));
         return false;
     } catch (const Error& error) {
         // The user may not know that a config file sets this option.

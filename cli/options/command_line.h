@@ -27,14 +27,6 @@ class Option;
 
 namespace vvr::options {
 
-/// How a run uses the file that an option names.
-enum class FileUse {
-    none,
-    read,
-    written,
-    compared,  ///< read, or written with --bless
-};
-
 /// An option and its value as text.
 struct OptionValue {
     std::string name;
@@ -56,12 +48,6 @@ struct OptionExtra {
     bool standard_output = false;     ///< `-` means standard output; otherwise `-` is an error for an output
     FileUse use = FileUse::none;      ///< for settings that may name a file
 };
-
-/// The end of a help text: a list of names.
-template <class Rows>
-std::string list_of(const Rows& rows) {
-    return fmt::format(": {}", fmt::join(names_of(rows), ", "));
-}
 
 /// The rows of a table as values for help.
 template <class Rows>
@@ -101,6 +87,9 @@ class CommandLine {
 
     /// From now on, leaves out settings and rows that a live stream can't have. Giving one is an error with the reason.
     void set_for_streams() { for_streams_ = true; }
+
+    /// The help of the command; only complete when all options have been added.
+    CommandHelp help() const;
 
     /// Adds the positional arguments.
     /// \param name as usage shows them: "INPUT..."

@@ -20,23 +20,18 @@ namespace {
 constexpr std::size_t column = 30;        // where the text of an option begins
 constexpr std::size_t value_column = 15;  // where the text of a value begins, relative to the value's indent
 
-/// Explains placeholders that are not self-explanatory.
-struct UnitRow {
-    std::string_view name;
-    std::string_view help;
-};
-
-constexpr std::array units{
-    UnitRow{"TIME",
-            "12.5s, 3m, 1h30m, 2d or 00:03:00; for positions in a clip and for bricks also 250f, a number of frames. A "
-            "number without a unit is in seconds, except where frames are possible: there, a unit is required"},
-    UnitRow{
+constexpr std::array kinds{
+    ValueKind{
+        "TIME",
+        "12.5s, 3m, 1h30m, 2d or 00:03:00; for positions in a clip and for bricks also 250f, a number of frames. A "
+        "number without a unit is in seconds, except where frames are possible: there, a unit is required"},
+    ValueKind{
         "AREA",
         "polygons, 'x,y x,y x,y; x,y ...', in pixels of the video from its top left corner; a text file (.txt) with "
         "one polygon per line; or a picture, scaled to the frame, whose levels of 128 and more are the area"},
-    UnitRow{"GREY", "grey levels from 0 to 255"},
-    UnitRow{"UNITS", "lengths in the picture's space, in which the outer radius of the horseshoe is 1"},
-    UnitRow{"LIST", "names separated by commas"},
+    ValueKind{"GREY", "grey levels from 0 to 255"},
+    ValueKind{"UNITS", "lengths in the picture's space, in which the outer radius of the horseshoe is 1"},
+    ValueKind{"LIST", "names separated by commas"},
 };
 
 /// Appends words, wrapped; further lines begin at column `indent`.
@@ -67,6 +62,16 @@ void append_wrapped(std::string& text, std::string_view words, std::size_t inden
     text += '\n';
 }
 
+/// The text of an option with its range and default value.
+std::string text_of(const HelpOption& option) {
+    std::string text = option.text;
+    const auto& [low, high] = option.range;
+    const char* const unit = option.unit == "TIME" ? "s" : "";
+    if (low < high) text += fmt::format(" ({}{} to {}{})", low, unit, high, unit);
+    if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
+    return text;
+}
+
 /// A name at column `from` and its meaning at column `to`.
 void append_row(std::string& text, std::string_view name, std::string_view words, std::size_t from, std::size_t to,
                 std::size_t width) {
@@ -85,7 +90,7 @@ void append_option(std::string& text, const HelpOption& option, std::size_t widt
     std::string names = option.letter == 0 ? "" : fmt::format("-{}, ", option.letter);
     names += "--" + option.name;
     if (!option.unit.empty()) names += " " + option.unit;
-    append_row(text, names, option.text, 2, column, width);
+    append_row(text, names, text_of(option), 2, column, width);
     for (const HelpValue& value : option.values) {
         append_row(text, value.name, value.help, column + 2, column + 2 + value_column, width);
     }
@@ -96,6 +101,10 @@ bool has_unit(const CommandHelp& help, std::string_view unit) {
 }
 
 }  // namespace
+
+std::span<const ValueKind> value_kinds() {
+    return kinds;
+}
 
 std::string help_text(const CommandHelp& help, int width) {
     const auto columns = static_cast<std::size_t>(width);
@@ -115,8 +124,8 @@ std::string help_text(const CommandHelp& help, int width) {
         }
     }
     text += "\nDefaults are in brackets, ranges in parentheses.\n";
-    for (const UnitRow& unit : units) {
-        if (has_unit(help, unit.name)) append_row(text, unit.name, unit.help, 2, column, columns);
+    for (const ValueKind& kind : kinds) {
+        if (has_unit(help, kind.name)) append_row(text, kind.name, kind.help, 2, column, columns);
     }
     if (!help.examples.empty()) text += "\nExamples:\n";
     for (const Example& example : help.examples) text += fmt::format("  # {}\n  {}\n", example.what, example.command);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/setting.h"
 
 namespace vvr::options {
 
@@ -21,6 +24,14 @@ constexpr const char* title_of(Group group) {
     return titles[static_cast<int>(group)];
 }
 
+/// How a run uses the file that an option names.
+enum class FileUse {
+    none,
+    read,
+    written,
+    compared,  ///< read, or written with --bless
+};
+
 /// A possible value of an option, and what it does.
 struct HelpValue {
     std::string name;
@@ -32,9 +43,13 @@ struct HelpOption {
     Group group{};
     char letter = 0;  ///< its short name
     std::string name;
-    std::string unit;               ///< the value's placeholder: "PIXELS"; empty for a flag
-    std::string text;               ///< including range and default value
-    std::vector<HelpValue> values;  ///< explained one by one
+    std::string unit;          ///< the value's placeholder: "PIXELS"; empty for a flag
+    std::string text;          ///< without range and default value
+    Range range{};             ///< of a number; none if both ends are equal
+    std::string default_text;  ///< as a user would type it; empty = none
+    std::vector<HelpValue> values;
+    FileUse file{};        ///< whether the value may be a file
+    bool repeats = false;  ///< may be given several times
 };
 
 /// An example command line and what it does.
@@ -52,6 +67,14 @@ struct CommandHelp {
     std::vector<HelpOption> options;
     std::vector<Example> examples;
 };
+
+/// A placeholder that is not self-explanatory: "TIME".
+struct ValueKind {
+    std::string_view name;
+    std::string_view help;
+};
+
+std::span<const ValueKind> value_kinds();
 
 /// The help of a command: arguments, options by group, units, examples.
 /// \param width columns per line; only examples and very long words exceed it

@@ -278,7 +278,7 @@ OptionExtra help_of_values(const std::optional<app::NamedTransfer>& /*value*/) {
     for (const fields::FilterRow& filter : fields::filters()) {
         if (!filter.transfer.empty()) defaults += fmt::format("; {}: {}", filter.name, filter.transfer);
     }
-    return {.help = list_of(scene::transfer_functions()) + ", or a file of points", .defaults = defaults};
+    return {.help = ", or a file of points", .values = values_of(scene::transfer_functions()), .defaults = defaults};
 }
 
 // ---- Sets and selections

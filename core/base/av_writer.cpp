@@ -65,7 +65,8 @@ void AvWriter::check() const {
     if (failed_) std::rethrow_exception(failed_);
 }
 
-int AvWriter::write(void* self, std::uint8_t* bytes, int size) {
+template <class Byte>
+int AvWriter::write(void* self, Byte* bytes, int size) {
     auto& writer = *static_cast<AvWriter*>(self);
     if (writer.failed_) return AVERROR(EIO);
     try {

@@ -55,7 +55,9 @@ class AvWriter {
     void check() const;
 
   private:
-    static int write(void* self, std::uint8_t* bytes, int size);
+    /// \tparam Byte std::uint8_t; const from FFmpeg 7 on
+    template <class Byte>
+    static int write(void* self, Byte* bytes, int size);
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
     WriteAt write_at_;

@@ -1,9 +1,9 @@
 # VVR_VERSION: what `vvr --version` says. VVR_VERSION_NUMBER: its numbers alone. VVR_VERSION_SERIES: the first two of
-# them. VVR_DEBIAN_VERSION: how dpkg orders it. VVR_IS_CLONE: whether the sources are a clone of the project.
+# them.
 #
 # In a clone with tags they come from the last tag of the form v1.2.3 or v1.2.3-rc.1:
 #
-#   the tag itself          1.2.3                     v1.2.3-rc.1: 1.2.3-rc.1   Debian: 1.2.3~rc.1
+#   the tag itself          1.2.3                     v1.2.3-rc.1: 1.2.3-rc.1
 #   12 commits later        1.2.3+12.gabcdef0123
 #   and with changed files  1.2.3+12.gabcdef0123.dirty
 #
@@ -16,9 +16,7 @@ function(vvr_version)
   # A folder within someone else's repository has none of its tags.
   execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} rev-parse --show-prefix
     OUTPUT_VARIABLE prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-  set(clone OFF)
   if(NOT failed AND prefix STREQUAL "")
-    set(clone ON)
     execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --tags --match "v[0-9]*" --long --dirty=.dirty --abbrev=10
       OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     if(described MATCHES "^v([0-9]+\\.[0-9]+\\.[0-9]+)(-[0-9A-Za-z.]+)?-([0-9]+)-(g[0-9a-f]+)(\\.dirty)?$")
@@ -31,17 +29,13 @@ function(vvr_version)
       message(WARNING "the tag in '${described}' is no version of the form v1.2.3; the version is ${version}")
     endif()
   endif()
-  # To dpkg a tilde comes before the end, so a candidate is older than its release.
-  string(REPLACE "-" "~" debian ${version})
   string(REGEX MATCH "^[0-9]+\\.[0-9]+" series ${number})
-  set(VVR_IS_CLONE ${clone} PARENT_SCOPE)
   set(VVR_VERSION ${version} PARENT_SCOPE)
   set(VVR_VERSION_SERIES ${series} PARENT_SCOPE)
   set(VVR_VERSION_NUMBER ${number} PARENT_SCOPE)
-  set(VVR_DEBIAN_VERSION ${debian} PARENT_SCOPE)
 endfunction()
 
 vvr_version()
 if(CMAKE_SCRIPT_MODE_FILE)
-  message("${VVR_VERSION} ${VVR_VERSION_NUMBER} ${VVR_DEBIAN_VERSION}")
+  message("${VVR_VERSION} ${VVR_VERSION_NUMBER}")
 endif()

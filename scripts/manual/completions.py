@@ -1,6 +1,10 @@
 """Completions of commands, options and values, for bash, zsh and fish."""
 
-MADE = "made by scripts/manual out of the program's own help"
+from program_help import names_of, text_of
+
+MADE = "made by scripts/manual from the program's own help"
+FOLDERS = {"DIR"}
+FILES = {"FILE", "PATH", "MODEL"}
 
 
 def write_completions(folder, commands):
@@ -10,8 +14,17 @@ def write_completions(folder, commands):
         file.write_text(text, encoding="utf-8")
 
 
-def names_of(option):
-    return ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
+def takes(option):
+    """What a shell completes the value with."""
+    if option["value"] == "LIST":
+        return "list"
+    if option["value"] in FOLDERS:
+        return "folder"
+    return "file" if option["file"] or option["value"] in FILES else "value"
+
+
+def choices_of(option):
+    return " ".join(choice["name"] for choice in option["choices"])
 
 
 BASH = """\
@@ -66,29 +79,27 @@ complete -F _vvr vvr
 def bash(commands):
     options, values = [], []
     for command in commands:
-        names = " ".join(name for option in command.options() for name in names_of(option))
-        options.append(f"    {command.name}) options='{names}' ;;")
-        for option in command.options():
-            if not option.unit:
+        names = " ".join(name for option in command["options"] for name in names_of(option))
+        options.append(f"    {command['name']}) options='{names}' ;;")
+        for option in command["options"]:
+            if not option["value"]:
                 continue
-            takes = ("list" if option.takes_list else "file" if option.takes_file else "folder" if option.takes_folder
-                     else "value")
-            known = " ".join(name for name, _ in option.values)
-            patterns = "|".join(f"{command.name}:{name}" for name in names_of(option))
-            values.append(f"    {patterns}) takes={takes}" + (f" values='{known}'" if known else "") + " ;;")
-    return BASH.format(made=MADE, commands=" ".join(command.name for command in commands), options="\n".join(options),
+            known = choices_of(option)
+            patterns = "|".join(f"{command['name']}:{name}" for name in names_of(option))
+            values.append(f"    {patterns}) takes={takes(option)}" + (f" values='{known}'" if known else "") + " ;;")
+    return BASH.format(made=MADE, commands=" ".join(command["name"] for command in commands), options="\n".join(options),
                        values="\n".join(values))
 
 
 def zsh(commands):
     text = f"#compdef vvr\n# zsh completion for vvr, {MADE}\n"
     for command in commands:
-        text += f"\n_vvr_{command.name}() {{\n    _arguments -s -S \\\n"
-        for option in command.options():
+        text += f"\n_vvr_{command['name']}() {{\n    _arguments -s -S \\\n"
+        for option in command["options"]:
             text += "".join(f"        {zsh_option(option, name)} \\\n" for name in names_of(option))
         text += "        '*:file:_files'\n}\n"
     text += "\n_vvr() {\n    local -a commands=(\n"
-    text += "".join(f"        {quoted(command.name + ':' + command.help.replace(':', chr(92) + ':'))}\n"
+    text += "".join(f"        {quoted(command['name'] + ':' + command['help'].replace(':', chr(92) + ':'))}\n"
                     for command in commands)
     text += """    )
     if ((CURRENT == 2)); then
@@ -107,61 +118,54 @@ _vvr "$@"
 
 
 def zsh_option(option, name):
-    explained = option.help
+    explained = text_of(option)
     for special in "\\[]:":
         explained = explained.replace(special, "\\" + special)
     # As `--filter edges` and `--filter=edges`.
-    text = "*" + name + ("=" if option.unit and name.startswith("--") else "") + f"[{explained}]"
-    if option.unit:
-        known = " ".join(value for value, _ in option.values)
-        unit = option.unit.replace(":", "\\:")
-        text += f":{unit}:"
-        if option.takes_list:
+    text = "*" + name + ("=" if option["value"] and name.startswith("--") else "") + f"[{explained}]"
+    if option["value"]:
+        known, kind = choices_of(option), takes(option)
+        text += f":{option['value'].replace(':', chr(92) + ':')}:"
+        if kind == "list":
             text += f"_sequence compadd - {known}"
-        elif known and option.takes_file:
+        elif known and kind == "file":
             text += f'_alternative "values:value:({known})" "files:file:_files"'
         elif known:
             text += f"({known})"
-        elif option.takes_file:
-            text += "_files"
-        elif option.takes_folder:
-            text += "_files -/"
         else:
-            text += " "
+            text += {"file": "_files", "folder": "_files -/", "value": " "}[kind]
     return quoted(text)
 
 
 def fish(commands):
     text = f"# fish completion for vvr, {MADE}\ncomplete -c vvr -f\n"
     for command in commands:
-        text += f"complete -c vvr -n __fish_use_subcommand -a {command.name} -d {fish_quoted(command.help)}\n"
+        text += f"complete -c vvr -n __fish_use_subcommand -a {command['name']} -d {fish_quoted(command['help'])}\n"
     for command in commands:
-        when = f"complete -c vvr -n '__fish_seen_subcommand_from {command.name}'"
-        if command.argument:
+        when = f"complete -c vvr -n '__fish_seen_subcommand_from {command['name']}'"
+        if command["arguments"]:
             text += f"{when} -F\n"
-        for option in command.options():
-            text += f"{when} " + f"-l {option.name}"
-            text += f" -s {option.letter}" if option.letter else ""
-            known = " ".join(value for value, _ in option.values)
-            if option.takes_list:
-                text += f" -x -a '(__fish_append , {known})'"
-            elif known and not option.takes_file:
-                rows = "\n".join(f"{value}\t{explained}" for value, explained in option.values)
-                text += f" -x -a {fish_quoted(fish_words(rows))}"
-            elif option.takes_file:
-                text += " -r -F" + (f" -a '{known}'" if known else "")
-            elif option.takes_folder:
-                text += " -x -a '(__fish_complete_directories)'"
-            elif option.unit:
-                text += " -x"
-            text += f" -d {fish_quoted(option.help)}\n"
+        for option in command["options"]:
+            text += f"{when} -l {option['name']}" + (f" -s {option['short']}" if option["short"] else "")
+            text += f"{fish_values(option)} -d {fish_quoted(text_of(option))}\n"
     return text
 
 
-def fish_words(rows):
-    """Lines of words and what they mean, of which nothing is expanded."""
-    return " ".join(fish_quoted(line.split("\t")[0]) + ("\\t" + fish_quoted(line.split("\t")[1]) if line.split("\t")[1]
-                                                         else "") for line in rows.split("\n"))
+def fish_values(option):
+    known, kind = choices_of(option), takes(option)
+    if not option["value"]:
+        return ""
+    if kind == "list":
+        return f" -x -a '(__fish_append , {known})'"
+    if kind == "file":
+        return " -r -F" + (f" -a '{known}'" if known else "")
+    if kind == "folder":
+        return " -x -a '(__fish_complete_directories)'"
+    if known:
+        # Words with their explanations, of which fish expands nothing.
+        words = " ".join(f"{fish_quoted(choice['name'])}\\t{fish_quoted(choice['help'])}" for choice in option["choices"])
+        return f" -x -a {fish_quoted(words)}"
+    return " -x"
 
 
 def fish_quoted(text):

@@ -1,6 +1,7 @@
 """What the command line's tests share: the means to make clips, run vvr and check what it did."""
 
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -77,6 +78,10 @@ class Bench:
 
     def vvr(self, *arguments, **options):
         return self.run([self.vvr_path, *arguments], **options)
+
+    def help(self):
+        """Each command's help as data, by its name."""
+        return {command["name"]: command for command in json.loads(self.vvr("help", "--json").expect(0, out=None).out)["commands"]}
 
     def render(self, clip, *arguments, output="out.png", **options):
         """A small and quick picture."""

@@ -12,7 +12,8 @@ from harness import check
 
 VVR = pathlib.Path(os.environ["VVR"])
 BUILD = VVR.parents[1]
-OURS = {"program": VVR, "library": BUILD / "lib/libvvr.so", "plugin": BUILD / "lib/vvr/libvvr_pictures.so"}
+PLUGIN = max(BUILD.glob("lib/vvr-*/libvvr_pictures.so"), key=os.path.getmtime, default=BUILD / "no plugin")
+OURS = {"program": VVR, "library": BUILD / "lib/libvvr.so", "plugin": PLUGIN}
 
 
 def read(option, file):

@@ -1,16 +1,13 @@
 """What `vvr COMMAND --help` says is so: width, options, values and examples."""
 
+import json
 import os
 import pathlib
 import re
 import shlex
-import sys
 
 import pytest
 from harness import check
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts" / "manual"))
-from command_help import parse, read_commands  # noqa: E402
 
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cli" / "commands" / "command.h"
 COMMANDS = re.findall(r'CommandRow\{"(\w+)"', TABLE.read_text(encoding="utf-8"))
@@ -21,7 +18,41 @@ def help_of(t, command, columns="100"):
 
 
 def test_help_lists_every_command(t):
-    check([command.name for command in read_commands(t.vvr_path)] == COMMANDS, "the help has other commands than the table")
+    check(re.findall(r"^  vvr (\w+)", t.vvr("--help").out, flags=re.MULTILINE) == COMMANDS, "other commands than the table")
+    check(list(t.help()) == COMMANDS, "other commands than the table")
+
+
+def test_help_as_json_follows_its_schema(t):
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads((t.source / "docs" / "help.schema.json").read_text())
+    found = json.loads(t.vvr("help", "--json").expect(0, out=None).out)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(found, schema)
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate({**found, "commands": []}, schema)
+    check(f"vvr {found['vvr']}" == t.vvr("--version").out.splitlines()[0], found["vvr"])
+    check({option["group"] for command in found["commands"] for option in command["options"]} <= set(found["groups"]), "groups")
+    for wrong in (["help", "--jason"], ["help", "render", "--json"], ["help", "--json", "render"]):
+        t.vvr(*wrong).expect(1)
+
+
+def shown(option):
+    """An option as --help shows it, without spaces: names, help, range, default, choices."""
+    text = (f"-{option['short']}," if option["short"] else "") + f"--{option['name']}" + (option["value"] or "") + option["help"]
+    if option["range"]:
+        unit = "s" if option["value"] == "TIME" else ""
+        text += f"({option['range']['low']}{unit}to{option['range']['high']}{unit})"
+    text += f"[{option['default']}]" if option["default"] else ""
+    return re.sub(r"\s", "", text + "".join(choice["name"] + choice["help"] for choice in option["choices"]))
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_and_its_json_have_the_same_options(t, command):
+    text = help_of(t, command).partition("\nDefaults are in brackets")[0]
+    blocks = re.split(r"\n(?:\n[A-Z][A-Za-z ]*:\n)?(?=  -)", text)[1:]  # one per option
+    found = [re.sub(r"\s", "", block) for block in blocks]
+    expected = [shown(option) for option in t.help()[command]["options"]]
+    check(len(expected) > 5 and found == expected, f"{set(found) ^ set(expected)}")
 
 
 def test_help_is_as_wide_as_the_terminal(t):
@@ -35,17 +66,16 @@ def test_help_is_as_wide_as_the_terminal(t):
 
 def sample(option):
     """Values that the help says an option takes."""
-    if option.values:
-        return [name for name, _ in option.values]
-    found = re.search(r"\(([-\d.]+)s? to ([-\d.]+)s?\)", option.help)
-    if found and option.unit not in ("IN:OUT", "WxH"):
-        return [end + ("s" if option.unit == "TIME" else "") for end in found.groups()]
+    if option["choices"]:
+        return [choice["name"] for choice in option["choices"]]
+    if option["range"] and option["value"] not in ("IN:OUT", "WxH"):
+        return [str(option["range"][end]) + ("s" if option["value"] == "TIME" else "") for end in ("low", "high")]
     return {
-        "": [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
+        None: [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
         "TEXT": ["Hall"], "DATETIME": ["2026-11-21 08:00:00"], "AREA": ["0,0 9,0 9,9"], "HOW": ["first:2"], "DIGITS": ["10"],
         "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [],
         "FILE": [], "DIR": [], "MODEL": [],  # have to be there
-    }[option.unit]
+    }[option["value"]]
 
 
 TOGETHER = {  # options that are for other outputs, or go with others
@@ -57,7 +87,8 @@ TOGETHER = {  # options that are for other outputs, or go with others
 
 def what_it_needs(t, command):
     """What gets a command as far as its input, as its first example has it: all behind the input. None: it takes none."""
-    words = next(shlex.split(line) for line, _ in parse(command, help_of(t, command)).examples if line.startswith(f"vvr {command}"))
+    words = next(shlex.split(example["command"]) for example in t.help()[command]["examples"]
+                 if example["command"].startswith(f"vvr {command}"))
     return words[3:] if len(words) > 2 else None
 
 
@@ -69,15 +100,17 @@ def test_help_lists_only_what_the_command_accepts(t, command):
     t.clip()
     missing = "missing" if command == "archive" else "missing.avi"
     # What render has in the same words is looked at there.
-    shared = {} if command in ("render", "watch") else {option.text for option in parse("render", help_of(t, "render")).options()}
+    commands = t.help()
+    shared = [] if command in ("render", "watch") else commands["render"]["options"]
     rounds = []  # of options that are given together, each with one value
-    for option in parse(command, help_of(t, command)).options():
-        if option.text in shared or option.name in ("help", "version", "config", "log-file"):
+    for option in commands[command]["options"]:
+        name = option["name"]
+        if option in shared or name in ("help", "version", "config", "log-file"):
             continue
         for number, value in enumerate(sample(option)):
             if number == len(rounds):
                 rounds.append([])
-            rounds[number].append([f"--{option.name}" if value is None else f"--{option.name}={value}"])
+            rounds[number].append([f"--{name}" if value is None else f"--{name}={value}"])
 
     def check_accepted(options):
         """All at once, or, as some exclude each other, one half after the other."""
@@ -96,11 +129,17 @@ def test_help_lists_only_what_the_command_accepts(t, command):
 
 
 def test_watch_help_has_no_options_that_need_an_end(t):
-    options = {option.name: option for option in parse("watch", help_of(t, "watch")).options()}
+    options = {option["name"]: option for option in t.help()["watch"]["options"]}
     check(not options.keys() & {"start", "end", "time"}, f"{options.keys()}")
-    check([name for name, _ in options["preset"].values] == ["paper"], str(options["preset"]))
-    check([name for name, _ in options["reference"].values] == ["first", "running"], str(options["reference"]))
-    check("recorded" not in options["start-time"].help, str(options["start-time"]))
+    choices = {name: [choice["name"] for choice in options[name]["choices"]] for name in ("preset", "reference")}
+    check(choices == {"preset": ["paper"], "reference": ["first", "running"]}, f"{choices}")
+    check("recorded" not in options["start-time"]["help"], str(options["start-time"]))
+    for arguments, text in [
+        (["--start", "3s"], "--start: a stream begins now"), (["--end=3s"], "--end: --duration ends a stream"),
+        (["--time", "busy"], "--time: the pictures of a stream share one scale of time"),
+        (["--preset", "day"], "--preset: 'day' is unknown"),
+    ]:
+        t.vvr("watch", "clip.avi", "-o", "out.png", *arguments).expect(1, text)
 
 
 def test_times_are_written_alike_everywhere(t):
@@ -133,9 +172,9 @@ def test_examples_of_help_run(t, command):
     if command == "compare":
         for picture in ("golden.png", "out.png"):
             t.render("clip.avi", output=picture).expect(0)
-    examples = parse(command, help_of(t, command)).examples
+    examples = t.help()[command]["examples"]
     check(examples, f"vvr {command} --help has no examples")
-    for line, _ in examples:
+    for line in (example["command"] for example in examples):
         for there, here in HERE.items():
             line = line.replace(there, here)
         done = t.run(["bash", "-euc", line], env=os.environ | {"PATH": f"{t.path('bin')}:{os.environ['PATH']}"})

@@ -69,8 +69,8 @@ def test_installed_program_is_relocatable(t):
     build = os.path.dirname(os.path.dirname(t.vvr_path))
     done = t.run(["cmake", "--install", build, "--prefix", str(t.path("first"))])
     check(done.status == 0, str(done))
-    for name in ("bin/vvr", "lib/vvr/libvvr_pictures.so", "share/doc/vvr/LICENSE"):
-        check(t.path("first").joinpath(name).exists(), f"{name} is not installed")
+    for name in ("bin/vvr", "lib/vvr-*/libvvr_pictures.so", "share/doc/vvr/LICENSE"):
+        check(len(list(t.path("first").glob(name))) == 1, f"{name} is not installed")
     shutil.move(t.path("first"), t.path("moved"))
     t.clip()
     done = t.run([str(t.path("moved/bin/vvr")), "render", "clip.avi", "-o", "out.png", "--size", "160x100"])
