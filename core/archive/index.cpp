@@ -17,10 +17,7 @@
 #include "core/detector/classes.h"
 #include "core/events/event_kind.h"
 #include "core/page/html.h"
-#include "index_files.h"
-#include "index_script.h"
-#include "shared_files.h"
-#include "shared_script.h"
+#include "web_files.h"
 
 namespace vvr::archive {
 
@@ -268,18 +265,17 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
         if (!sidecars[i].found.empty()) days.insert(date_of(places[i].begin.utc));
     }
     json["days"] = days;
-    const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);
-    const std::string script =
-        page::joined(page::joined(std::string(shared_files::common_js), shared_script::files), index_script::files);
-    return page::fill(index_files::index_html, {
-                                                   {"script policy", page::policy_hash(script)},
-                                                   {"style policy", page::policy_hash(style)},
-                                                   {"style", style},
-                                                   {"kinds", buttons_of_kinds()},
-                                                   {"orders", orders_of_kinds()},
-                                                   {"script", script},
-                                                   {"data", page::script_json(json_text(json, -1, true))},
-                                               });
+    const std::string style = std::string(web::theme_css) + std::string(web::index_css);
+    const std::string script(web::index_js);
+    return page::fill(web::index_html, {
+                                           {"script policy", page::policy_hash(script)},
+                                           {"style policy", page::policy_hash(style)},
+                                           {"style", style},
+                                           {"kinds", buttons_of_kinds()},
+                                           {"orders", orders_of_kinds()},
+                                           {"script", script},
+                                           {"data", page::script_json(json_text(json, -1, true))},
+                                       });
 }
 
 }  // namespace vvr::archive

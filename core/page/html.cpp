@@ -136,12 +136,6 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
     }
 }
 
-std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files) {
-    std::string text(before);
-    for (const auto& [name, part] : files) text += part;
-    return text;
-}
-
 namespace {
 
 using Json = nlohmann::ordered_json;

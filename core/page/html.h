@@ -38,10 +38,6 @@ std::string url_of_path(std::string_view path);
 /// \throws std::out_of_range for an unknown name
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values);
 
-/// Concatenates texts, beginning with `before`.
-/// \param files name and text of each embedded file
-std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files);
-
 /// The kinds of events for the page's scripts, most informative first.
 nlohmann::ordered_json json_of_kinds();
 

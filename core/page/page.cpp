@@ -19,10 +19,7 @@
 #include "core/labels/time_ticks.h"
 #include "core/page/html.h"
 #include "core/space/layout.h"
-#include "page_files.h"
-#include "page_script.h"
-#include "shared_files.h"
-#include "shared_script.h"
+#include "web_files.h"
 
 namespace vvr::page {
 
@@ -335,9 +332,8 @@ std::string time_direction(const image::Metadata& settings) {
 std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
-    const std::string style = std::string(shared_files::theme_css) + std::string(page_files::page_css);
-    const std::string script =
-        joined(joined(std::string(shared_files::common_js), shared_script::files), page_script::files);
+    const std::string style = std::string(web::theme_css) + std::string(web::page_css);
+    const std::string script(web::page_js);
     // Replaces bytes that are not UTF-8 by U+FFFD. The clip's URL is already escaped.
     const auto shown = [](const std::string& text) {
         return html_text(Json::parse(json_text(text)).get<std::string>());
@@ -345,7 +341,7 @@ std::string make_page(const PageContent& content) {
     const double begin = content.moments.times.front().begin;
     const double end = end_of(content.moments.times);
     return fill(
-        page_files::page_html,
+        web::page_html,
         {
             {"script policy", policy_hash(script)},
             {"style policy", policy_hash(style)},
@@ -376,9 +372,9 @@ std::string make_region_editor(const RegionEditorContent& content) {
                                       {"regions", masks ? content.mask : content.roi}};
     // Replaces bytes that are not UTF-8 by U+FFFD.
     const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
-    const std::string style = std::string(shared_files::theme_css) + std::string(page_files::region_editor_css);
-    const std::string script = std::string(shared_files::common_js) + std::string(page_files::region_editor_js);
-    return fill(page_files::region_editor_html,
+    const std::string style = std::string(web::theme_css) + std::string(web::region_editor_css);
+    const std::string script(web::region_editor_js);
+    return fill(web::region_editor_html,
                 {
                     {"script policy", policy_hash(script)},
                     {"style policy", policy_hash(style)},

@@ -168,7 +168,8 @@ class Page:
                                        " && document.getElementById('source').textContent !== ''")
 
     def run(self, script, *arguments):
-        return self.driver.execute_script(script, *arguments)
+        """Runs a script, which can use the names that the page's script exports (as `vvr`) and those of its state."""
+        return self.driver.execute_script(f"with (window.vvr ?? {{}}) with (window.vvr?.state ?? {{}}) {{ {script}\n}}", *arguments)
 
     def wait(self, what, script, seconds=20):
         end = time.monotonic() + seconds
@@ -212,7 +213,7 @@ class Page:
     def _to(self, x, y):
         """The pointer on a point of the picture, in its pixels."""
         from selenium.webdriver.common.action_chains import ActionChains
-        box = self.run("const b = picture.getBoundingClientRect(); return [b.left, b.top, b.width / width, b.height / height]")
+        box = self.run("const b = picture.getBoundingClientRect(); return [b.left, b.top, b.width / pictureSize[0], b.height / pictureSize[1]]")
         actions = ActionChains(self.driver, duration=0)
         actions.w3c_actions.pointer_action.move_to_location(round(box[0] + x * box[2]), round(box[1] + y * box[3]))
         return actions

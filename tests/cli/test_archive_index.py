@@ -25,7 +25,7 @@ class Index(Page):
 
     def filter(self, text):
         self.run("const box = document.getElementById('text'); box.value = arguments[0]; box.dispatchEvent(new Event('input'))", text)
-        self.wait("the filter", f"return asked.text === {json.dumps(text)}")
+        self.wait("the filter", f"return vvr.state.text === {json.dumps(text)}")
 
 
 def known(t, clip, begins, **more):

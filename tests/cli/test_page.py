@@ -166,9 +166,9 @@ def test_page_of_stills(t):
         check(page.source() == "the clip can’t be played here, so this is a still", page.source())
         check(page.hidden("video") and not page.hidden("still"), "stills are not to be seen")
         page.run("show(3000, true)")
-        near = page.run("return stillNear(3000).frame")
+        near = page.run("return stillNear(data.stills, 3000).frame")
         check(abs(near - 3000) <= 160, f"the nearest still is {near}")
-        check(page.run("return still.src === stillNear(3000).src && still.naturalWidth > 50"), "another still is shown")
+        check(page.run("return still.src === stillNear(data.stills, 3000).src && still.naturalWidth > 50"), "another still is shown")
         check(page.text("clock").startswith("50:0"), page.text("clock"))
 
 
@@ -281,12 +281,13 @@ def test_page_tells_which_object_it_is(t):
         page.wait("the bag is named", "return document.getElementById('when').textContent.endsWith('2 left')")
         check(page.run("return chosen") is None, "pointing chooses")
         lit = page.run("""const shown = [0, 1, 2].map(() => [0, 0]);
-            objects.forEach((object, k) => { if (object >= 0) ++shown[object][veilWords[k] === pale ? 1 : 0]; });
+            pixels.objects.forEach((object, k) => { if (object >= 0) ++shown[object][veilWords[k] === paleOf() ? 1 : 0]; });
             return shown;""")
         check(lit[1][0] > 100 and lit[1][1] == 0 and lit[0][0] == 0 and lit[2][0] == 0, f"lit and pale pixels: {lit}")
         page.hold_still()
         # A pixel of the third's trail chooses the third, and goes to the moment that it shows.
         x, y = page.run("""const mine = [];
+            const {width, objects} = pixels;
             objects.forEach((object, k) => {
                 if (object === 2 && !data.regions.some(([l, t, r, b]) => k % width >= l - 1 && k % width <= r && k / width >= t - 1 && k / width <= b + 1)) mine.push(k);
             });
@@ -308,7 +309,7 @@ def test_page_zooms_and_pans(t):
         frame = twenty()[12]
         spot = (column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         where = """const b = picture.getBoundingClientRect();
-                   return [b.left + arguments[0] * b.width / width, b.top + arguments[1] * b.height / height, b.width]"""
+                   return [b.left + arguments[0] * b.width / pictureSize[0], b.top + arguments[1] * b.height / pictureSize[1], b.width]"""
         before = [round(value) for value in page.run(where, *spot)]
         page.run("""view.dispatchEvent(new WheelEvent('wheel', {deltaY: -900, clientX: arguments[0], clientY: arguments[1],
                     cancelable: true}))""", before[0], before[1])

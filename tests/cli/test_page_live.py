@@ -51,14 +51,14 @@ def test_live_page_fetches_when_there_is_news(t):
         heads = len(asked(served, "HEAD")) - begin
         check(2 <= heads <= 8, f"it asked {heads} times in 4 s for news")
         check(asked(served, "GET") == [size], f"it fetched {asked(served, 'GET')} bytes, though nothing changed")
-        frames = page.run("return [firstFrame, lastFrame]")
+        frames = page.run("return [time.firstFrame, time.lastFrame]")
         # News: the same page goes on with it, and keeps what was asked of it.
         page.set("speed", "4")
         page.run("window.same = true")
         old = page.run("return picture.src")
         os.replace(t.path("later.html"), t.path("live.html"))
-        page.wait("the news", f"return firstFrame > {frames[0]}")
-        page.wait("the picture is read", "return frames !== null")
+        page.wait("the news", f"return time.firstFrame > {frames[0]}")
+        page.wait("the picture is read", "return pixels !== null")
         check(page.run("return window.same && document.getElementById('speed').value === '4'"), "it was loaded again as a whole")
         check(page.run("return picture.src") != old, "the picture is the old one")
         check(page.text("state").startswith("watching · "), page.text("state"))
@@ -66,12 +66,12 @@ def test_live_page_fetches_when_there_is_news(t):
         check(re.fullmatch(r".*, \d+ frames.*", page.text("summary")), page.text("summary"))
         check(len(asked(served, "GET")) == 2, f"{len(asked(served, 'GET'))} pages were fetched for one piece of news")
         # It is a page to point at and to click on, as that of a clip.
-        pixel, width = page.run("return [frames.findIndex((frame, k) => k > frames.length / 2 && frame > firstFrame), width]")
+        pixel, width = page.run("return [pixels.frames.findIndex((frame, k) => k > pixels.frames.length / 2 && frame > time.firstFrame), pixels.width]")
         y, x = divmod(pixel, width)
         page.point(x + 0.5, y + 0.5)
         page.wait("a tip", "return !document.getElementById('tip').hidden")
         page.click(x + 0.5, y + 0.5)
-        check(page.run("return moved && playing && now >= firstFrame"), "a click plays nothing")
+        check(page.run("return moved && isPlaying() && now >= time.firstFrame"), "a click plays nothing")
         check([line for line in page.complaints() if "404" not in line] == [], str(page.complaints()))
         print(f"{size} bytes for each piece of news, {heads} questions of no bytes in 4 s")
 

@@ -157,7 +157,7 @@ def test_page_fits_every_window(t):
             # The picture is cropped to its contents.
             used = page.run("""const b = picture.getBoundingClientRect();
                 const [left, top, right, bottom] = contents;
-                return [(right - left) / width * b.width / view.clientWidth, (bottom - top) / height * b.height / view.clientHeight];""")
+                return [(right - left) / pictureSize[0] * b.width / view.clientWidth, (bottom - top) / pictureSize[1] * b.height / view.clientHeight];""")
             check(0.97 < max(used) < 1.03, f"{width}: what is drawn takes {used} of the view")
 
 
@@ -177,7 +177,7 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
         page.window(width, height, mobile=True)
         page.wait("the window", f"return innerWidth === {width}")
         page.run("scrollTo(0, 0)")
-        pixel, wide, high = page.run("return [frames.findIndex((frame, k) => k > frames.length / 2 && frame >= 0), width, height]")
+        pixel, wide, high = page.run("return [pixels.frames.findIndex((frame, k) => k > pixels.frames.length / 2 && frame >= 0), ...pictureSize]")
         left, top, right, bottom = page.box("#picture")
         x, y = left + (pixel % wide + 0.5) / wide * (right - left), top + (pixel // wide + 0.5) / high * (bottom - top)
         touch(page, "touchStart", (x, y))

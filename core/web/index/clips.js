@@ -1,0 +1,139 @@
+// The clips of an archive.
+
+import {folded, grouped, many, readable, upright} from '../shared/text.js';
+import {dayText, timeText, weekday} from '../shared/wall_clock.js';
+import {bits} from './data.js';
+
+/**
+ * @typedef {import('./data.js').IndexData} IndexData
+ *
+ * @typedef {object} Clip
+ * @property {number} camera
+ * @property {string} url
+ * @property {string} path
+ * @property {string} name
+ * @property {number} begins seconds since 1970
+ * @property {number} seconds
+ * @property {string} day 2026-11-21
+ * @property {string} time 07:15:02
+ * @property {number} hour
+ * @property {number | null} events null = unknown
+ * @property {number} files bits
+ * @property {Record<string, number>} tallyOf by kind
+ * @property {string[]} classes
+ * @property {boolean} wholeDay whether it is all that a camera recorded on a day
+ * @property {number | undefined} status
+ * @property {string} reason
+ * @property {number | undefined} tries
+ * @property {boolean} failed
+ * @property {boolean} drawn whether there is a picture
+ * @property {string} until what an older picture shows; '' = none
+ * @property {boolean} gone
+ * @property {boolean} damaged
+ * @property {string} placedBy why it is at this time, if nothing tells when it was recorded
+ * @property {string} text that is searched
+ */
+
+/**
+ * @param {IndexData} data
+ * @param {(seconds: number) => Date} wallOf
+ * @returns {(row: import('./data.js').Row, recording?: {date: string, clips: number}) => Clip}
+ */
+function clipBy(data, wallOf) {
+    return ([camera, url, begins, seconds, events, files, tallies, classes, status, reason = '', tries, until], recording) => {
+        const date = wallOf(begins);
+        const path = readable(url).replace(/^\.\//, '');
+        const [day, time] = [recording?.date ?? dayText(date), timeText(date)];
+        const shown = until === undefined ? '' : dayText(wallOf(until)) + ' ' + timeText(wallOf(until));
+        const failed = status !== undefined;
+        return {
+            camera, url, path, begins, seconds, day, time, events, files, status, tries, failed,
+            name: recording ? many(recording.clips, 'clip') : path.slice(path.lastIndexOf('/') + 1),
+            hour: date.getUTCHours(),
+            tallyOf: Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0])),
+            classes: classes ?? [],
+            wholeDay: recording !== undefined,
+            reason: upright(reason),
+            until: shown,
+            drawn: !failed || shown !== '',
+            gone: (files & bits.gone) !== 0,
+            damaged: (files & bits.damaged) !== 0,
+            placedBy: files & bits.byContainer ? 'when its container says it was written' : files & bits.byFile ? 'when it was last written' : '',
+            text: folded([data.cameras[camera], path, day, weekday(day), time, reason, ...classes ?? []].join(' ')),
+        };
+    };
+}
+
+/**
+ * All clips and recordings, the newest first.
+ * @param {IndexData} data
+ * @param {(seconds: number) => Date} wallOf
+ */
+export function clipsOf(data, wallOf) {
+    const clipOf = clipBy(data, wallOf);
+    return [...data.clips.map(row => clipOf(row)), ...data.recordings.map(recording => clipOf(recording.row, recording))]
+        .sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
+}
+
+/** @type {(clip: Clip) => string} */
+export const pageOf = clip => clip.url + (clip.files & bits.page ? '.html' : '.png');
+
+/**
+ * The clips that count: a picture of a whole day repeats them.
+ * @param {Clip[]} list
+ */
+export function counted(list) {
+    const single = list.filter(clip => !clip.wholeDay);
+    return single.length ? single : list;
+}
+
+/** @param {Clip[]} list */
+export const eventsIn = list => list.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
+
+/** @param {Clip} clip */
+export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, status ${clip.status}`;
+
+/**
+ * The summary of the archive.
+ * @param {Clip[]} clips
+ * @param {IndexData} data
+ */
+export function summaryOf(clips, data) {
+    const failures = counted(clips).filter(clip => clip.failed).length;
+    const gone = clips.filter(clip => clip.gone).length;
+    const zones = data.zone.length ? [...new Set(data.zone.map(([, , name]) => name))].join(', then ') : 'UTC';
+    return [many(counted(clips).length, 'clip'), many(data.cameras.length, 'camera'), many(eventsIn(counted(clips)), 'event'),
+            failures ? many(failures, 'failure') : '', gone ? `${gone} gone` : '', 'times are those of ' + zones].filter(Boolean).join(' · ');
+}
+
+/**
+ * The events of each hour of a day; null = no clip begins in it.
+ * @param {Clip[]} list
+ * @returns {(number | null)[]}
+ */
+export function hoursOf(list) {
+    const counts = new Array(24).fill(null);
+    for (const clip of list) counts[clip.hour] = (counts[clip.hour] ?? 0) + (clip.events ?? 0);
+    return counts;
+}
+
+/**
+ * The most events that a camera has in an hour, at least 1.
+ * @param {Clip[]} list
+ */
+export function busiestHour(list) {
+    const days = grouped(list.filter(clip => !clip.wholeDay), 'day');
+    const cells = [...days.values()].flatMap(ofDay => [...grouped(ofDay, 'camera').values()]);
+    return cells.reduce((most, cell) => Math.max(most, ...hoursOf(cell).map(count => count ?? 0)), 1);
+}
+
+/**
+ * The clip of the same camera before or after another one; null = there is none.
+ * @param {Clip[]} clips the newest first
+ * @param {Clip} clip
+ * @param {number} by 1 = before, -1 = after
+ */
+export function neighbourOf(clips, clip, by) {
+    const ofCamera = clips.filter(other => other.camera === clip.camera && other.drawn);
+    return ofCamera[ofCamera.indexOf(clip) + by] ?? null;
+}

@@ -1,0 +1,165 @@
+// Clips: a section for each day, in it one for each camera, filled when it comes near the window.
+
+import {at, button, element} from '../shared/dom.js';
+import {durationOf, shortSpanOf} from '../shared/durations.js';
+import {grouped, many} from '../shared/text.js';
+import {timeText, weekday} from '../shared/wall_clock.js';
+import {counted, failureOf, pageOf} from './clips.js';
+import {bits} from './data.js';
+import {lastFailed, nothingAsked, sortedBy} from './query.js';
+import {isSeen, see} from './seen.js';
+import {ask, cameraName, choices, chosenClips, clips, data, state, wallOf} from './state.js';
+
+/** @typedef {import('./clips.js').Clip} Clip */
+
+/** @param {Clip} clip */
+function badgesOf(clip) {
+    const badges = [];
+    for (const {name, emphasis, tally} of data.kinds) {
+        const told = clip.tallyOf[name];
+        if (told > 0) badges.push(element('span', 'badge ' + emphasis, name + (tally !== 'count' ? ' ' + durationOf(told) : told > 1 ? ' ' + told : '')));
+    }
+    if (clip.events !== null) {
+        badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
+    }
+    if (clip.damaged) badges.push(element('span', 'badge strong', 'damaged'));
+    return badges;
+}
+
+/**
+ * From when to when a picture of a day shows it: most days are not whole.
+ * @param {Clip} clip
+ */
+export const stretchOf = clip => clip.drawn ? clip.time.slice(0, 5) + ' to ' + timeText(wallOf(clip.begins + clip.seconds)).slice(0, 5) : 'the day';
+
+/**
+ * An element with a tooltip.
+ * @template {HTMLElement} E
+ * @param {E} made
+ * @param {string} title
+ */
+const titled = (made, title) => Object.assign(made, {title});
+
+/** @param {Clip} clip */
+function factsOf(clip) {
+    const first = element('span', 'first');
+    first.append(element('b', '', clip.wholeDay ? stretchOf(clip) : clip.time));
+    if (clip.drawn) first.append(element('small', '', shortSpanOf(clip.seconds)));
+    if (clip.drawn && !isSeen(clip)) first.append(titled(element('i', 'new', '●'), 'not seen yet'));
+    const badges = element('span', 'badges');
+    if (clip.drawn) badges.append(...badgesOf(clip));
+    if (clip.failed && clip.drawn) {
+        badges.append(titled(element('span', 'badge strong', 'failed; shows what was until ' + clip.until), `${failureOf(clip)}: ${clip.reason}`));
+    }
+    const second = element('span', 'second');
+    second.append(titled(element('bdi', 'name', clip.name), clip.path));
+    if (clip.placedBy) {
+        second.append(titled(element('small', 'written', clip.wholeDay ? 'day of writing' : 'time of writing'),
+                             `Nothing tells when it was recorded, so it stands at ${clip.placedBy}.`));
+    }
+    if (clip.gone) second.append(element('small', 'gone', 'the clip is gone'));
+    const facts = element('span', 'facts');
+    facts.append(first, badges, second);
+    return facts;
+}
+
+/**
+ * @param {Clip} clip
+ * @param {string} extension
+ */
+function imageOf(clip, extension) {
+    const image = element('img');
+    image.loading = 'lazy';
+    image.decoding = 'async';
+    image.alt = '';
+    image.src = clip.url + extension;
+    return image;
+}
+
+/** @param {Clip} clip */
+function cardOf(clip) {
+    if (!clip.drawn) {
+        const card = element('article', 'card failed');
+        const reason = titled(element('p', 'reason'), clip.reason);
+        reason.append(element('b', '', failureOf(clip)), clip.reason);
+        card.append(reason, factsOf(clip));
+        return card;
+    }
+    const card = element('a', 'card');
+    card.href = pageOf(clip);
+    const images = element('span', 'images');
+    if (clip.files & bits.still) images.append(imageOf(clip, '.still.jpg'));
+    images.append(imageOf(clip, clip.files & bits.thumbnail ? '.jpg' : '.png'));
+    card.append(images, factsOf(clip));
+    card.addEventListener('click', () => see(clip));
+    return card;
+}
+
+/**
+ * The clips of sections that are not filled yet.
+ * @type {Map<Element, Clip[]>}
+ */
+const empty = new Map();
+
+const nearby = new IntersectionObserver(entries => {
+    for (const {target, isIntersecting} of entries) if (isIntersecting) fill(target);
+}, {rootMargin: '1200px'});
+
+/** @param {Element} cards */
+function fill(cards) {
+    nearby.unobserve(cards);
+    if (cards instanceof HTMLElement) cards.style.minHeight = '';
+    cards.replaceChildren(...(empty.get(cards) ?? []).map(cardOf));
+    empty.delete(cards);
+}
+
+/**
+ * @param {string} title
+ * @param {Clip[]} clipsOf
+ * @param {number} columns
+ */
+function sectionOf(title, clipsOf, columns) {
+    const block = element('section', 'camera');
+    const cards = element('div', 'cards');
+    empty.set(cards, clipsOf);
+    cards.style.minHeight = Math.ceil(clipsOf.length / columns) * 232 + 'px';
+    block.append(element('h3', '', title), cards);
+    nearby.observe(cards);
+    return block;
+}
+
+/**
+ * @param {Clip[]} list
+ * @param {number} columns
+ */
+const sectionsByDay = (list, columns) => [...grouped(list, 'day')].map(([day, ofDay]) => {
+    const section = element('section', 'day');
+    const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => a[0] - b[0]);
+    section.append(element('h2', '', weekday(day) + ', ' + day), ...cameras.map(([camera, ofCamera]) =>
+        sectionOf(`${cameraName(camera)} · ${counted(ofCamera).length}`, lastFailed(ofCamera), columns)));
+    return section;
+});
+
+function noteOfNone() {
+    const note = element('p', 'empty', clips.length ? 'Nothing here is like that. ' : 'No clips yet.');
+    if (clips.length) note.append(button('', 'Show all clips', () => ask({...nothingAsked, view: state.view, order: state.order})));
+    return note;
+}
+
+export function drawClips() {
+    if (state.view !== 'clips') return;
+    const list = chosenClips();
+    const days = at('days');
+    nearby.disconnect();
+    empty.clear();
+    const columns = Math.max(1, Math.floor((days.clientWidth + 12) / 284));
+    const title = at('order', HTMLSelectElement).selectedOptions[0]?.textContent ?? '';
+    const sections = !list.length ? [noteOfNone()] : state.order === 'newest' ? sectionsByDay(list, columns)
+        : [sectionOf(title, sortedBy(list, state.order, choices), columns)];
+    days.replaceChildren(...sections);
+}
+
+/** What is printed is there as a whole. */
+export function fillAll() {
+    for (const cards of [...empty.keys()]) fill(cards);
+}

@@ -1,0 +1,57 @@
+// Asking by place: a rectangle or a line that is drawn on the player.
+
+import {at, press} from '../shared/dom.js';
+import {drawByPointer, drawShape} from '../shared/drawing.js';
+import {say} from './messages.js';
+import {set, state} from './state.js';
+
+/** @typedef {import('../shared/shapes.js').Shape} Shape */
+
+/** @type {SVGSVGElement} */
+const drawing = at('drawing', SVGSVGElement);
+
+/** @type {[id: string, kind: Shape['kind']][]} */
+const tools = [['askbox', 'box'], ['askline', 'line']];
+const hints = {box: 'Draw a rectangle on the player: what was in it is listed.', line: 'Draw a line on the player: what crossed it is listed.'};
+
+/**
+ * Lets the next drag on the player draw; the same button again ends that.
+ * @param {Shape['kind']} kind
+ */
+export const askBy = kind => set({asking: state.asking === kind ? null : kind});
+
+/**
+ * Lists what has to do with a place; null = everything.
+ * @param {Shape | null} shape in shares of the clip's picture
+ */
+export function askPlace(shape) {
+    set({asked: shape, drawn: null});
+    say(shape ? at('heading').textContent ?? '' : 'All events again');
+}
+
+export function drawTools() {
+    const {asking} = state;
+    drawing.classList.toggle('active', asking !== null);
+    for (const [id, kind] of tools) press(at(id), asking === kind);
+    at('hint').textContent = asking ? hints[asking] : '';
+}
+
+export function drawAsked() {
+    const {asked, drawn, data} = state;
+    drawShape(drawing, drawn ?? asked, data.size, 1);
+    at('askall').hidden = asked === null;
+    at('copyroi').hidden = asked?.kind !== 'box';
+}
+
+export function listenToTools() {
+    for (const [id, kind] of tools) at(id).addEventListener('click', () => askBy(kind));
+    at('askall').addEventListener('click', () => askPlace(null));
+    drawByPointer(drawing, 1, {
+        kind: () => state.asking,
+        shows: shape => set({drawn: shape}),
+        asks: shape => {
+            set({asking: null});
+            askPlace(shape);
+        },
+    });
+}

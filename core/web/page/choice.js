@@ -1,0 +1,69 @@
+// The chosen event.
+
+import {at} from '../shared/dom.js';
+import {addressOfEvent, readAddress} from './address.js';
+import {factsOf, numberOf, placeBeside, placeOfNumber} from './events.js';
+import {answerOf, wantedEvents} from './filters.js';
+import {say} from './messages.js';
+import {bringIntoSight, show} from './player.js';
+import {kindOf, set, state} from './state.js';
+import {clamp} from '../shared/text.js';
+
+/** @param {number | null} place */
+export const rowOf = place => place === null ? null : /** @type {HTMLButtonElement | null} */ (at('events').querySelector(`button[data-event="${place}"]`));
+
+/**
+ * Lights up one event, or all of them for null.
+ * @param {number | null} place
+ */
+export function choose(place) {
+    set({chosen: place, until: null});
+    rowOf(place)?.scrollIntoView({block: 'nearest'});
+    keepInAddress();
+}
+
+/** So that going back, and a reload, find the event again. */
+function keepInAddress() {
+    const hash = state.chosen === null ? '' : addressOfEvent(numberOf(state.events, state.chosen));
+    if (location.hash !== hash) history.replaceState(null, '', hash || location.pathname + location.search);
+}
+
+/** Goes to where the address leads. */
+export function followAddress() {
+    const {number, seconds} = readAddress(location.hash);
+    const place = number === null ? null : placeOfNumber(state.events, number);
+    if (place !== null) {
+        choose(place);
+        show(state.events[place].first, false, {until: state.events[place].last});
+    } else if (seconds !== null) {
+        const {time} = state;
+        show(time.frameAt(clamp(seconds, time.begins, time.secondsOf(time.lastFrame))), false);
+    }
+}
+
+/**
+ * Plays an event, and stops at its end or begins again.
+ * @param {number} place
+ */
+export function playEvent(place) {
+    choose(place);
+    show(state.events[place].first, true, {until: state.events[place].last});
+    bringIntoSight();
+}
+
+/**
+ * Goes to the next event that is wanted, or the one before, and shows its first moment.
+ * @param {number} by 1 or -1
+ */
+export function step(by) {
+    const {events, time} = state;
+    const place = placeBeside(events, wantedEvents(), state.chosen, state.now, by);
+    if (place === null) return;
+    choose(place);
+    const event = events[place];
+    show(event.first, false, {until: event.last});
+    if (document.activeElement?.closest('#events')) rowOf(place)?.focus();
+    const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame));
+    const facts = [event.kind, ...factsOf(event, time, kindOf(event.kind), answerOf(event))].join(' · ');
+    say(`Event ${numberOf(events, place)} of ${events.length}, from ${clock(event.first)} to ${clock(event.last)}, ${facts}`);
+}

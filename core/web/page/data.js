@@ -1,0 +1,50 @@
+// What the program writes into a page: PageContent of core/page/page.h as JSON.
+
+/**
+ * An event. Its path is in shares of the picture, its way as in shared/ways.js; `from`, `into` and `by` are places in
+ * the list of events.
+ * @typedef {object} PageEvent
+ * @property {string} kind
+ * @property {string | null} [class] what the object is; null = unknown
+ * @property {string | null} [group] of classes
+ * @property {number | null} [score] of the class
+ * @property {number} first frame
+ * @property {number} last frame
+ * @property {number} still seconds
+ * @property {number | null} from
+ * @property {number | null} into
+ * @property {number | null} by
+ * @property {number[][]} path frame, x, y each
+ * @property {number[]} way
+ * @property {string} [colour]
+ * @property {number} [number] that the picture shows
+ * @property {string | null} [portrait] URL
+ *
+ * @typedef {[first: number, count: number, begin: number, step: number]} Stretch frames at a constant rate
+ * @typedef {{begin: number, leaps: [number, number][], zone: string | null, by: string}} WallClock
+ * @typedef {[url: string, begin: number, length: number]} Segment a file of a recording
+ * @typedef {{frame: number, src: string}} Still
+ * @typedef {{src: string, sum: number}} PixelData a number per pixel, in three bytes
+ *
+ * @typedef {object} PageData
+ * @property {string} name
+ * @property {string | null} camera
+ * @property {string | null} clip URL
+ * @property {Segment[]} segments
+ * @property {{ending: string, names: string[]}} cut
+ * @property {[number, number]} size
+ * @property {Stretch[]} times
+ * @property {WallClock | null} clock
+ * @property {string} told the source of the time of day
+ * @property {import('../shared/kinds.js').KindRow[]} kinds
+ * @property {{url: string, clip: string} | null} index
+ * @property {{state: string, written: number, brick: number} | null} live
+ * @property {PixelData & {first: number}} pixels
+ * @property {PixelData | null} objects
+ * @property {PageEvent[] | null} events null = not detected
+ * @property {number[][]} regions left, top, right, bottom, place of the event
+ * @property {Still[]} stills
+ * @property {{type: string, begin: number, step: number, base64: string} | null} preview
+ */
+
+export {};

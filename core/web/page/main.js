@@ -1,0 +1,116 @@
+// The page of a clip.
+
+import {at} from '../shared/dom.js';
+import {spanOf} from '../shared/durations.js';
+import {upright} from '../shared/text.js';
+import {askPlace, drawAsked, drawTools, listenToTools} from './asking.js';
+import {choose, followAddress} from './choice.js';
+import {drawCommands, listenToExport} from './export.js';
+import {wantedEvents} from './filters.js';
+import {listenToKeys} from './keys.js';
+import {drawChips, drawChosen, drawClasses, drawList, drawLit, listenToList} from './list.js';
+import {drawAge, followStream} from './live.js';
+import {drawEnds, drawGround, drawVeil, readPicture} from './picture.js';
+import {drawClocks, drawPlayButton, drawPlayer, drawStill, followPlayer, isPlaying, listenToPlayer, openFilm} from './player.js';
+import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
+import {drawRing} from './ring.js';
+import {drawAll, set, state} from './state.js';
+import {drawBars, drawCursor, drawGaps, drawRange, drawTicks, listenToStrip, markChosen, strip} from './strip.js';
+import {drawStage, listenToView, view} from './view.js';
+
+/** Characters that change the direction of writing are shown as code points. */
+function drawNames() {
+    document.title = upright(document.title);
+    for (const name of [document.querySelector('h1'), at('file')]) if (name) name.textContent = upright(name.textContent ?? '');
+}
+
+function drawSummary() {
+    const {data, time} = state;
+    const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
+    const span = `${time.clockOf(time.begins, false)} to ${time.clockOf(time.ends, false)}, ${frames}`;
+    const seen = time.secondsSeen();
+    const lost = time.gaps.length ? ` of video, no signal for ${spanOf(time.ends - time.begins - seen)}` : '';
+    const zone = data.clock?.zone ? ', ' + data.clock.zone : '';
+    at('summary').textContent = data.clock === null ? `${span}, ${spanOf(seen)}${lost}; ${data.told}`
+        : `${time.dayOf(time.begins)}, ${span}, ${spanOf(seen)}${lost}; times are of the day${zone}, ${data.told}`;
+}
+
+/** The players have the shape of the clip. */
+function drawShapes() {
+    const {size} = state.data;
+    at('screen').style.aspectRatio = at('peeked').style.aspectRatio = size[0] + ' / ' + size[1];
+    at('screen').style.setProperty('--shape', String(size[0] / size[1]));
+    at('peeked').style.width = 220 * size[0] / Math.max(...size) + 'px';
+}
+
+/** The index knows which clip comes next: this page was made before that clip was there. */
+function linkIndex() {
+    const {index} = state.data;
+    if (!index) return;
+    for (const [id, hash] of [['toindex', ''], ['earlier', '#before='], ['later', '#after=']]) {
+        at(id, HTMLAnchorElement).href = index.url + (hash && hash + encodeURIComponent(index.clip));
+    }
+    at('around').hidden = false;
+}
+
+/** What the page shows, and what of the state each part depends on. */
+const parts = [
+    {draw: drawNames, from: () => [state.data]},
+    {draw: drawSummary, from: () => [state.data]},
+    {draw: drawShapes, from: () => [...state.data.size]},
+    {draw: drawAge, from: () => [state.data]},
+    {draw: drawChips, from: () => [state.events, state.kind]},
+    {draw: drawClasses, from: () => [state.events, state.what]},
+    {draw: drawList, from: () => [state.data, wantedEvents(), state.order]},
+    {draw: drawChosen, from: () => [state.chosen]},
+    {draw: drawLit, from: () => [state.lightened]},
+    {draw: drawTools, from: () => [state.asking]},
+    {draw: drawAsked, from: () => [state.asked, state.drawn]},
+    {draw: drawRange, from: () => [state.time]},
+    {draw: drawTicks, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
+    {draw: drawGaps, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
+    {draw: drawBars, from: () => [state.time, state.stripFrom, state.stripLasts, wantedEvents()]},
+    {draw: markChosen, from: () => [state.chosen]},
+    {draw: drawCursor, from: () => [state.time, state.stripFrom, state.stripLasts, state.now]},
+    {draw: drawGround, from: () => [state.ground]},
+    {draw: drawStage, from: () => [state.scale, ...state.middle, ...state.contents, ...state.room]},
+    {draw: drawPlayer, from: () => [state.source, state.stills]},
+    {draw: drawClocks, from: () => [state.data, state.now]},
+    {draw: drawStill, from: () => [state.data, state.now, state.stills]},
+    {draw: drawPlayButton, from: () => [isPlaying()]},
+    {draw: drawVeil, from: () => [state.pixels, state.now, state.moved, state.chosen, state.lightened, wantedEvents()]},
+    {draw: drawEnds, from: () => [state.pixels]},
+    {draw: drawRing, from: () => [state.data, state.chosen, state.now, state.stills]},
+    {draw: drawCommands, from: () => [state.data, state.chosen]},
+    {draw: openPeeker, from: () => [state.film]},
+    {draw: drawPeek, from: () => [state.pointed?.frame]},
+    {draw: drawTip, from: () => [state.pointed, state.lightened]},
+];
+
+document.documentElement.dataset.script = '';  // shows what needs a script
+state.room = [view.clientWidth, view.clientHeight];
+state.stripWidth = strip.clientWidth;
+drawAll(parts);
+for (const listen of [listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys]) listen();
+linkIndex();
+addEventListener('hashchange', followAddress);
+followStream();
+openFilm(0);
+followPlayer();
+followAddress();
+readPicture().then(() => {
+    document.documentElement.dataset.ready = '';
+}).catch(error => {
+    at('notice').textContent = `The picture can’t tell times here: ${error.message}. The strip of time and the events can.`;
+    at('notice').hidden = false;
+});
+
+// The names that tests, and whoever debugs a page, find as `vvr.NAME`.
+export {arrowAcross} from '../shared/ways.js';
+export {sortedPlaces, stillNear} from './events.js';
+export {tell} from './messages.js';
+export {paleOf, veilWords} from './picture.js';
+export {setPlaying, show} from './player.js';
+export {kindOf, pictureSize} from './state.js';
+export {zoomStrip} from './strip.js';
+export {askPlace, choose, drawChips, drawClasses, drawList, isPlaying, set, state};

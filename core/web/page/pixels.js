@@ -1,0 +1,125 @@
+// What the pixels of the picture show: a frame and an event each.
+
+/**
+ * @typedef {object} Pixels
+ * @property {number} width
+ * @property {number} height
+ * @property {Int32Array} frames -1 = none
+ * @property {Int32Array | null} objects places of events; -1 = none
+ */
+
+/**
+ * Reads the numbers that the program wrote as three bytes per pixel; 0 becomes -1.
+ * @param {ArrayLike<number>} bytes red, green, blue and alpha of each pixel
+ * @param {number} sum of all numbers
+ */
+export function numbersIn(bytes, sum) {
+    const read = new Int32Array(bytes.length / 4);
+    let found = 0;
+    for (let k = 0; k < read.length; ++k) {
+        const value = bytes[4 * k] << 16 | bytes[4 * k + 1] << 8 | bytes[4 * k + 2];
+        found += value;
+        read[k] = value - 1;
+    }
+    // Some browsers answer with noise, so that pages can't tell machines apart.
+    if (found !== sum) throw new Error('this browser changes what pages read from pictures');
+    return read;
+}
+
+/**
+ * The part of a picture that differs from its corner, with a border of 1 %: left, top, right, bottom.
+ * @param {ArrayLike<number>} words a colour per pixel
+ * @param {number} width
+ * @param {number} height
+ */
+export function contentsOf(words, width, height) {
+    let [left, top, right, bottom] = [width, height, 0, 0];
+    for (let y = 0; y < height; ++y) {
+        for (let x = 0; x < width; ++x) {
+            if (words[y * width + x] === words[0]) continue;
+            left = Math.min(left, x);
+            right = Math.max(right, x + 1);
+            top = Math.min(top, y);
+            bottom = Math.max(bottom, y + 1);
+        }
+    }
+    if (right <= left) return [0, 0, width, height];
+    const edge = Math.round(width / 100);
+    return [Math.max(0, left - edge), Math.max(0, top - edge), Math.min(width, right + edge), Math.min(height, bottom + edge)];
+}
+
+/**
+ * The pixel nearest to a point that shows a frame, at most 4 pixels away; null = none.
+ * @param {Pixels} pixels
+ * @param {number} x
+ * @param {number} y
+ */
+export function pixelNear({width, height, frames}, x, y) {
+    const reach = 4;
+    let nearest = null;
+    let least = reach * reach + 1;
+    for (let j = Math.max(0, Math.floor(y) - reach); j <= Math.min(height - 1, Math.floor(y) + reach); ++j) {
+        for (let i = Math.max(0, Math.floor(x) - reach); i <= Math.min(width - 1, Math.floor(x) + reach); ++i) {
+            const distance = (i - Math.floor(x)) ** 2 + (j - Math.floor(y)) ** 2;
+            if (frames[j * width + i] < 0 || distance >= least) continue;
+            nearest = j * width + i;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+/**
+ * What a point of the picture shows; null where there is none.
+ * @param {Pixels | null} pixels
+ * @param {number[][]} regions that stand for an event: left, top, right, bottom, place of the event
+ * @param {{first: number}[]} events
+ * @param {number} x
+ * @param {number} y
+ * @returns {{frame: number | null, event: number | null}}
+ */
+export function shownAt(pixels, regions, events, x, y) {
+    // The last drawn is on top.
+    const region = regions.findLast(([left, top, right, bottom]) => x >= left && x < right && y >= top && y < bottom);
+    if (region) return {frame: events[region[4]].first, event: region[4]};
+    const pixel = pixels && pixelNear(pixels, x, y);
+    if (!pixels || pixel === null) return {frame: null, event: null};
+    const event = pixels.objects ? pixels.objects[pixel] : -1;
+    return {frame: pixels.frames[pixel], event: event >= 0 ? event : null};
+}
+
+/**
+ * Returns a function that says whether a pixel shows something else than some events.
+ * @param {Pixels} pixels
+ * @param {number[] | null} lit places of the events; null = all, and what is of no event
+ * @param {{first: number, last: number}[]} events
+ * @returns {(pixel: number) => boolean}
+ */
+export function othersThan({frames, objects}, lit, events) {
+    if (lit === null) return () => false;
+    if (objects) {
+        const isLit = new Uint8Array(events.length);
+        for (const place of lit) isLit[place] = 1;
+        return k => objects[k] < 0 || !isLit[objects[k]];
+    }
+    const spans = lit.map(place => [events[place].first, events[place].last]);
+    return k => !spans.some(([first, last]) => frames[k] >= first && frames[k] <= last);
+}
+
+/**
+ * Where a frame is to be seen: the middle across, and the lowest row, in shares of the picture; null = in fewer than one
+ * of 1000 pixels.
+ * @param {Pixels} pixels
+ * @param {number} frame
+ */
+export function footOf({width, height, frames}, frame) {
+    let [count, left, right, bottom] = [0, width, 0, 0];
+    frames.forEach((seen, k) => {
+        if (seen !== frame) return;
+        ++count;
+        left = Math.min(left, k % width);
+        right = Math.max(right, k % width);
+        bottom = Math.max(bottom, Math.floor(k / width));
+    });
+    return count < width * height / 1000 ? null : [(left + right) / 2 / width, bottom / height];
+}

@@ -1,0 +1,81 @@
+// Pointing at a moment: its time, and a thumbnail.
+
+import {at} from '../shared/dom.js';
+import {clamp} from '../shared/text.js';
+import {numberOf, stillNear} from './events.js';
+import {goToFrame} from './player.js';
+import {putRing} from './ring.js';
+import {set, state} from './state.js';
+
+export const tip = at('tip');
+export const peeker = at('peeker', HTMLVideoElement);
+
+/**
+ * @param {number | null} frame null = at nothing
+ * @param {number} [x] in the window
+ * @param {number} [y]
+ * @param {number | null} [event]
+ * @param {string} [note] before the time
+ */
+export function point(frame, x = 0, y = 0, event = null, note = '') {
+    set({pointed: frame === null ? null : {frame, x, y, note}, lightened: event});
+}
+
+/** A still is there at once; the frame itself comes from the film. */
+export function drawPeek() {
+    const {pointed, time, film, data} = state;
+    if (!pointed) return;
+    const nearest = stillNear(data.stills, pointed.frame);
+    const apart = Math.abs(time.secondsOf(nearest.frame) - time.secondsOf(pointed.frame));
+    at('about').textContent = film || apart < 0.5 ? '' : 'picture of ' + time.clockOf(time.secondsOf(nearest.frame));
+    at('peek', HTMLImageElement).src = nearest.src;
+    peeker.hidden = true;
+    peekAt(pointed.frame);
+}
+
+export function drawTip() {
+    const {pointed, lightened, time, film, data, events} = state;
+    tip.hidden = !pointed;
+    if (!pointed) return;
+    putRing(at('peekring'), lightened, film ? pointed.frame : stillNear(data.stills, pointed.frame).frame);
+    const named = lightened === null ? '' : ` · ${numberOf(events, lightened)} ${events[lightened].kind}`;
+    at('when').textContent = pointed.note + time.clockOf(time.secondsOf(pointed.frame)) + named;
+    placeTip(pointed.x, pointed.y);
+}
+
+/**
+ * Beside the pointer, on the side where the picture has less to show.
+ * @param {number} x
+ * @param {number} y
+ */
+function placeTip(x, y) {
+    const box = tip.getBoundingClientRect();
+    const whole = at('view').getBoundingClientRect();
+    const wantsLeft = x < whole.left + whole.width / 2;
+    const isLeft = wantsLeft && x - 18 - box.width > 4 || x + 18 + box.width > innerWidth;
+    const left = clamp(isLeft ? x - 18 - box.width : x + 18, 4, Math.max(4, innerWidth - box.width - 4));
+    tip.style.transform = `translate(${left}px, ${clamp(y - box.height / 2, 4, innerHeight - box.height - 4)}px)`;
+}
+
+/**
+ * One frame after the other: the next one when the player is there.
+ * @param {number} frame
+ */
+function peekAt(frame) {
+    if (!state.film || peeker.readyState < 1 || peeker.seeking) return;
+    peeker.dataset.frame = String(frame);
+    goToFrame(peeker, frame);
+}
+
+export function openPeeker() {
+    if (state.film?.src) peeker.src = state.film.src;
+}
+
+export function listenToPeeker() {
+    peeker.hidden = true;
+    peeker.addEventListener('seeked', () => {
+        if (Number(peeker.dataset.frame) === state.pointed?.frame) peeker.hidden = false;
+        else if (state.pointed) peekAt(state.pointed.frame);
+    });
+    peeker.addEventListener('loadeddata', () => { if (state.pointed) peekAt(state.pointed.frame); });
+}

@@ -1,0 +1,24 @@
+// Rings about where an event is in a frame.
+
+import {at} from '../shared/dom.js';
+import {pointAt, stillNear} from './events.js';
+import {state} from './state.js';
+
+/**
+ * @param {HTMLElement} ring
+ * @param {number | null} event
+ * @param {number} frame
+ */
+export function putRing(ring, event, frame) {
+    const point = event === null ? null : pointAt(state.events[event], frame);
+    ring.hidden = !point;
+    if (!point) return;
+    ring.style.left = point[0] * 100 + '%';
+    ring.style.top = point[1] * 100 + '%';
+}
+
+/** A ring in the player about the chosen event. */
+export function drawRing() {
+    const {now, stills, chosen, data} = state;
+    putRing(at('ring'), chosen, stills ? stillNear(data.stills, now).frame : now);
+}

@@ -1,0 +1,200 @@
+// The strip of time: a bar for each event; where there are too many, how many there are at each moment.
+
+import {at, element, sharesWithin} from '../shared/dom.js';
+import {clamp} from '../shared/text.js';
+import {ticksOf, within, zoomed} from '../shared/time_axis.js';
+import {choose} from './choice.js';
+import {densityOf, rowsOf} from './events.js';
+import {wantedEvents} from './filters.js';
+import {stripAction} from './key_table.js';
+import {goBy, goTo, show} from './player.js';
+import {point} from './pointing.js';
+import {kindOf, set, state} from './state.js';
+
+export const strip = at('strip');
+
+/** @param {number} seconds */
+const shareOnStrip = seconds => (seconds - state.stripFrom) / state.stripLasts;
+
+/** @param {number} frame */
+const shareOfFrame = frame => clamp(shareOnStrip(state.time.secondsOf(frame)), 0, 1);
+
+/** @param {{clientX: number, clientY: number}} event */
+const secondsOnStrip = event => state.stripFrom + clamp(sharesWithin(strip, event)[0], 0, 1) * state.stripLasts;
+
+/** @param {{from: number, lasts: number}} part */
+const showPart = ({from, lasts}) => set({stripFrom: from, stripLasts: lasts});
+const whole = () => ({from: state.time.begins, lasts: state.time.lasts});
+const shown = () => ({from: state.stripFrom, lasts: state.stripLasts});
+
+/**
+ * @param {number} factor
+ * @param {number} share of the strip that stays in place
+ */
+export const zoomStrip = (factor, share) => showPart(zoomed(shown(), whole(), factor, share));
+
+/** @param {number} factor */
+const zoomAtNow = factor => zoomStrip(factor, clamp(shareOnStrip(state.time.secondsOf(state.now)), 0, 1));
+
+/** @param {EventTarget | null} target */
+const eventOf = target => target instanceof HTMLElement && target.dataset.event !== undefined ? Number(target.dataset.event) : null;
+
+/**
+ * The pointer is captured while it is down, so a click is always the strip's own: which bar is there?
+ * @param {MouseEvent} event
+ */
+const barAt = event => eventOf(document.elementsFromPoint(event.clientX, event.clientY).find(found => eventOf(found) !== null && strip.contains(found)) ?? null);
+
+export function drawCursor() {
+    const {time, now} = state;
+    const share = shareOnStrip(time.secondsOf(now));
+    at('cursor').hidden = share < 0 || share > 1;
+    at('cursor').style.left = share * 100 + '%';
+    strip.ariaValueNow = (time.secondsOf(now) - time.begins).toFixed(1);
+    strip.ariaValueText = time.bothClocks(time.secondsOf(now));
+}
+
+export function drawTicks() {
+    const {time, stripFrom, stripLasts, stripWidth} = state;
+    const most = Math.max(2, stripWidth / 90);
+    at('ticks').replaceChildren(...ticksOf(stripFrom, stripLasts, most, time.clock?.begin ?? 0).map(seconds => {
+        const label = element('span', '', time.clockOf(seconds, false));
+        const share = shareOnStrip(seconds);
+        const half = time.clockOf(seconds, false).length * 3.5 / Math.max(1, stripWidth);  // of its width, about
+        label.style.left = share * 100 + '%';
+        label.className = share < half ? 'atedge' : share > 1 - half ? 'atend' : '';
+        return label;
+    }));
+}
+
+/** Time without signal is hatched, as in the picture. */
+export function drawGaps() {
+    at('gaps').replaceChildren(...state.time.gapSpans().flatMap(span => {
+        const [from, to] = span.map(seconds => clamp(shareOnStrip(seconds), 0, 1));
+        if (to <= from) return [];
+        const gap = element('i', '', (to - from) * state.stripWidth > 70 ? 'no signal' : '');
+        gap.style.left = from * 100 + '%';
+        gap.style.width = (to - from) * 100 + '%';
+        return [gap];
+    }));
+}
+
+const mostRows = 10;
+const mostBars = 400;
+
+export function drawBars() {
+    const {time, events, stripFrom, stripLasts} = state;
+    const inside = wantedEvents().filter(place => time.secondsOf(events[place].last) >= stripFrom &&
+                                                  time.secondsOf(events[place].first) <= stripFrom + stripLasts);
+    inside.sort((a, b) => events[a].first - events[b].first || a - b);
+    const rows = inside.length <= mostBars ? rowsOf(inside.map(place => events[place]), mostRows) : null;
+    at('bars').replaceChildren(...rows ? barsOf(inside, rows) : columnsOf(inside));
+    markChosen();
+}
+
+/**
+ * @param {number[]} places
+ * @param {{rows: number[], count: number}} rows
+ */
+function barsOf(places, {rows, count}) {
+    const share = 100 / Math.max(count, 4);
+    return places.map((place, k) => {
+        const event = state.events[place];
+        const bar = element('i');
+        const [left, right] = [shareOfFrame(event.first), shareOfFrame(event.last)];
+        if (event.colour) bar.style.background = event.colour;
+        bar.style.left = left * 100 + '%';
+        bar.style.width = (right - left) * 100 + '%';
+        bar.style.top = rows[k] * share + '%';
+        bar.style.height = `max(2px, ${share * 0.75}%)`;
+        bar.dataset.event = String(place);
+        return bar;
+    });
+}
+
+/**
+ * How many events there are at each moment, and a mark for each thing that was put down or taken.
+ * @param {number[]} places
+ */
+function columnsOf(places) {
+    const {events} = state;
+    const cells = 240;
+    const counts = densityOf(places.map(place => [shareOfFrame(events[place].first), shareOfFrame(events[place].last)]), cells);
+    const most = Math.max(1, ...counts);
+    const columns = counts.map((count, cell) => {
+        const column = element('i', 'density');
+        column.style.left = cell / cells * 100 + '%';
+        column.style.width = 100 / cells + '%';
+        column.style.height = count / most * 100 + '%';
+        return column;
+    });
+    const marks = places.filter(place => kindOf(events[place].kind).isThing).slice(0, 200).map(place => {
+        const mark = element('i', 'mark');
+        mark.style.left = shareOfFrame(events[place].first) * 100 + '%';
+        mark.dataset.event = String(place);
+        return mark;
+    });
+    return [...columns, ...marks];
+}
+
+export function markChosen() {
+    for (const bar of at('bars').children) bar.classList.toggle('chosen', state.chosen !== null && eventOf(bar) === state.chosen);
+}
+
+export function drawRange() {
+    strip.ariaValueMin = '0';
+    strip.ariaValueMax = state.time.lasts.toFixed(1);
+}
+
+/** @type {Record<string, (value: number) => void>} */
+const actions = {goBy, zoomStrip: zoomAtNow, goToFirst: () => goTo(state.time.firstFrame), goToLast: () => goTo(state.time.lastFrame)};
+
+/**
+ * Where the pointer went down, and whether it was dragged from there.
+ * @type {{x: number, far: boolean, down: boolean} | null}
+ */
+let rubbing = null;
+
+export function listenToStrip() {
+    strip.addEventListener('pointerdown', event => {
+        if (event.button !== 0) return;
+        rubbing = {x: event.clientX, far: false, down: true};
+        strip.setPointerCapture(event.pointerId);
+    });
+    strip.addEventListener('pointermove', event => {
+        const drags = Boolean(rubbing?.down && (rubbing.far ||= Math.abs(event.clientX - rubbing.x) > 4));
+        const seconds = secondsOnStrip(event);
+        const frame = state.time.frameAt(seconds);
+        if (drags) goTo(frame);
+        point(frame, event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOf(event.target),
+              state.time.isInGap(seconds) ? 'no signal after ' : '');
+    });
+    const up = () => { if (rubbing) rubbing.down = false; };
+    strip.addEventListener('pointerup', up);
+    strip.addEventListener('pointercancel', up);
+    strip.addEventListener('pointerleave', () => point(null));
+    strip.addEventListener('click', event => {
+        if (rubbing?.far) return;  // it was a drag
+        const place = barAt(event);
+        choose(place);
+        show(state.time.frameAt(secondsOnStrip(event)), true, {until: place === null ? null : state.events[place].last});
+    });
+    strip.addEventListener('wheel', event => {
+        event.preventDefault();
+        if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+            const from = state.stripFrom + (event.deltaX || event.deltaY) / 600 * state.stripLasts;
+            showPart(within({from, lasts: state.stripLasts}, whole()));
+        } else {
+            zoomStrip(Math.exp(event.deltaY * 0.0016), clamp(sharesWithin(strip, event)[0], 0, 1));
+        }
+    }, {passive: false});
+    strip.addEventListener('dblclick', () => showPart(whole()));
+    strip.addEventListener('keydown', event => {
+        const action = stripAction(event);
+        if (!action) return;
+        actions[action[0]](action[1]);
+        event.preventDefault();
+        event.stopPropagation();
+    });
+    new ResizeObserver(() => set({stripWidth: strip.clientWidth})).observe(strip);
+}

@@ -1,0 +1,323 @@
+// The page's own logic: times of frames, lists of events, pixels, zoom, keys, addresses, commands.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {addressOfEvent, addressOfMoment, readAddress} from '../../core/web/page/address.js';
+import {cutCommand, filesOf, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
+import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
+        sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
+import {pageAction, stripAction} from '../../core/web/page/key_table.js';
+import {contentsOf, footOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
+import {Timeline} from '../../core/web/page/timeline.js';
+import {placed, zoomedAbout} from '../../core/web/page/zoom.js';
+
+const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-9, `${value}, not ${wanted}`);
+
+// ---- Times
+
+const steady = () => new Timeline([[0, 250, 0, 0.04]], null);  // 10 s of 25 frames per second
+
+/** Ten frames, two gaps, a frame alone, two slow frames. */
+const gappy = clock => new Timeline([[0, 10, 0, 0.1], [50, 1, 30, 0.1], [90, 2, 60, 0.2]], clock ?? null);
+
+test('frames and seconds are each other’s inverse', () => {
+    const time = steady();
+    for (let frame = 0; frame < 250; ++frame) {
+        near(time.secondsOf(frame), frame / 25);
+        assert.equal(time.frameAt(frame / 25), frame);
+        assert.equal(time.frameAt(frame / 25 + 0.039), frame);
+        assert.equal(time.frameAt(time.timeWithin(frame)), frame);
+    }
+    assert.deepEqual([time.frameAt(-1), time.frameAt(1e9)], [0, 249]);
+    assert.deepEqual([time.clamped(-3), time.clamped(17), time.clamped(999)], [0, 17, 249]);
+    near(time.ends, 10);
+    near(time.lasts, 9.96);
+});
+
+test('stretches of other rates, and gaps', () => {
+    const time = gappy();
+    assert.deepEqual([time.firstFrame, time.lastFrame, time.frames], [0, 91, 13]);
+    assert.deepEqual([5, 9, 50, 90, 91].map(frame => Number(time.secondsOf(frame).toFixed(6))), [0.5, 0.9, 30, 60, 60.2]);
+    assert.deepEqual([0.5, 15, 30, 45, 60.1, 60.2].map(seconds => time.frameAt(seconds)), [5, 9, 50, 50, 90, 91]);
+    assert.deepEqual(time.gaps, [[9, 50], [50, 90]]);
+    assert.deepEqual([[8, 1], [9, 1], [50, 1], [50, -1], [90, -1], [91, -1]].map(([frame, by]) => time.frameBeside(frame, by)), [9, 50, 90, 9, 50, 90]);
+});
+
+test('how long a frame is shown: by the next one, by the one before it, or as nothing tells', () => {
+    const time = gappy();
+    assert.deepEqual([0, 9, 50, 90, 91].map(frame => Number(time.lengthOf(frame).toFixed(6))), [0.1, 0.1, 0.04, 0.2, 0.2]);
+    near(time.secondsSeen(), 1 + 0.04 + 0.4);
+    assert.deepEqual([0.95, 1.05, 29.9, 30.01, 30.05, 59.9, 60].map(seconds => time.isInGap(seconds)), [false, true, true, false, true, true, false]);
+    near(time.endOf({last: 9}), 1);
+    near(time.endOf({last: 91}), 60.4);
+    // Several frames at one time: the last of them is shown until the next time.
+    const crowded = new Timeline([[0, 3, 0, 0], [3, 2, 0.5, 0.1]], null);
+    near(crowded.lengthOf(0), 0.5);
+    near(crowded.endOf({last: 2}), 0.5);
+});
+
+test('the clock is that of the day where it is known, and leaps with summer time', () => {
+    const begin = Date.UTC(2026, 9, 25, 2, 59, 50) / 1000;  // on the wall
+    const time = gappy({begin, leaps: [[10, -3600]], zone: 'CET', by: 'file name'});
+    assert.equal(time.clockOf(0.25), '02:59:50.2');
+    assert.equal(time.clockOf(9.99), '02:59:59.9');
+    assert.equal(time.clockOf(10), '02:00:00.0');
+    assert.equal(time.clockOf(70, false), '02:01:00');
+    assert.equal(time.dayOf(0), '2026-10-25');
+    assert.equal(time.bothClocks(10), '02:00:00.0 (0:10.0 of the clip)');
+    assert.equal(gappy().clockOf(75.25), '1:15.2');
+    assert.equal(gappy().bothClocks(75.25), '1:15.2');
+    assert.equal(gappy().dayOf(5), '');
+    assert.equal(new Timeline([[0, 1, 0, 1]], {begin: -0.5, leaps: [], zone: null, by: ''}).clockOf(0), '23:59:59.5');
+});
+
+// ---- Events
+
+const event = (kind, first, last, more = {}) => ({kind, first, last, still: 0, from: null, into: null, by: null, path: [], way: [], ...more});
+const rank = {left: 0, stood: 1, moved: 2};
+const kindOf = name => ({name, words: name + ' behind', by: 'put down by', isThing: name === 'left', emphasis: 'none',
+                         tally: name === 'stood' ? 'still' : 'none', choice: null, rank: rank[name]});
+const events = [event('moved', 0, 100), event('stood', 25, 50, {still: 3, class: 'person', group: 'person', score: 0.874}),
+                event('left', 75, 225, {still: 1, from: 0, by: 1}), event('moved', 75, 80, {class: 'car', group: 'vehicle', score: 1}),
+                event('left', 200, 249, {still: 5, class: 'bus', group: 'vehicle', score: 0.5})];
+const all = [0, 1, 2, 3, 4];
+const anything = {kind: 'all', what: '', leastSeconds: 0};
+const yes = () => '';
+
+test('filters', () => {
+    const wanted = (filter, answer = yes) => wantedPlaces(events, {...anything, ...filter}, steady(), answer);
+    assert.deepEqual(wanted({}), all);
+    assert.deepEqual(wanted({kind: 'left'}), [2, 4]);
+    assert.deepEqual(wanted({what: 'vehicle'}), [3, 4]);
+    assert.deepEqual(wanted({what: 'bus'}), [4]);
+    assert.deepEqual(wanted({what: '?'}), [0, 2]);
+    assert.deepEqual(wanted({leastSeconds: 2}), [0, 2]);  // 4 s and 6 s; the last lasts 1.96 s
+    assert.deepEqual(wanted({kind: 'left', leastSeconds: 2}), [2]);
+    assert.deepEqual(wanted({}, one => one.first === 75 ? 'here' : null), [2, 3]);
+    assert.deepEqual([isSet(anything), isSet({...anything, kind: 'left'}), isSet({...anything, what: '?'}), isSet({...anything, leastSeconds: 2})],
+                     [false, true, true, true]);
+    assert.deepEqual([isOf(events[3], 'car'), isOf(events[3], 'vehicle'), isOf(events[3], 'bus'), isOf(events[3], '')], [true, true, false, true]);
+});
+
+test('orders', () => {
+    const sorted = order => sortedPlaces(events, all, order, steady(), kindOf);
+    assert.deepEqual(sorted('time'), all);
+    assert.deepEqual(sorted('newest'), [4, 2, 3, 1, 0]);
+    assert.deepEqual(sorted('longest'), [2, 0, 4, 1, 3]);
+    assert.deepEqual(sorted('kind'), [4, 2, 1, 0, 3]);  // what was still longest first
+    assert.deepEqual(all, [0, 1, 2, 3, 4]);
+});
+
+test('the next event, and the one before', () => {
+    const beside = (chosen, frame, by, places = all) => placeBeside(events, places, chosen, frame, by);
+    assert.deepEqual([beside(1, 0, 1), beside(1, 0, -1), beside(4, 0, 1), beside(0, 0, -1)], [2, 0, 4, 0]);
+    assert.deepEqual([beside(null, 60, 1), beside(null, 60, -1), beside(null, 0, -1), beside(null, 0, 1)], [2, 1, 0, 0]);
+    assert.deepEqual([beside(3, 80, 1, [0, 4]), beside(3, 80, -1, [0, 4])], [4, 0]);  // the chosen one is not wanted
+    assert.equal(beside(null, 0, 1, []), null);
+    assert.deepEqual([beside(null, 25, 1), beside(null, 25, -1)], [1, 0]);  // at the first frame of one
+    assert.deepEqual([beside(null, 999, 1), beside(null, 999, -1)], [0, 4]);
+});
+
+test('counts of kinds and of classes', () => {
+    assert.deepEqual(countsOfKinds(events, kindOf), [{name: 'left', count: 2}, {name: 'stood', count: 1}, {name: 'moved', count: 2}]);
+    assert.deepEqual(countsOfClasses(events), [
+        {name: 'vehicle', isGroup: true, count: 2}, {name: 'bus', isGroup: false, count: 1}, {name: 'car', isGroup: false, count: 1},
+        {name: 'person', isGroup: true, count: 1}, {name: '?', isGroup: true, count: 2}]);
+    assert.deepEqual(countsOfClasses([event('moved', 0, 1)]), [{name: '?', isGroup: true, count: 1}]);
+    assert.deepEqual(countsOfClasses([]), []);
+});
+
+test('an event in words', () => {
+    assert.deepEqual(factsOf(events[1], steady(), kindOf('stood'), 'here 1.0 s'), ['1.0 s', 'person (87 %)', 'stood behind 3 s', 'here 1.0 s']);
+    assert.deepEqual(factsOf(events[0], steady(), kindOf('moved'), ''), ['4.0 s']);
+    assert.deepEqual(relationsOf(events[2], kindOf('left')), [{place: 0, words: 'came out of'}, {place: 1, words: 'put down by'}]);
+    assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'went into'}]);
+});
+
+test('numbers are not places', () => {
+    const numbered = [event('moved', 0, 1, {number: 7}), event('moved', 0, 1)];
+    assert.deepEqual([numberOf(numbered, 0), numberOf(numbered, 1)], [7, 2]);
+    assert.deepEqual([placeOfNumber(numbered, 7), placeOfNumber(numbered, 2), placeOfNumber(numbered, 1)], [0, 1, null]);
+});
+
+test('where an object is between two points of its path', () => {
+    const walker = event('moved', 10, 40, {path: [[10, 0.1, 0.5], [20, 0.3, 0.5], [40, 0.3, 0.9]]});
+    for (const [frame, x, y] of [[10, 0.1, 0.5], [15, 0.2, 0.5], [20, 0.3, 0.5], [25, 0.3, 0.6], [40, 0.3, 0.9]]) {
+        const point = pointAt(walker, frame);
+        near(point[0], x);
+        near(point[1], y);
+    }
+    assert.deepEqual([pointAt(walker, 9), pointAt(walker, 41), pointAt(event('moved', 0, 9), 5)], [null, null, null]);
+    // A path may begin after its event.
+    assert.deepEqual(pointAt(event('moved', 0, 20, {path: [[5, 0.1, 0.2], [20, 1, 1]]}), 2), [0.1, 0.2]);
+});
+
+test('the nearest still', () => {
+    const stills = [{frame: 0, src: 'a'}, {frame: 100, src: 'b'}, {frame: 200, src: 'c'}];
+    assert.deepEqual([-9, 49, 51, 149, 999].map(frame => stillNear(stills, frame).src).join(''), 'aabbc');
+});
+
+test('rows of the strip have no two events at one time', () => {
+    const spans = [[0, 10], [5, 8], [9, 20], [10, 12], [21, 30]].map(([first, last]) => ({first, last}));
+    assert.deepEqual(rowsOf(spans, 10), {rows: [0, 1, 1, 2, 0], count: 3});
+    assert.equal(rowsOf(spans, 2), null);
+    assert.deepEqual(rowsOf([], 2), {rows: [], count: 0});
+    assert.deepEqual(densityOf([[0, 0.3], [0.25, 1], [0.99, 1]], 4), [1, 2, 1, 2]);
+});
+
+// ---- Pixels
+
+const pixels = (rows, objects = null) => ({width: rows[0].length, height: rows.length, frames: Int32Array.from(rows.flat()),
+                                          objects: objects && Int32Array.from(objects.flat())});
+
+test('numbers are read from three bytes of a pixel, and noise is found', () => {
+    assert.deepEqual([...numbersIn([0, 0, 0, 255, 0, 1, 2, 255, 1, 0, 0, 255], 258 + 65_536)], [-1, 257, 65_535]);
+    assert.throws(() => numbersIn([0, 0, 1, 255], 2), /changes what pages read/);
+});
+
+test('a picture’s contents', () => {
+    const words = new Array(200 * 100).fill(7);
+    assert.deepEqual(contentsOf(words, 200, 100), [0, 0, 200, 100]);
+    words[50 * 200 + 30] = words[60 * 200 + 199] = 1;
+    assert.deepEqual(contentsOf(words, 200, 100), [28, 48, 200, 63]);  // a border of 2
+});
+
+test('what a point of the picture shows', () => {
+    const rows = Array.from({length: 12}, () => new Array(12).fill(-1));
+    rows[5][5] = 40;
+    rows[5][7] = 60;
+    const objects = rows.map(row => row.map(frame => frame === 60 ? 1 : -1));
+    const picture = pixels(rows, objects);
+    assert.equal(pixelNear(picture, 5.9, 5.1), 5 * 12 + 5);
+    assert.equal(pixelNear(picture, 7.2, 8.5), 5 * 12 + 7);
+    assert.equal(pixelNear(picture, 0, 0), null);
+    assert.equal(pixelNear(picture, 5, 9), 5 * 12 + 5);  // 4 pixels away
+    assert.equal(pixelNear(picture, 5, 10), null);
+    // In each corner of the picture.
+    for (const [column, row] of [[0, 0], [11, 0], [0, 11], [11, 11]]) {
+        const corner = pixels(rows.map((_, y) => rows.map((__, x) => x === column && y === row ? 3 : -1)));
+        for (const [x, y] of [[column, row], [column ? 9 : 2, row ? 9 : 2]]) assert.equal(pixelNear(corner, x, y), row * 12 + column);
+    }
+    const regions = [[0, 0, 4, 4, 0], [2, 2, 4, 4, 1]];
+    const two = [{first: 3}, {first: 9}];
+    assert.deepEqual(shownAt(picture, regions, two, 1, 1), {frame: 3, event: 0});
+    assert.deepEqual(shownAt(picture, regions, two, 3, 3), {frame: 9, event: 1});  // the last is on top
+    assert.deepEqual(shownAt(picture, regions, two, 5, 5), {frame: 40, event: null});
+    assert.deepEqual(shownAt(picture, regions, two, 7, 5), {frame: 60, event: 1});
+    assert.deepEqual(shownAt(null, regions, two, 7, 5), {frame: null, event: null});
+});
+
+test('what is veiled', () => {
+    const spans = [{first: 10, last: 20}, {first: 30, last: 40}];
+    const veiled = (lit, objects) => [0, 1, 2, 3].filter(othersThan(pixels([[-1, 15, 25, 35]], objects), lit, spans));
+    assert.deepEqual(veiled(null), []);
+    assert.deepEqual(veiled([0]), [0, 2, 3]);
+    assert.deepEqual(veiled([0, 1]), [0, 2]);
+    assert.deepEqual(veiled([1], [[-1, 0, -1, 1]]), [0, 1, 2]);
+    assert.deepEqual(veiled([], [[-1, 0, -1, 1]]), [0, 1, 2, 3]);
+    // An event's first and last frame belong to it.
+    assert.deepEqual([0, 1, 2, 3].filter(othersThan(pixels([[9, 10, 20, 21]]), [0], spans)), [0, 3]);
+});
+
+test('the foot of a frame in the picture', () => {
+    assert.deepEqual(footOf(pixels([[5, -1, 5, -1], [-1, 5, -1, -1], [9, -1, -1, -1]]), 5), [0.25, 1 / 3]);
+    assert.equal(footOf(pixels([[5, -1]]), 6), null);
+    assert.deepEqual(footOf(pixels([[-1, -1, 5, 5]]), 5), [0.625, 0]);
+    // One of 1000 pixels is enough, one of 1001 is not.
+    const row = new Array(1000).fill(-1);
+    assert.deepEqual(footOf(pixels([[...row.slice(1), 5]]), 5), [0.999, 0]);
+    assert.equal(footOf(pixels([[...row, 5]]), 5), null);
+});
+
+test('zoom keeps a point where it is, and no border comes into the view', () => {
+    const view = {size: [800, 400], room: [400, 400], contents: [0, 0, 800, 400], scale: 1, middle: [0.5, 0.5]};
+    assert.deepEqual(placed(view), {size: [400, 200], middle: [0.5, 0.5], corner: [0, 100]});
+    const at = (v, point) => placed(v).corner.map((corner, k) => corner + point[k] * placed(v).size[k]);
+    const point = [0.3, 0.6];
+    const closer = {...view, ...zoomedAbout(view, 4, point)};
+    assert.equal(closer.scale, 4);
+    assert.deepEqual(at(closer, point).map(Math.round), at(view, point).map(Math.round));
+    assert.equal(zoomedAbout(view, 0.1, point).scale, 1);
+    assert.equal(zoomedAbout(view, 1000, point).scale, 16);
+    // Dragged far to the right: the left side of the picture is at the left of the view.
+    assert.deepEqual(placed({...view, scale: 4, middle: [-5, 0.5]}).corner, [0, -200]);
+    assert.deepEqual(placed({...view, scale: 4, middle: [5, 0.5]}).corner, [400 - 1600, -200]);
+    // Only contents fill the view.
+    assert.deepEqual(placed({...view, contents: [200, 100, 600, 300]}).size, [800, 400]);
+});
+
+// ---- Keys, addresses, commands
+
+test('keys', () => {
+    const keys = [['ArrowRight', 'step', 1], ['ArrowDown', 'step', 1], ['ArrowLeft', 'step', -1], ['ArrowUp', 'step', -1], [' ', 'togglePlaying'],
+                  ['k', 'togglePlaying'], ['K', 'togglePlaying'], ['j', 'goBy', -5], ['L', 'goBy', 5], [',', 'stepFrame', -1], ['.', 'stepFrame', 1],
+                  ['0', 'showWhole'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
+    for (const [key, ...action] of keys) assert.deepEqual(pageAction({key}), action, key);
+    assert.deepEqual(pageAction({key: 'ArrowRight', shiftKey: true}), ['pan', -80, 0]);
+    assert.deepEqual(pageAction({key: 'ArrowUp', shiftKey: true}), ['pan', 0, 80]);
+    assert.deepEqual(pageAction({key: '+', shiftKey: true}), ['zoom', 1.5]);
+    for (const key of ['x', 'Tab', 'Enter', 'constructor', 'toString']) assert.equal(pageAction({key}), null, key);
+    for (const modifier of ['ctrlKey', 'altKey', 'metaKey']) assert.equal(pageAction({key: 'k', [modifier]: true}), null, modifier);
+});
+
+test('keys of the strip of time', () => {
+    assert.deepEqual(['ArrowLeft', 'ArrowRight', 'PageUp', 'Home', 'End', '-'].map(key => stripAction({key})),
+                     [['goBy', -1], ['goBy', 1], ['goBy', 10], ['goToFirst'], ['goToLast'], ['zoomStrip', 1.5]]);
+    assert.deepEqual(stripAction({key: 'ArrowRight', shiftKey: true}), ['goBy', 10]);
+    assert.deepEqual(stripAction({key: '+', shiftKey: true}), ['zoomStrip', 1 / 1.5]);
+    assert.deepEqual([stripAction({key: 'Home', ctrlKey: true}), stripAction({key: 'k'})], [null, null]);
+});
+
+test('addresses', () => {
+    assert.deepEqual(readAddress('#event=4'), {number: 4, seconds: null});
+    assert.deepEqual(readAddress('#t=12.9'), {number: null, seconds: 12.9});
+    assert.deepEqual(readAddress('#t=nonsense&event=x'), {number: null, seconds: null});
+    assert.deepEqual(readAddress(''), {number: null, seconds: null});
+    assert.equal(readAddress(addressOfEvent(17)).number, 17);
+    assert.equal(readAddress(addressOfMoment(4.92)).seconds, 4.92);
+    assert.equal(addressOfMoment(1 / 3), '#t=0.333');
+});
+
+const pageData = more => ({name: 'clip.mp4', camera: null, clip: './clip.mp4', segments: [], cut: {ending: '.mp4', names: []}, size: [640, 360],
+                           events, ...more});
+
+test('words of a shell', () => {
+    assert.equal(quoted('./a/b-1_c.mp4'), './a/b-1_c.mp4');
+    assert.equal(quoted("it's $(touch gone)"), "'it'\\''s $(touch gone)'");
+    assert.equal(quoted(''), "''");
+});
+
+test('the command that cuts an event', () => {
+    assert.equal(cutCommand(pageData(), steady(), 1), 'vvr cut ./clip.mp4 --start 1.000s --end 2.040s -o clip-event-2.mp4');
+    assert.equal(cutCommand(pageData({clip: './-a%20b.avi', cut: {ending: '.avi', names: ['%Y x']}}), steady(), 1),
+                 "vvr cut './-a b.avi' --names '%Y x' --start 1.000s --end 2.040s -o '_a b-event-2.avi'");
+    for (const clip of [null, './a%0Ab.mp4', './bad%FF.mp4']) assert.equal(cutCommand(pageData({clip}), steady(), 1), null, clip);
+});
+
+test('the command that cuts an event out of files of a recording', () => {
+    const segments = [['a.mp4', 0, 2], ['b.mp4', 2, 4], ['c.mp4', 6, 4]];
+    assert.deepEqual(filesOf(pageData({segments}), steady(), {first: 0, last: 49}), [['a.mp4', 0, 2]]);
+    assert.deepEqual(filesOf(pageData({segments}), steady(), {first: 0, last: 50}), [['a.mp4', 0, 2], ['b.mp4', 2, 6]]);
+    // From 3 s to 9.04 s: the second file begins at 2 s, and the third ends at 10 s.
+    assert.equal(cutCommand(pageData({segments}), steady(), 2), 'vvr cut b.mp4 c.mp4 --start 1.000s --end 7.040s -o b-event-3.mp4');
+    const overlapping = [['a.mkv', 0, 5], ['b.mkv', 4, 6]];
+    assert.equal(cutCommand(pageData({segments: overlapping, cut: {ending: '.mkv', names: []}}), steady(), 2),
+                 'vvr cut a.mkv b.mkv --start 3.000s --end 9.040s --exact -o a-event-3.mp4');
+});
+
+test('stills', () => {
+    assert.equal(stillName(pageData(), steady(), 100, '.png'), 'clip.mp4 0-04.0.png');
+    const clock = {begin: Date.UTC(2026, 10, 21, 7, 12) / 1000, leaps: [], zone: null, by: ''};
+    assert.equal(stillName(pageData({camera: 'back: door\u202e'}), new Timeline([[0, 250, 0, 0.04]], clock), 100, '.preview.png'),
+                 'back_door_U_202E_ 2026-11-21 07-12-04.0.preview.png');
+    // Half a frame before the frame, at most 0.01 s.
+    assert.equal(stillCommand(pageData(), steady(), 100), "ffmpeg -ss 3.990 -i ./clip.mp4 -frames:v 1 'clip.mp4 0-04.0.png'");
+    assert.equal(stillCommand(pageData({segments: [['-a.mp4', 0, 2], ['-b.mp4', 2, 8]]}), steady(), 100),
+                 "ffmpeg -ss 1.990 -i ./-b.mp4 -frames:v 1 'clip.mp4 0-04.0.png'");
+    assert.equal(stillCommand(pageData(), steady(), 0).slice(0, 16), 'ffmpeg -ss 0.000');
+    assert.equal(stillCommand(pageData({clip: null}), steady(), 0), null);
+});
+
+test('a rectangle as --roi', () => {
+    assert.equal(roiOption({from: [0.75, 0.5], to: [0.25, 0.25]}, [192, 144]), "--roi '48,36 144,36 144,72 48,72'");
+});
