@@ -334,8 +334,9 @@ void set_value(const Setting& setting, const std::string& text,
     value.backend.device = -1;
     if (colon < text.size()) {
         if (row.devices == nullptr) {
-            throw Error(ErrorCode::option_value,
-                        fmt::format("'{}': a device is one of a backend; name it, as in egl:{}", text, text.substr(colon + 1)));
+            throw Error(
+                ErrorCode::option_value,
+                fmt::format("'{}': a device is one of a backend; name it, as in egl:{}", text, text.substr(colon + 1)));
         }
         value.backend.device = static_cast<int>(parse_integer(text.substr(colon + 1), 0, 255));
     }

@@ -47,7 +47,8 @@ void set_value(const Setting& setting, const std::string& text, const app::Field
 void set_value(const Setting& setting, const std::string& text, const app::SpanStart<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanEnd<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::Radii<space::LayoutOptions>& value);
-void set_value(const Setting& setting, const std::string& text, const app::BackendAndDevice<app::BackendOptions>& value);
+void set_value(const Setting& setting, const std::string& text,
+               const app::BackendAndDevice<app::BackendOptions>& value);
 
 template <class Value>
 void set_value(const Setting& setting, const std::string& text, std::optional<Value>& value) {

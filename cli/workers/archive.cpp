@@ -72,7 +72,8 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.in = options.in;
     job.out = options.out;
     for (const archive::OutputRow& row : archive::output_rows) {
-        if (row.kind != archive::OutputKind::page || options.writes(Written::pages)) job.rules.files.push_back(row.kind);
+        if (row.kind != archive::OutputKind::page || options.writes(Written::pages))
+            job.rules.files.push_back(row.kind);
     }
     job.rules.settings = options.settings;
     job.rules.version = version();
@@ -248,7 +249,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     // Write the index even if pruning failed.
     const bool pruned =
         !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
-    const bool indexed = !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
+    const bool indexed =
+        !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     if (!pruned || !indexed) return cli::ExitStatus::io;

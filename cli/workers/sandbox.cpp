@@ -141,7 +141,8 @@ std::string landlock_error_text(const Landlock& landlock) {
 }
 
 std::string seccomp_error_text(int error) {
-    return fmt::format("this kernel has no seccomp filters ({}), so workers can use the network", text_of_system_error(error));
+    return fmt::format("this kernel has no seccomp filters ({}), so workers can use the network",
+                       text_of_system_error(error));
 }
 
 }  // namespace

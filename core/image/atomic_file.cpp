@@ -135,9 +135,9 @@ class TemporaryFile {
 
     [[noreturn]] static void throw_error(const char* what, const fs::path& path, int error) {
         const bool full = code_of_system_error(error) == ErrorCode::disk_full;
-        throw system_error(error, fmt::format("cannot {} '{}'", what, path.string()),
-                           full ? "free some space or choose another folder"
-                                : "choose another folder or fix its permissions");
+        throw system_error(
+            error, fmt::format("cannot {} '{}'", what, path.string()),
+            full ? "free some space or choose another folder" : "choose another folder or fix its permissions");
     }
 
     fs::path path_;
@@ -169,9 +169,9 @@ void check_file_path(const fs::path& path) {
                                 path.string(), folder.string(), folder.string()));
     }
     if (error)
-        throw system_error(
-            error.value(), fmt::format("cannot write '{}': cannot use the folder '{}'", path.string(), folder.string()),
-            "choose another one");
+        throw system_error(error.value(),
+                           fmt::format("cannot write '{}': cannot use the folder '{}'", path.string(), folder.string()),
+                           "choose another one");
     if (place.type() != fs::file_type::directory) {
         throw Error(ErrorCode::not_a_folder,
                     fmt::format("cannot write '{}': '{}' is not a folder; choose another folder", path.string(),

@@ -111,8 +111,8 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
         const auto got = ::read(from.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) {
-            throw system_error(
-                errno, fmt::format("cannot read '{}' after {:.1f} MB", name, static_cast<double>(total) / 1e6));
+            throw system_error(errno,
+                               fmt::format("cannot read '{}' after {:.1f} MB", name, static_cast<double>(total) / 1e6));
         }
         if (got == 0) return file;
         if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
