@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 #include "core/image/comparison.h"
 #include "core/image/picture_file.h"
 
@@ -45,7 +45,7 @@ void remove_candidate(const fs::path& golden) {
 [[noreturn]] void fail(ErrorCode code, const std::string& what, const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
-        image::replace_file(candidate, bytes);
+        replace_file(candidate, bytes);
     } catch (const Error& error) {
         throw Error(code, fmt::format("{}; the new picture could not be saved beside it: {}", what, error.what()));
     }
@@ -104,7 +104,7 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
     const Bytes bytes = image::encode_picture(golden, picture, metadata);
     const auto held = observer.guard();
     if (options.bless) {
-        image::replace_file(golden, bytes);
+        replace_file(golden, bytes);
         remove_candidate(golden);
         observer.info(fmt::format("'{}': replaced by the new picture", golden.string()));
         return;

@@ -10,11 +10,11 @@
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
 #include "cli/app/report.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture.h"
 #include "core/page/html.h"
 #include "core/video/container.h"
@@ -40,7 +40,7 @@ PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
     if (options.path.empty() || is_standard_output(options.path)) return;
     const auto held = observer.guard();
     if (image::is_animation(options.path) || is_page(options.path)) {
-        image::check_file_path(options.path);
+        check_file_path(options.path);
     } else {
         image::check_picture_path(name_.at(0));
     }
@@ -66,19 +66,19 @@ void PictureOutput::add_thumbnail(const image::Picture& picture) {
     image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side))};
     const std::vector<std::byte> encoded = image::encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
-    image::replace_file(thumbnail_, encoded);
+    replace_file(thumbnail_, encoded);
 }
 
 void PictureOutput::add_still(const std::optional<page::Still>& still) {
     if (still_.empty() || !still) return;
     const std::vector<std::byte> encoded = image::encode_picture(still_, still->picture, thumbnail_quality);
     const auto held = observer_.guard();
-    image::replace_file(still_, encoded);
+    replace_file(still_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {
     const auto held = observer_.guard();
-    image::replace_file(page_, std::as_bytes(std::span(text)));
+    replace_file(page_, std::as_bytes(std::span(text)));
 }
 
 void PictureOutput::close() {
@@ -204,7 +204,7 @@ void Writer::finish(const RunContext& context, double seconds) {
         if (is_standard_output(output.report)) {
             write_standard_output(bytes);
         } else {
-            image::replace_file(output.report, bytes);
+            replace_file(output.report, bytes);
         }
     }
     if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(context), observer_);

@@ -25,10 +25,10 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
-#include "core/image/atomic_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
 #include "core/video/packet_copy.h"
@@ -231,7 +231,7 @@ void check_output(const CutJob& job, const fs::path& path, const Footage& footag
     for (const video::Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
     if (!job.report.empty()) check_not_input(path, job.report, "report");
     const auto held = observer.guard();
-    image::check_file_path(path);
+    check_file_path(path);
 }
 
 // ---- Properties of the piece

@@ -1,3 +1,5 @@
+#include "cli/options/help.h"
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -8,7 +10,6 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/exit_status.h"
-#include "cli/options/help_json.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"

@@ -19,6 +19,7 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
@@ -26,7 +27,6 @@
 #include "core/fields/field_source.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
@@ -267,7 +267,7 @@ void write_region_editor(const InspectJob& job, app::Observer& observer) {
     content.frame = picture_of(*clip, found);
     const std::string text = page::make_region_editor(content);
     const auto held = observer.guard();
-    image::replace_file(job.path, std::as_bytes(std::span(text)));
+    replace_file(job.path, std::as_bytes(std::span(text)));
     observer.info(fmt::format("'{}': a page to draw regions on frame {} at {:.3f} s{}", job.path.string(), found.frame,
                               found.seconds, about_choice(job)));
 }
@@ -330,7 +330,7 @@ class Inspect final : public Command {
         if (job_.path.empty())
             throw Error(ErrorCode::output_missing, "no output given; name the file for the picture with -o FILE");
         if (app::is_page(job_.path)) {
-            image::check_file_path(job_.path);
+            check_file_path(job_.path);
         } else {
             image::check_picture_path(job_.path);
         }

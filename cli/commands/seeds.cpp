@@ -17,6 +17,7 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
@@ -25,7 +26,6 @@
 #include "core/fields/options.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
-#include "core/image/atomic_file.h"
 #include "core/store/extraction.h"
 
 namespace vvr::commands {
@@ -65,7 +65,7 @@ class SeedFolder {
     void add(const fields::SeedList& list) {
         files_.push_back(folder_ / store::stored::seed_file(list.frame).filename());
         const std::string text = fields::format_seeds(list);
-        image::replace_file(files_.back(), std::as_bytes(std::span(text)));
+        replace_file(files_.back(), std::as_bytes(std::span(text)));
         seeds_ += std::ssize(list.seeds);
     }
 

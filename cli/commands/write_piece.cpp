@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/image/atomic_file.h"
 #include "core/image/video_encoder.h"
 #include "core/video/container.h"
 #include "core/video/frame_source.h"
@@ -170,7 +170,7 @@ bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_to
                                         [&] { return stop.stop_requested(); });
             if (copied.stopped) throw Stopped();
         };
-        image::replace_file(job.path, write, [&](const fs::path& written) {
+        replace_file(job.path, write, [&](const fs::path& written) {
             video::check_copy(written, parts, copied, job.input.rate, job.path);
         });
     } catch (const Stopped&) {
@@ -307,7 +307,7 @@ bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_
     Encoded encoded;
     try {
         const auto held = observer.guard();
-        image::replace_file(job.path, [&](const WriteAt& write_at) {
+        replace_file(job.path, [&](const WriteAt& write_at) {
             encoded = encode(job, frames, std::move(frame), write_at, observer, stop);
         });
     } catch (const Stopped&) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/base/setting.h"
 
 namespace vvr::options {
@@ -82,5 +84,17 @@ std::string help_text(const CommandHelp& help, int width);
 
 /// The width for help, 72 to 120 columns: from the environment variable COLUMNS, else the terminal, else 80.
 int help_width();
+
+/// The help of a command for programs. docs/help.schema.json is its schema.
+nlohmann::ordered_json help_json(const CommandHelp& help);
+
+/// The titles of the groups, in the order of the help.
+nlohmann::ordered_json groups_json();
+
+/// The placeholders that are not self-explanatory.
+nlohmann::ordered_json value_kinds_json();
+
+/// The presets, with the options that each sets.
+nlohmann::ordered_json presets_json();
 
 }  // namespace vvr::options

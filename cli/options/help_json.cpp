@@ -1,9 +1,10 @@
-#include "cli/options/help_json.h"
-
 #include <cmath>
 #include <cstdint>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
+#include "cli/options/help.h"
 #include "cli/options/presets.h"
 
 namespace vvr::options {

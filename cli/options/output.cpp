@@ -21,10 +21,10 @@
 #include "cli/app/settings.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
-#include "core/image/atomic_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
@@ -135,7 +135,7 @@ void check_companions(const app::OutputOptions& options) {
                                     options.path.empty() ? "name it with -o FILE"
                                                          : "write a series or an animation in a separate run"));
         }
-        image::check_file_path(path);
+        check_file_path(path);
     }
     if (!options.still.empty()) image::check_picture_extension(options.still);
 }
@@ -218,7 +218,7 @@ void check(const app::ComparisonOptions& options) {
 void check(const app::OutputOptions& options) {
     check_golden(options.golden);
     check_standard_output(options);
-    if (!options.report.empty() && !is_standard_output(options.report)) image::check_file_path(options.report);
+    if (!options.report.empty() && !is_standard_output(options.report)) check_file_path(options.report);
     check_names(options);
     check_companions(options);
     const std::string text = options.path.string();

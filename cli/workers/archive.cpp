@@ -13,12 +13,12 @@
 #include "cli/log.h"
 #include "cli/workers/archive_run.h"
 #include "core/archive/output_files.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/base/wall_clock.h"
-#include "core/image/atomic_file.h"
 #include "core/labels/time_ticks.h"
 #include "core/video/recorder_names.h"
 
@@ -92,7 +92,7 @@ void make_folder(const fs::path& out) {
                            "choose another -o");
     // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
     // the drawing.
-    if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
+    if (!archive::irregular_file_at(out / archive::index_name)) check_file_path(out / archive::index_name);
 }
 
 void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job) {

@@ -22,8 +22,8 @@
 #include "cli/exit_status.h"
 #include "core/archive/output_files.h"
 #include "core/archive/prune.h"
+#include "core/base/atomic_file.h"
 #include "core/base/version.h"
-#include "core/image/atomic_file.h"
 
 namespace vvr::workers {
 
@@ -174,7 +174,7 @@ ClipTask::ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<arch
 
 ClipTask::~ClipTask() {
     if (finished_ || lock_.descriptor() < 0) return;
-    image::remove_leftovers(folder(), archive::written_names(file_name()));
+    remove_leftovers(folder(), archive::written_names(file_name()));
     archive::remove_staging(staging());
 }
 
@@ -224,7 +224,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     }
     std::optional<archive::LockFile> claim = archive::LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
-    if (claim->is_stale()) image::remove_leftovers(folder, archive::written_names(name));
+    if (claim->is_stale()) remove_leftovers(folder, archive::written_names(name));
     archive::remove_staging(archive::staging_of(job.out, path));
     // The clip may have changed since the scan, or another run may have done it.
     const auto day = job.days.find(path);

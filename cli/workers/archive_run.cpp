@@ -16,8 +16,8 @@
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
 #include "core/archive/prune.h"
+#include "core/base/atomic_file.h"
 #include "core/base/text.h"
-#include "core/image/atomic_file.h"
 
 namespace vvr::workers {
 
@@ -112,7 +112,7 @@ void put_file(const fs::path& path, const std::string& text, cli::Signals& signa
     archive::check_own_place(path);
     if (holds(path, text)) return;
     const auto held = signals.hold();
-    image::replace_link(path, std::as_bytes(std::span(text)));
+    replace_link(path, std::as_bytes(std::span(text)));
 }
 
 /// The clips that no longer exist. None if their folder is missing or empty, as its disk may not be mounted.
@@ -246,7 +246,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
     // If two runs end at the same time, the second must read what the first wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
     const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
-    if (claim.is_stale()) image::remove_leftovers(job.out, files);
+    if (claim.is_stale()) remove_leftovers(job.out, files);
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {
         environment.log.warn("'{}': {}; it is left unchanged and is missing from the index",

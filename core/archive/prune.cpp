@@ -15,9 +15,9 @@
 
 #include "core/archive/clips.h"
 #include "core/archive/lock_file.h"
+#include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 
 namespace vvr::archive {
 
@@ -124,7 +124,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
         if (!left) continue;
         const fs::path folder = file.parent_path();
         const std::string& name = left->second;
-        image::remove_leftovers(folder, written_names(name));
+        remove_leftovers(folder, written_names(name));
         remove_staging(staging_of(folder, name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;

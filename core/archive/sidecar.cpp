@@ -13,10 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
-#include "core/image/atomic_file.h"
 
 namespace vvr::archive {
 
@@ -331,7 +331,7 @@ void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
     const std::string text = format_sidecar(sidecar);
     const fs::path file = sidecar_path(out, sidecar.clip.path);
     check_own_place(file);
-    image::replace_link(file, std::as_bytes(std::span(text)));
+    replace_link(file, std::as_bytes(std::span(text)));
 }
 
 std::optional<Sidecar> read_sidecar(const fs::path& out, const std::string& clip) {

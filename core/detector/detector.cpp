@@ -17,8 +17,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/detector/formats.h"
-#include "core/detector/model_file.h"
-#include "core/detector/trial.h"
+#include "core/detector/onnx.h"
 
 namespace vvr::detector {
 

@@ -1,4 +1,3 @@
-#include "core/detector/model_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,3 @@
-#include "core/detector/trial.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -22,6 +20,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/detector/detector.h"
 
 namespace vvr::detector {
 

@@ -20,12 +20,12 @@
 
 #include <fmt/format.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/base/setting.h"
 #include "core/base/version.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture.h"
 
 extern "C" {

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture.h"
 
 extern "C" {

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/plane.h"
@@ -23,7 +24,6 @@
 #include "core/fields/planes.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
 
 namespace vvr::store {
@@ -97,7 +97,7 @@ void check_data_folder(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) {
         const fs::path whole = folder.lexically_normal();  // drops a trailing slash
-        image::check_file_path(whole.has_filename() ? whole : whole.parent_path());
+        check_file_path(whole.has_filename() ? whole : whole.parent_path());
         return;
     }
     if (!fs::is_directory(folder)) {
@@ -109,7 +109,7 @@ void check_data_folder(const fs::path& folder) {
                                                              "extract` did not write; choose a new or empty folder",
                                                              folder.string()));
     }
-    image::check_file_path(folder / stored::manifest);
+    check_file_path(folder / stored::manifest);
 }
 
 DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::move(folder)), flow_every_(flow_every) {
@@ -118,7 +118,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::
     created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
     // With this manifest, the next run recognises the folder if this run is killed.
-    image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
+    replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
         fs::create_directory(folder_ / name, error);
@@ -180,7 +180,7 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
     manifest.flow_every = flow_every_;
     manifest.colour = true;
     manifest.frames = frames_;
-    image::replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
     closed_ = true;
 }
 

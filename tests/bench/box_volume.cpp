@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/image/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/image/picture_file.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
@@ -61,7 +61,7 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
                 raw.push_back(std::byte{volume.layer(i).scalar.at(k, j)});
         }
     }
-    image::replace_file(folder / "volume.raw", raw);
+    replace_file(folder / "volume.raw", raw);
 
     const space::Camera& camera = renderer.camera();
     const glm::dvec3 far_corner = drawing.layout().p_from_c({1, 1, 1});
@@ -79,7 +79,7 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
                                {"renderer", context->renderer()},
                                {"seconds", seconds.front()}};
     const std::string text = scene.dump();
-    image::replace_file(folder / "scene.json", std::as_bytes(std::span(text)));
+    replace_file(folder / "scene.json", std::as_bytes(std::span(text)));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ BREAKS = [
     Break("core/scene/slices.cpp", "found == 2 && places[0] > places[1]", "found == 2 && places[0] < places[1]"),
     Break("core/scene/transfer_function.cpp", "values[0] <= points.back().value", "values[0] < points.back().value"),
     # core/image
-    Break("core/image/atomic_file.cpp", "if (error != EWOULDBLOCK && sure && is_same_file(file, path))", "if (sure && is_same_file(file, path))"),
+    Break("core/base/atomic_file.cpp", "if (error != EWOULDBLOCK && sure && is_same_file(file, path))", "if (sure && is_same_file(file, path))"),
     Break("core/image/comparison.cpp", "constexpr int stride = patch_size / 2;", "constexpr int stride = patch_size;"),
     # core/labels
     Break("core/labels/time_ticks.cpp", "intervals.back().half_open = true;", ""),

@@ -1,5 +1,5 @@
 // Neural networks in ONNX format, before OpenCV reads them.
-#include "core/detector/model_file.h"
+#include "core/detector/onnx.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

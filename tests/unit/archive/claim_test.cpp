@@ -13,10 +13,10 @@
 #include "core/archive/lock_file.h"
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"
+#include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/image/atomic_file.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -170,7 +170,7 @@ TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
     };
     const fs::path ours = hidden("a.avi.png"), theirs = hidden("b.avi.png");
     const std::vector<std::string> names = archive::written_names("a.avi");
-    image::remove_leftovers(out(), names);
+    remove_leftovers(out(), names);
     EXPECT_FALSE(fs::exists(ours));
     EXPECT_TRUE(fs::exists(theirs));
 }

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 #include "core/video/recorder_names.h"
 #include "tests/unit/archive/archive.h"
 

@@ -142,7 +142,7 @@ TEST_F(DetectorTest, SaysWhichFileCannotBeRead) {
 }
 
 TEST_F(DetectorTest, SaysWhyAFileIsNoModel) {
-    EXPECT_EQ(complaint(""), "cannot use 'FILE' as a detector: it is empty; give a model of YOLOX in ONNX format");
+    EXPECT_EQ(complaint(""), "cannot use 'FILE' as a detector: it is empty; give a YOLOX model in ONNX format");
     EXPECT_NE(complaint("This is a text.\n").find("it is not an ONNX file, or a damaged one"), std::string::npos);
     const std::string model = TinyModel().onnx();
     EXPECT_NE(complaint(std::string_view(model).substr(0, model.size() - 100)).find("a field is cut"),
@@ -161,9 +161,10 @@ TEST_F(DetectorTest, RefusesAFileThatIsTooLong) {
 }
 
 TEST_F(DetectorTest, SaysWhichShapesItKnows) {
-    EXPECT_EQ(complaint(TinyModel{.transposed = true}.onnx()),
-              "cannot use 'FILE' as a detector: its output has the shape [1, 85, 84], which is none of YOLOX's [1, 84, "
-              "85], YOLOv5's [1, 252, 85]; give a model of YOLOX in ONNX format");
+    EXPECT_EQ(
+        complaint(TinyModel{.transposed = true}.onnx()),
+        "cannot use 'FILE' as a detector: its output has the shape [1, 85, 84], which does not fit YOLOX's [1, 84, "
+        "85], YOLOv5's [1, 252, 85]; give a YOLOX model in ONNX format");
     EXPECT_NE(complaint(TinyModel{.numbers = 25}.onnx()).find("its output has the shape [1, 84, 25]"),
               std::string::npos);
 }

@@ -1,11 +1,10 @@
-#include "core/detector/model_file.h"
-
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/detector/onnx.h"
 #include "tests/unit/detector/tiny_model.h"
 
 namespace vvr::detector {

@@ -1,5 +1,3 @@
-#include "core/detector/trial.h"
-
 #include <csignal>
 #include <cstddef>
 #include <stdexcept>
@@ -8,6 +6,8 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+
+#include "core/detector/detector.h"
 
 namespace vvr::detector {
 namespace {

@@ -18,9 +18,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
@@ -262,7 +262,7 @@ TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
         fs::last_write_time(part(number), fs::file_time_type::clock::now() - 61min);
     };
     const auto replace = [&](const std::string& text) {
-        image::replace_file(file("x"), std::as_bytes(std::span(text)));
+        replace_file(file("x"), std::as_bytes(std::span(text)));
         EXPECT_EQ(bytes(file("x")), text);
     };
     leave(0);
@@ -274,20 +274,20 @@ TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
     ASSERT_EQ(::flock(writer, LOCK_EX), 0);
     replace("second");
     const std::vector<std::string> names{"x"};
-    image::remove_leftovers(file("."), names);
+    remove_leftovers(file("."), names);
     EXPECT_EQ(bytes(part(0)), "half") << "somebody is writing it";
     ::close(writer);
-    image::check_file_path(file("x"));
+    check_file_path(file("x"));
     EXPECT_EQ(files(), 1);
     std::ofstream(part(0)) << "half";
-    image::remove_leftovers(file("."), names);
+    remove_leftovers(file("."), names);
     EXPECT_EQ(files(), 1) << "young, but known to be nobody's";
 }
 
 TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
     fs::create_symlink("round", file("round"));
     const std::string text = "text";
-    const Error error = error_of([&] { image::replace_file(file("round"), std::as_bytes(std::span(text))); });
+    const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
     EXPECT_EQ(error.kind(), ErrorKind::io);
     EXPECT_NE(std::string(error.what()).find("its symbolic link cannot be followed"), std::string::npos);
     EXPECT_EQ(files(), 1);
@@ -297,18 +297,18 @@ TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
     const auto put = [](const WriteAt& write_at, std::int64_t offset, std::string_view text) {
         write_at(offset, std::as_bytes(std::span(text)));
     };
-    image::replace_file(file("x"), [&](const WriteAt& write_at) {
+    replace_file(file("x"), [&](const WriteAt& write_at) {
         put(write_at, 4, "tail");
         put(write_at, 0, "head");
         put(write_at, 2, "..");
         EXPECT_FALSE(fs::exists(file("x"))) << "before it is whole";
     });
     EXPECT_EQ(bytes(file("x")), "he..tail");
-    EXPECT_THROW(image::replace_file(file("x"),
-                                     [&](const WriteAt& write_at) {
-                                         put(write_at, 0, "something else");
-                                         throw std::runtime_error("the source ended");
-                                     }),
+    EXPECT_THROW(replace_file(file("x"),
+                              [&](const WriteAt& write_at) {
+                                  put(write_at, 0, "something else");
+                                  throw std::runtime_error("the source ended");
+                              }),
                  std::runtime_error);
     EXPECT_EQ(bytes(file("x")), "he..tail");
     EXPECT_EQ(files(), 1);
@@ -321,7 +321,7 @@ TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
     for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
     const std::vector<std::byte> wanted = memory.finish();
     EXPECT_EQ(memory.bytes(), wanted.size());
-    image::replace_file(file("film"), [&](const WriteAt& write_at) {
+    replace_file(file("film"), [&](const WriteAt& write_at) {
         image::VideoEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
         for (int k = 0; k < 8; ++k) film.add(shade(k), k);
         EXPECT_TRUE(film.finish().empty());

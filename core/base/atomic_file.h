@@ -8,7 +8,7 @@
 
 #include "core/base/av_writer.h"
 
-namespace vvr::image {
+namespace vvr {
 
 /// Checks that `replace_file` can write to `path`: its folder exists and is writable, and `path` is either free or a
 /// writable regular file.
@@ -37,4 +37,4 @@ void replace_file(const std::filesystem::path& path, const std::function<void(co
 /// files.
 void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);
 
-}  // namespace vvr::image
+}  // namespace vvr

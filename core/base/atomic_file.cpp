@@ -1,4 +1,4 @@
-#include "core/image/atomic_file.h"
+#include "core/base/atomic_file.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 
-namespace vvr::image {
+namespace vvr {
 
 namespace {
 
@@ -225,4 +225,4 @@ void remove_leftovers(const fs::path& folder, std::span<const std::string> names
     for (const fs::path& path : left) remove_if_left(path, true);
 }
 
-}  // namespace vvr::image
+}  // namespace vvr
