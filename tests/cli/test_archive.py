@@ -811,7 +811,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     check(after["shows"]["modified_ns"] == before["clip"]["modified_ns"] < after["clip"]["modified_ns"], f"{after}")
     check(sum(len(names) for names in after["clips"].values()) == 3, f"{after}")
     row = days_of(t)[0]["gate", "2026-11-21"]["row"]
-    check(row[10] == before["clip"]["modified_ns"] // 10**9 and row[5] & 1, f"{row}")
+    check(row[11] == before["clip"]["modified_ns"] // 10**9 and row[5] & 1, f"{row}")
     check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
     # Whole again once it can be drawn.
     t.path("in/2026-11-21/08/gate/10.00.avi").unlink()

@@ -93,7 +93,7 @@ def test_top_level_keys_are_for_the_commands_that_have_them(t):
     t.vvr("extract", "clip.avi", "-o", "data", *config).expect(0)
     t.vvr("seeds", "data", "-o", "lists", *config).expect(0)
     t.vvr("render", "clip.avi", "-o", "a.png", *config).expect(0)
-    check(t.picture_size("a.png") == "40x30", "size counts for render")
+    check(t.picture_size("a.png") == (40, 30), "size counts for render")
     t.vvr("compare", "a.png", "a.png", *config).expect(0, out=None)
 
 

@@ -165,7 +165,7 @@ def test_manifest_that_lies(t):
 
     change(2, "file-invalid", lambda m: m["frames"][3].update(pts=float("nan")), "JSON")
     change(2, "file-not-found", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}), file="scalar/000012.png")
-    change(2, "file-invalid", lambda m: m.update(field_width=97), "96x64", "97x64", file="first.png")
+    change(2, "file-invalid", lambda m: m.update(field_width=97), "96x64", "97x64", file="reference.png")
     change(2, "file-invalid", lambda m: m["frames"][3].update(seeds=99), "99", file="seeds/000003.txt")
     shutil.copytree(t.path("good"), t.path("cut"))
     t.path("cut/flow/000004.flo").write_bytes(b"PIEH")

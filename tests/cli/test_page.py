@@ -388,7 +388,7 @@ def test_page_is_whole_and_the_same(t):
     check(text == t.path("b.HTM").read_text(), "two pages of one clip differ")
     check(re.search("https?://(?!www.w3.org/2000/svg)", text) is None, "the page names an address")
     check(str(t.folder) not in text, "the page names a folder")
-    check("vvr:" not in text and text.count("{{") == 0, "a place was left open")
+    check("vvr:" not in text and not re.search(r"\{\{[a-z ]+\}\}", text), "a place was left open")
     t.write("old.html", "older")
     t.render("none.avi", output="old.html").expect(2, code="file-not-found")
     check(t.path("old.html").read_text() == "older", "a failure touched the older page")

@@ -92,11 +92,11 @@ def test_report_of_what_was_extracted(t):
 
 def test_report_of_a_part(t):
     t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
-    t.vvr("render", "bag.y4m", "--report", "report.json", "--start", "4s", "--end", "10s").expect(0)
+    t.vvr("render", "bag.y4m", "--report", "report.json", "--start", "3s", "--end", "10s").expect(0)
     report = read(t)
-    check(report["span"]["first"] == 4 and report["frames"]["used"] == 150, str(report["span"]))
-    bag = report["events"][0]
-    check(bag["first"]["frame"] == 100 and bag["first"]["seconds"] == 4, f"frames of the clip are counted: {bag}")
+    check(report["span"]["first"] == 3 and report["frames"]["used"] == 175, str(report["span"]))
+    person = report["events"][0]
+    check(person["first"]["frame"] == 75 and person["first"]["seconds"] == 3, f"frames of the clip are counted: {person}")
 
 
 def test_report_counts_damage(t):

@@ -126,8 +126,6 @@ def test_a_series_of_extracted_data(t):
     t.render("data", *look, output="data.{brick}.png").expect(0, "4 pictures of 40 frames")
     for i in range(4):
         check(pixels(t, f"clip.{i}.png") == pixels(t, f"data.{i}.png"), f"picture {i}")
-    t.render("data", "--brick", "10f", output="d.{brick}.png").expect(
-        0, "'data' stores only the first and the last picture", "4 pictures")
 
 
 def test_a_clip_shorter_than_the_window(t):
