@@ -33,18 +33,30 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
         const auto values = grey.pixels();
         const auto before = before_.pixels();
         const auto second = static_cast<std::int32_t>(std::floor(now.seconds - begin_));
-        const std::complex<double> phase = std::polar(1.0, 2 * std::numbers::pi * now.seconds);
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            if (std::abs(int{values[k]} - int{before[k]}) < limit.level) continue;
+        const std::complex<float> phase(std::polar(1.0, 2 * std::numbers::pi * now.seconds));
+        const auto count = [&](std::size_t k) {
+            if (std::abs(int{values[k]} - int{before[k]}) < limit.level) return;
             Changes& changes = changes_.pixels()[k];
-            changes.phases += std::complex<float>(phase);
+            changes.phases += phase;
             ++changes.count;
             if (changes.last != second) ++changes.seconds;
             changes.last = second;
+        };
+        // Few pixels change: a run is skipped where none does, which the compiler finds out for all of it at once.
+        constexpr std::size_t run = 64;
+        for (std::size_t begin = 0; begin < values.size(); begin += run) {
+            const std::size_t end = std::min(values.size(), begin + run);
+            int most = 0;
+            for (std::size_t k = begin; k < end; ++k) most = std::max(most, std::abs(int{values[k]} - int{before[k]}));
+            if (most < limit.level) continue;
+            for (std::size_t k = begin; k < end; ++k) count(k);
         }
     }
     last_ = now.seconds;
-    before_ = grey;
+    if (first)
+        before_ = grey;
+    else
+        std::ranges::copy(grey.pixels(), before_.pixels().begin());
     if (now.seconds < next_look_) return;
     next_look_ = now.seconds + limit.every;
     look();

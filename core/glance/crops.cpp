@@ -50,15 +50,21 @@ PixelBox still_box(const PixelBox& object, Size frame) {
 Crop::Crop(const events::Portrait& portrait, const video::Frame& frame) : at_(portrait.at), score_(portrait.score) {
     const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
     const PixelBox wide = square_around(portrait.box, around_wide, size);
-    const Plane<Bgr> picture = video::crop_of(frame, wide, longest_side);
-    scale_ = static_cast<double>(picture.width()) / wide.width();
+    raw_ = video::crop_of(frame, wide, longest_side);
+    scale_ = static_cast<double>(raw_.width()) / wide.width();
     object_ = portrait.box.translated(-wide.left, -wide.top);
     still_ = still_box(portrait.box, size).translated(-wide.left, -wide.top);
-    jpeg_ = image::compress(picture);
+}
+
+void Crop::compress() {
+    if (!is_raw()) return;
+    jpeg_ = image::compress(raw_);
+    raw_ = {};
 }
 
 ObjectPicture Crop::surroundings() const {
-    return {image::decompress(jpeg_), scaled(object_, scale_), scale_};
+    // A still does not depend on how many objects there were beside it.
+    return {image::decompress(is_raw() ? image::compress(raw_) : jpeg_), scaled(object_, scale_), scale_};
 }
 
 ObjectPicture Crop::still() const {
@@ -71,17 +77,33 @@ ObjectPicture Crop::still() const {
 
 void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {
     if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
-    const auto remove = [this](std::map<std::size_t, Crop>::iterator place) {
-        bytes_ -= place->second.bytes();
-        crops_.erase(place);
-    };
-    Crop crop(portrait, frame);
     if (const auto earlier = crops_.find(track); earlier != crops_.end()) remove(earlier);
+    const Crop& crop = crops_.emplace(track, Crop(portrait, frame)).first->second;
     bytes_ += crop.bytes();
-    crops_.emplace(track, std::move(crop));
+    raw_bytes_ += crop.bytes();
+    while (raw_bytes_ > max_raw_bytes) compress_oldest();
     while (crops_.size() > max_crops || bytes_ > max_bytes) {
         remove(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score(); }));
     }
+}
+
+void Crops::remove(std::map<std::size_t, Crop>::iterator place) {
+    bytes_ -= place->second.bytes();
+    if (place->second.is_raw()) raw_bytes_ -= place->second.bytes();
+    crops_.erase(place);
+}
+
+/// Compresses the raw crop that has not been replaced for longest.
+void Crops::compress_oldest() {
+    Crop* oldest = nullptr;
+    for (auto& [track, crop] : crops_) {
+        if (crop.is_raw() && (oldest == nullptr || crop.at().frame < oldest->at().frame)) oldest = &crop;
+    }
+    if (oldest == nullptr) return;
+    bytes_ -= oldest->bytes();
+    raw_bytes_ -= oldest->bytes();
+    oldest->compress();
+    bytes_ += oldest->bytes();
 }
 
 const Crop* Crops::find(const events::Event& event) const {

@@ -20,7 +20,8 @@ struct ObjectPicture {
     double scale = 1;  ///< pixels of `picture` per field pixel
 };
 
-/// A crop of a frame around an object, compressed.
+/// A crop of a frame around an object. Most are replaced by a better one soon, so they are compressed late; whoever
+/// looks at one sees the compressed picture in any case.
 class Crop {
   public:
     /// \param portrait its box is within the frame
@@ -35,14 +36,21 @@ class Crop {
 
     const Moment& at() const { return at_; }
     double score() const { return score_; }  ///< of the portrait
-    std::size_t bytes() const { return jpeg_.size(); }
+    std::size_t bytes() const { return jpeg_.size() + sizeof(Bgr) * raw_.pixels().size(); }
+
+    /// Whether it is not compressed yet.
+    bool is_raw() const { return !raw_.empty(); }
+
+    /// \throws Error io or out_of_memory, as `image::compress`
+    void compress();
 
     static constexpr int longest_side = 560;  ///< a still of 336 pixels, as in a picture of 3840x2160
 
   private:
     Moment at_;
     double score_;
-    std::vector<std::byte> jpeg_;  ///< of the surroundings
+    Plane<Bgr> raw_;               ///< of the surroundings; empty once compressed
+    std::vector<std::byte> jpeg_;  ///< likewise; empty before
     double scale_ = 1;             ///< pixels per field pixel
     PixelBox object_;              ///< within the surroundings, in field pixels
     PixelBox still_;               ///< likewise
@@ -72,10 +80,15 @@ class Crops {
     // about 30 kB.
     static constexpr std::size_t max_crops = 1024;
     static constexpr std::size_t max_bytes = 32'000'000;
+    static constexpr std::size_t max_raw_bytes = 8'000'000;
 
   private:
+    void remove(std::map<std::size_t, Crop>::iterator place);
+    void compress_oldest();
+
     std::map<std::size_t, Crop> crops_;
     std::size_t bytes_ = 0;
+    std::size_t raw_bytes_ = 0;  ///< of those that are not compressed yet
 };
 
 /// A square still per event, for lists: smaller if there are many events, empty if an event has no crop.
