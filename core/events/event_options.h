@@ -72,7 +72,7 @@ struct Thresholds {
     /// as a share of its largest value.
     struct {
         double seconds = 8;   ///< seconds; longest gap, as a person who appears later may be somebody else
-        double looks = 0.33;  ///< Hellinger distance; largest for one person, whose looks vary by 0.1 to 0.25
+        double looks = 0.25;  ///< Hellinger distance; largest for one person, whose looks vary by 0.1 to 0.25
         double reach = 0.8;   ///< lengths; largest distance from the predicted place, beside its way in the gap
     } link;
 

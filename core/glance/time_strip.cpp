@@ -146,8 +146,9 @@ class Strip {
             // The number of the next bar is at the end of the gap.
             const int number = idle.end < end_ ? number_width() + number_gap : 0;
             const PixelBox room{column(idle.begin), rows_.top, column(idle.end) - number, rows_.bottom};
-            const labels::Label label = labels::make_centred_label(
-                "nobody", sheet_.small, (room.left + room.right) / 2.0, (room.top + room.bottom) / 2.0, style_.pale);
+            const labels::Label label =
+                labels::make_centred_label("nobody seen", sheet_.small, (room.left + room.right) / 2.0,
+                                           (room.top + room.bottom) / 2.0, style_.pale);
             lettering_.add(label, room.inflated(-sheet_.small / 3, 0), 2);
         }
     }
@@ -247,7 +248,7 @@ std::vector<std::size_t> label_strip(const Objects& objects, const events::Findi
 
 namespace {
 
-/// Whether something compact in a layer belongs to no object: it fills a quarter of a block of the picture. Leaves,
+/// Whether something compact in a layer belongs to no object: it fills an eighth of a block of the picture. Leaves,
 /// rain and noise are scattered.
 bool has_unowned_thing(const bricks::Volume& volume, const bricks::Layer& layer, const bricks::Identify& identify) {
     constexpr int blocks_across = 24;  // along the longer side
@@ -268,7 +269,7 @@ bool has_unowned_thing(const bricks::Volume& volume, const bricks::Layer& layer,
             ++column;
         }
     });
-    return 4 * std::ranges::max(counts.pixels()) >= side * side;
+    return 8 * std::ranges::max(counts.pixels()) >= side * side;
 }
 
 }  // namespace
