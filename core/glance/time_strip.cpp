@@ -248,7 +248,7 @@ std::vector<std::size_t> label_strip(const Objects& objects, const events::Findi
 
 namespace {
 
-/// Whether something compact in a layer belongs to no object: it fills an eighth of a block of the picture. Leaves,
+/// Whether something compact in a layer belongs to no object: it fills a quarter of a block of the picture. Leaves,
 /// rain and noise are scattered.
 bool has_unowned_thing(const bricks::Volume& volume, const bricks::Layer& layer, const bricks::Identify& identify) {
     constexpr int blocks_across = 24;  // along the longer side
@@ -269,7 +269,7 @@ bool has_unowned_thing(const bricks::Volume& volume, const bricks::Layer& layer,
             ++column;
         }
     });
-    return 8 * std::ranges::max(counts.pixels()) >= side * side;
+    return 4 * std::ranges::max(counts.pixels()) >= side * side;
 }
 
 }  // namespace
