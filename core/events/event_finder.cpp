@@ -221,7 +221,7 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         }
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
-            track.see(blobs.patches[b], looks[b], sight, flicker_, now);
+            track.see(blobs.patches[b], looks[b], sight, now);
             track.set_near({});
             continue;
         }
@@ -253,7 +253,7 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
         origin.was_alone = tracks_[*parent].state() == State::moving;
     }
     Track& track = begun.emplace_back(next_++, origin, field_);
-    track.see(blob, look, sight, flicker_, now);
+    track.see(blob, look, sight, now);
 }
 
 /// Finds each of several tracks within their shared blob.

@@ -85,8 +85,7 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
     if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
-void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
-                const Moment& now) {
+void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
     if (state_ == State::merged || growth > limit.abrupt || growth < 1 / limit.abrupt) recent_.clear();
     recent_.push_back({now, patch.centre});
@@ -114,8 +113,6 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     look_.learn(look);
     state_ = State::moving;
     ++alone_;
-    flicker_sum_ += flicker.of(patch);
-    ++flicker_count_;
     record_position(now, patch.box, patch.centre, patch.area);
     take_portrait(sight, patch, now);
 }
@@ -311,7 +308,6 @@ Tracklet Track::finish(std::optional<std::size_t> into, const fields::Planes& sc
     result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
     result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
     result.moved = glm::distance(low_, high_);
-    result.flicker = flicker_sum_ / std::max(1, flicker_count_);
     result.box = box_;
     result.look = look_;
     result.stays = stays_.finish();

@@ -80,8 +80,7 @@ class Track {
     void set_near(std::optional<std::size_t> number) { near_ = number; }
 
     /// Continues the track with a blob of its own.
-    void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
-             const Moment& now);
+    void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now);
 
     /// Continues the track with its part of a shared blob.
     /// \returns whether the match is certain enough
@@ -170,10 +169,8 @@ class Track {
     glm::dvec2 low_{};  ///< low_ and high_: corners of the box around all its places
     glm::dvec2 high_{};
     int sightings_ = 0;
-    int alone_ = 0;       ///< detections with its own blob
-    int continuous_ = 0;  ///< of these, detections at the last or predicted place
-    double flicker_sum_ = 0;
-    int flicker_count_ = 0;
+    int alone_ = 0;            ///< detections with its own blob
+    int continuous_ = 0;       ///< of these, detections at the last or predicted place
     glm::dvec2 usual_size_{};  ///< running mean of the box's width and height, field pixels
     double usual_area_ = 0;
     glm::dvec2 place_{};     ///< current centre, also while it is unseen

@@ -39,7 +39,6 @@ struct Tracklet {
     double seen = 0;            ///< share of its frames in which it was seen
     double continuous = 1;      ///< share of its detections without a jump
     double moved = 0;           ///< diagonal of the box around all its places, field pixels
-    double flicker = 0;         ///< mean of `Flicker` over its life
     PixelBox box;               ///< around all its places
     Appearance look;
     std::vector<PathPoint> path;

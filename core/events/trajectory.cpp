@@ -118,7 +118,6 @@ void append(const Tracklet& later, Tracklet& whole) {
     const double all = std::max(1e-6, first_part + later_part);
     const auto mean = [&](double a, double b) { return (a * first_part + b * later_part) / all; };
     whole.seen = mean(whole.seen, later.seen);
-    whole.flicker = mean(whole.flicker, later.flicker);
     whole.continuous = mean(whole.continuous, later.continuous);
     whole.area = mean(whole.area, later.area);
     whole.length = mean(whole.length, later.length);
@@ -157,7 +156,7 @@ void begin_with_group(std::size_t k, Trajectories& trajectories) {
     for (std::size_t p = 0; p < other.path.size(); ++p) {
         if (other.path[p].at.frame >= own.begin.at.frame) break;
         before.push_back(other.path[p]);
-        if (other.areas[p] > 0 && other.areas[p] < 0.7 * own.area_of_parent) before.clear();
+        if (other.areas[p] > 0 && other.areas[p] < thresholds.most * own.area_of_parent) before.clear();
     }
     if (before.empty()) return;
     own.path.insert(own.path.begin(), before.begin(), before.end());
