@@ -149,6 +149,7 @@ Json json_of(const events::Evidence& evidence) {
             {"thickness", rounded(evidence.thickness)},
             {"alone", rounded(evidence.alone)},
             {"moved", rounded(evidence.moved)},
+            {"novelty", rounded(evidence.novelty)},
             {"flicker", rounded(evidence.flicker)},
             {"changed", rounded(evidence.changed)},
             {"carried", evidence.carried},

@@ -175,6 +175,7 @@ double confidence_of(const Evidence& evidence) {
         at_least(evidence.thickness, limit.thickness),
         at_least(evidence.alone, thresholds.bearer),
         at_most(evidence.moved, limit.moved),
+        at_least(evidence.novelty, thresholds.event.novelty),
         at_most(evidence.flicker, thresholds.pixel.flicker),
         at_most(evidence.changed, limit.changed),
         evidence.carried ? 1.0 : 0.0,

@@ -122,6 +122,10 @@ class Conclusion {
         const double least = own.from || inside ? thresholds.stationary.stay : limit.least;
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
         if (!candidate.wanted) return;
+        if (own.novelty < limit.novelty) {
+            call_change(candidate);
+            return;
+        }
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
@@ -316,11 +320,19 @@ class Conclusion {
             evidence.moved = 0;
         }
         evidence.carried = candidate.carried;
+        evidence.novelty = candidate.whole.novelty;
         evidence.confidence = confidence_of(evidence);
-        if (evidence.confidence >= 0.5) return;
+        if (evidence.confidence < 0.5) call_change(candidate);
+    }
+
+    /// Lists it as a change instead of an event.
+    void call_change(Candidate& candidate) {
         candidate.wanted = false;
         const Tracklet& own = candidate.whole;
-        found_.changes.push_back({own.begin.at, own.end.at, own.settled->patch.box, evidence});
+        const PixelBox& box = own.settled ? own.settled->patch.box : own.box;
+        Evidence evidence = own.settled ? own.settled->evidence : Evidence{};
+        evidence.novelty = own.novelty;
+        found_.changes.push_back({own.begin.at, own.end.at, box, evidence});
     }
 
     /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.

@@ -50,6 +50,7 @@ struct Evidence {
     double thickness = 0;                ///< 1 = a disk; a thing that was only shifted differs in thin slivers
     double alone = 0;                    ///< seconds in which it was in view with nobody near
     double moved = 0;                    ///< lengths that it moved by itself before it became still; a thing doesn't
+    double novelty = 0;                  ///< how its box differs in looks from the scene's; a door only moves looks
     double flicker = 0;                  ///< changes per pixel: leaves and digits change all the time
     double changed = 0;                  ///< share of the picture that differed when it appeared: a train, a lamp
     bool carried = false;                ///< somebody or something was there to bring or take it

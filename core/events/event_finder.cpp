@@ -222,6 +222,7 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
             track.see(blobs.patches[b], looks[b], sight, now);
+            track.look_for_novelty(sight, scene_, now);
             track.set_near({});
             continue;
         }
@@ -254,6 +255,7 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
     }
     Track& track = begun.emplace_back(next_++, origin, field_);
     track.see(blob, look, sight, now);
+    track.look_for_novelty(sight, scene_, now);
 }
 
 /// Finds each of several tracks within their shared blob.

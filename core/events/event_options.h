@@ -64,7 +64,7 @@ struct Thresholds {
         int sightings = 4;  ///< fields in one place, as well; a walker may be at the same place in two by chance
         double settled_part = 0.6;  ///< share of its pixels that must be steady
         double apart = 0.6;         ///< lengths; largest gap between two parts of one object, or shift of its place
-        double near_place = 0.75;   ///< lengths; an object that moved less was there from the start
+        double near_place = 0.75;   ///< widths or heights; an object that moved less was there from the start
         double undisturbed = 0.8;   ///< share of its pixels; with more visible, nobody occludes it
     } stationary;
 
@@ -87,6 +87,7 @@ struct Thresholds {
         double least = 0.8;  ///< seconds, `stationary.stay` inside the picture; shorter ones are flashes or fragments
         double own_lengths = 1.5;  ///< lengths; a moving object goes at least this far, a flag flutters in place
         double steady_way = 0.5;   ///< mean cosine between steps of its path, at least; leaves and rain turn back
+        double novelty = 0.18;     ///< Hellinger distance to the scene's looks, at least; a door or a flag has less
         double continuous = 0.75;  ///< share of its detections without a jump, at least; raindrops jump each time
     } event;
 

@@ -117,6 +117,15 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     take_portrait(sight, patch, now);
 }
 
+void Track::look_for_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
+    if (scene.grey.empty() || now.seconds < novelty_due_) return;
+    novelty_due_ = now.seconds + thresholds.claim.sampled;
+    const PixelBox box = intersection(patch_.box, {0, 0, field_.width, field_.height});
+    const Patch all{box, Plane<std::uint8_t>(box.size(), 1), box.width() * box.height(), {}};
+    const FrameView empty{sight.field, scene.grey, scene.colour};
+    novelty_ += (distance(Appearance(all, sight), Appearance(all, empty)) - novelty_) / ++novelties_;
+}
+
 void Track::move_to(const glm::dvec2& place, const Moment& now) {
     patch_ = translated(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
     place_ = place;
@@ -201,8 +210,9 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
         state_ = State::appeared;
     } else {
         // An object that never moved is a ghost, or appeared there.
-        const double moved_by = glm::distance(low_, high_);
-        const bool was_near = moved_by < stationary.near_place * std::max(usual_size_.x, usual_size_.y);
+        // Of its width or its height: a person who has moved by their width stands elsewhere.
+        const glm::dvec2 moved_by = (high_ - low_) / glm::max(usual_size_, glm::dvec2(thresholds.least_length));
+        const bool was_near = std::max(moved_by.x, moved_by.y) < stationary.near_place;
         state_ = was_near ? State::appeared : State::standing;
         if (still.frame < first_.frame) still = first_;
         // A plain surface is steady shortly before it stops.
@@ -308,6 +318,7 @@ Tracklet Track::finish(std::optional<std::size_t> into, const fields::Planes& sc
     result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
     result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
     result.moved = glm::distance(low_, high_);
+    if (novelties_ > 0) result.novelty = novelty_;
     result.box = box_;
     result.look = look_;
     result.stays = stays_.finish();

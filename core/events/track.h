@@ -82,6 +82,10 @@ class Track {
     /// Continues the track with a blob of its own.
     void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now);
 
+    /// Compares the looks of its box with those of the same box in the empty scene.
+    /// \param scene may be empty
+    void look_for_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now);
+
     /// Continues the track with its part of a shared blob.
     /// \returns whether the match is certain enough
     bool update_merged(const TemplateMatch& share, const Patch& blob, const FrameView& sight, const Moment& now);
@@ -190,6 +194,9 @@ class Track {
     Stays stays_{thresholds.stationary.stay};
     std::optional<Portrait> portrait_;
     double portrait_due_ = 0;  ///< seconds: time of the next candidate
+    double novelty_ = 0;       ///< mean of `novelties_` values
+    int novelties_ = 0;
+    double novelty_due_ = 0;  ///< seconds: time of the next value
 };
 
 }  // namespace vvr::events

@@ -13,7 +13,7 @@ namespace vvr::events {
 struct Settled {
     Patch patch;                  ///< its steady pixels
     Moment since;                 ///< when its pixels became steady
-    Evidence evidence;            ///< all terms but `carried` and `confidence`
+    Evidence evidence;            ///< all terms but `carried`, `novelty` and `confidence`
     std::optional<Patch> region;  ///< the pixels of the field in which its stay differs from the empty scene
 };
 
@@ -38,8 +38,11 @@ struct Tracklet {
     double area_of_parent = 0;  ///< of `from` before the split if that was alone, else 0; field pixels
     double seen = 0;            ///< share of its frames in which it was seen
     double continuous = 1;      ///< share of its detections without a jump
-    double moved = 0;           ///< diagonal of the box around all its places, field pixels
-    PixelBox box;               ///< around all its places
+    /// Hellinger distance between the looks of its box in the frames and in the empty scene. A person brings colours of
+    /// its own. A door, balloons or leaves only move those that are there.
+    double novelty = 1;
+    double moved = 0;  ///< diagonal of the box around all its places, field pixels
+    PixelBox box;      ///< around all its places
     Appearance look;
     std::vector<PathPoint> path;
     std::vector<int> areas;  ///< field pixels, one per point of the path

@@ -122,6 +122,7 @@ void append(const Tracklet& later, Tracklet& whole) {
     whole.area = mean(whole.area, later.area);
     whole.length = mean(whole.length, later.length);
     whole.size = glm::max(whole.size, later.size);
+    whole.novelty = std::max(whole.novelty, later.novelty);
     whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
     whole.box = bounding_box(whole.box, later.box);
     while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {

@@ -218,9 +218,13 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
             Plane<std::uint8_t> field({120, 90});
             const bool ghost = f >= from && f < to;
             if (ghost) fill(field, {60, 60, 72, 70}, 130);
+            Plane<std::uint8_t> picture = ghost ? floor : scene.grey;
             // Nothing is put down by nobody.
-            if (to < 400) fill(field, {f - to + 60, 15, f - to + 72, 55}, 100);
-            finder.add({field, ghost ? floor : scene.grey, {}}, at(f < 200 ? f : f + 1000));
+            if (to < 400) {
+                fill(field, {f - to + 60, 15, f - to + 72, 55}, 100);
+                fill(picture, {f - to + 60, 15, f - to + 72, 55}, 30);
+            }
+            finder.add({field, picture, {}}, at(f < 200 ? f : f + 1000));
         }
         return finder.finish().events;
     };
