@@ -12,6 +12,7 @@
 
 #include "cli/app/compose.h"
 #include "core/base/text.h"
+#include "core/events/colouring.h"
 #include "core/fields/field.h"
 #include "core/glance/portraits.h"
 #include "core/glance/scene_map.h"
@@ -240,10 +241,12 @@ class Annotator {
                             (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
         const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
                                              varies ? ", with room where something moves" : "");
+        // More objects than colours share them.
+        const bool shares_colours = composed_.objects.events.size() > std::size_t{events::object_colours};
         const std::array<std::string, 3> texts{
-            time +
-                ". Each cut through it is the camera's view at that moment. A number and its colour are the same "
-                "object everywhere.",
+            time + ". Each cut through it is the camera's view at that moment. " +
+                (shares_colours ? "A number is the same object everywhere; colours repeat."
+                                : "A number and its colour are the same object everywhere."),
             time + "; each cut through it is the view at that moment.", time + "."};
         labels::add_first_that_fits(texts, sheet_.small, sheet_.explanation.left,
                                     sheet_.explanation.bottom - sheet_.small / 2,

@@ -100,7 +100,9 @@ std::vector<std::string> activities(const events::Event& event) {
     if (row.activity.empty() || (has_duration && event.stays.empty())) return direction_texts(event);
     const std::string duration =
         has_duration ? labels::format_duration(events::stationary_seconds(event)) : std::string();
-    return {fmt::format(fmt::runtime(row.activity), duration), std::string(row.activity_short)};
+    const std::string text = fmt::format(fmt::runtime(row.activity), duration);
+    const bool is_sum = has_duration && event.stays.size() > 1;
+    return {is_sum ? text + " in all" : text, std::string(row.activity_short)};
 }
 
 }  // namespace

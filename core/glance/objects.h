@@ -41,9 +41,9 @@ const events::Stay* longest_stay(const events::Event& event);
 /// The object's position on its path at a time of the clip in seconds, interpolated, in field pixels.
 glm::dvec2 position_at(const events::Event& event, double seconds);
 
-/// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s" (the sum of
-/// its stays), "left behind". The table of event kinds has the words. With what it is, if that is known:
-/// "person · stood 14 s".
+/// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s" ("in all" if
+/// it is the sum of several stays), "left behind". The table of event kinds has the words. With what it is, if that is
+/// known: "person · stood 14 s".
 std::vector<std::string> activity_texts(const events::Event& event);
 
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.

@@ -63,7 +63,7 @@ TEST(Words, SayWhatItDidAndWhen) {
     events::Event event = event_of(events::EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(glance::activity_texts(event).front(), "stood 15 s") << "in all its stays";
+    EXPECT_EQ(glance::activity_texts(event).front(), "stood 15 s in all");
     EXPECT_EQ(glance::time_texts(event, {}).front(), "0:06–0:28");
     EXPECT_EQ(glance::time_texts(event, 1'795'248'017).front(), "08:00:23–08:00:45");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
