@@ -61,7 +61,7 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 /// After the last frame: links the tracks of each object and computes its events.
 void conclude(const Plan& plan, ObservationBuilder& builder) {
     Observation& seen = builder.seen;
-    seen.findings = builder.finder->finish();
+    builder.set_findings(builder.finder->finish());
     take_stills_from_scene(seen.findings.events, seen.scene, seen.crops);
     builder.identify();
     const std::vector<events::Event> events =
@@ -159,6 +159,11 @@ ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions r
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
                                                                   .labels = plan.colours_objects()});
     if (plan.finds_objects && plan.detector) identifier_.emplace(*plan.detector, plan.job.fields.threads);
+}
+
+void ObservationBuilder::set_findings(events::Findings findings) {
+    seen.findings = std::move(findings);
+    for (const PixelBox& overlay : seen.findings.overlays) seen.volume.clear(overlay);
 }
 
 void ObservationBuilder::identify() {

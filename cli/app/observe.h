@@ -81,6 +81,9 @@ class ObservationBuilder {
     /// \returns the objects of its pixels
     const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field, bool moves = true);
 
+    /// Takes what was found, and removes the camera's clock from the volume.
+    void set_findings(events::Findings findings);
+
     /// Lets the detector look at the events that were found, if there is one.
     void identify();
 

@@ -38,7 +38,7 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
     if (plan_.products.events) {
-        seen_.findings = builder_.finder->finish();
+        builder_.set_findings(builder_.finder->finish());
         builder_.identify();
         const std::vector<events::Event> events =
             events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
@@ -109,7 +109,7 @@ void Window::look_at_events() {
     constexpr double link_seconds = 60;  // a person who returns within this time may be the same object
     if (!plan_.products.events) builder_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
     events::EventFinder until_now = *builder_.finder;
-    seen_.findings = until_now.finish();
+    builder_.set_findings(until_now.finish());
     builder_.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);

@@ -15,6 +15,7 @@
 #include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/events/overlay.h"
 #include "core/fields/field_source.h"
 #include "core/fields/flow.h"
 #include "core/store/extraction.h"
@@ -78,6 +79,11 @@ void extract(ExtractJob job, app::Observer& observer) {
     if (!day_times.empty()) observer.info(day_times);
     choose_part(job, clip->info());
     app::check_has_end(clip->info(), observer);
+    if (job.fields.filter->traits.object) job.fields.overlays = events::find_clocks(*clip);
+    for (const PixelBox& box : job.fields.overlays) {
+        observer.info(fmt::format("the fields leave out the camera's clock, {}x{} at {},{} of the field", box.width(),
+                                  box.height(), box.left, box.top));
+    }
     const std::int64_t expected = video::expected_frames(clip->info(), job.fields.span);
     const std::int64_t flow_every = fields::has_flow(job.fields.flow) ? job.fields.flow.every : 0;
     std::optional<store::DataFolder> folder;

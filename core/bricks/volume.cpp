@@ -152,6 +152,18 @@ void Volume::remove_track(std::size_t track) {
     }
 }
 
+void Volume::clear(const PixelBox& box) {
+    for (Layer& layer : layers_) {
+        for (int j = box.top; j < box.bottom; ++j) {
+            for (int i = box.left; i < box.right; ++i) {
+                if (layer.scalar.at(i, j) == 0) continue;
+                layer.scalar.set(i, j, 0);
+                if (!layer.owner.empty()) layer.owner.set(i, j, 0);
+            }
+        }
+    }
+}
+
 void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
                           double last) {
     const std::uint16_t number = owners_.number_of(track);

@@ -99,6 +99,9 @@ class Volume {
     /// Removes all voxels of a track from a volume that keeps owners.
     void remove_track(std::size_t track);
 
+    /// Removes all voxels of a box, field pixels: the camera's clock.
+    void clear(const PixelBox& box);
+
     /// Adds the same pixels of a track to each layer from `first` to `last`, in a volume that keeps owners. Stronger
     /// values are kept.
     /// \param box position of the values, field pixels

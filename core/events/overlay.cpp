@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <numbers>
 
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
 #include "core/events/event_options.h"
+#include "core/video/scaler.h"
 
 namespace vvr::events {
 
@@ -134,6 +136,21 @@ void ClockFinder::keep(const PixelBox& box) {
     } else {
         *known = bounding_box(*known, box);
     }
+}
+
+std::vector<PixelBox> find_clocks(video::FrameSource& clip) {
+    const video::VideoInfo& info = clip.info();
+    if (info.duration <= 0 && info.frames <= 0) return {};
+    ClockFinder finder;
+    video::Scaler scale(clip);
+    clip.rewind();
+    while (const std::unique_ptr<video::DecodedFrame> decoded = clip.next()) {
+        if (decoded->pts > thresholds.memory) break;
+        finder.add(scale(*decoded).grey, {decoded->index, decoded->pts});
+    }
+    finder.finish();
+    clip.rewind();
+    return finder.found();
 }
 
 }  // namespace vvr::events

@@ -6,6 +6,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
+#include "core/video/frame_source.h"
 
 namespace vvr::events {
 
@@ -45,5 +46,9 @@ class ClockFinder {
     double next_look_ = 0;  ///< seconds
     std::vector<PixelBox> found_;
 };
+
+/// The clocks in the first minute of a clip, in pixels of its field. Leaves the clip at its first frame. Finds none in
+/// a live stream, which can't be read twice.
+std::vector<PixelBox> find_clocks(video::FrameSource& clip);
 
 }  // namespace vvr::events

@@ -80,6 +80,7 @@ struct FieldOptions {
     Choice<StabilizerRow> stabilize = "auto";         ///< what to do when the camera shakes
     std::string roi{};                                ///< polygons or a picture of where to look; empty = everywhere
     std::string mask{};                               ///< polygons or a picture of what to ignore; empty = nothing
+    std::vector<PixelBox> overlays{};                 ///< the camera's clocks, field pixels; ignored like the mask
     FlowOptions flow{};
     SeedOptions seeds{};
     video::FrameSpan span{};  ///< frames outside serve as neighbours only

@@ -178,13 +178,19 @@ void validate_region(std::string_view setting, const std::string& text) {
 }
 
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {
-    if (options.roi.empty() && options.mask.empty()) return {};
+    if (options.roi.empty() && options.mask.empty() && options.overlays.empty()) return {};
     Plane<std::uint8_t> region =
         options.roi.empty() ? Plane<std::uint8_t>(field, 255) : area(setting::roi.name, options.roi, field, video);
     if (!options.mask.empty()) {
         const Plane<std::uint8_t> mask = area(setting::mask.name, options.mask, field, video);
         for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
             if (mask.pixels()[i] != 0) region.pixels()[i] = 0;
+        }
+    }
+    for (const PixelBox& overlay : options.overlays) {
+        const PixelBox box = intersection(overlay, {0, 0, field.width, field.height});
+        for (int j = box.top; j < box.bottom; ++j) {
+            std::ranges::fill(region.row(j).subspan(box.left, box.width()), std::uint8_t{0});
         }
     }
     return region;

@@ -9,12 +9,13 @@
 
 namespace vvr::fields {
 
-/// The region of interest, in the field's size: 255 inside `options.roi` and outside `options.mask`, 0 elsewhere. Empty
-/// if nothing is ignored.
+/// The region of interest, in the field's size: 255 inside `options.roi` and outside `options.mask` and
+/// `options.overlays`, 0 elsewhere. Empty if nothing is ignored.
 ///
-/// Each option is one of three. Polygons, `x,y x,y x,y` with `;` between polygons, in pixels of the displayed video
-/// from its top left corner; they may cross its edges. A text file (`.txt`), one polygon per line, in which `#` begins
-/// a comment. A picture, scaled to the field's size, of which grey levels from 128 on belong to the area.
+/// The region and the mask are one of three each. Polygons, `x,y x,y x,y` with `;` between polygons, in pixels of the
+/// displayed video from its top left corner; they may cross its edges. A text file (`.txt`), one polygon per line, in
+/// which `#` begins a comment. A picture, scaled to the field's size, of which grey levels from 128 on belong to the
+/// area.
 ///
 /// \throws Error usage for invalid polygons, io or not_video for a file that can't be read
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video);

@@ -36,6 +36,16 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
     check(not t.path("none").exists(), "a folder was made")
 
 
+def test_the_cameras_clock_is_in_no_field(t):
+    t.scene("clock", "clock.y4m", "--size", "192x144", "--frames", "750")
+    t.vvr("extract", "clock.y4m", "-o", "data", "--flow", "none").expect(0, "clock")
+    fields = {picture.read_bytes() for picture in t.path("data/scalar").iterdir()}
+    check(len(fields) == 1, f"{len(fields)} fields differ: they have digits")
+    t.render("clock.y4m", "--report", "report.json").expect(0, "nothing moves")
+    overlays = json.loads(t.path("report.json").read_text())["overlays"]
+    check(len(overlays) == 1 and overlays[0]["box"]["y"] < 15, str(overlays))
+
+
 def test_extract_writes_the_data_files(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "4").expect(0, "'data': 40 frames of 96x64")
     told = manifest(t, "data")

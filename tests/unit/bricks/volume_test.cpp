@@ -45,6 +45,19 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     EXPECT_EQ(bright, 1);
 }
 
+TEST(Volume, ClearsABoxInAllLayers) {
+    bricks::Volume volume({4, 4}, {.capacity = 8, .keep_owners = true});
+    const fields::LabelRun row{1, 0, 4, 7};
+    for (int i = 0; i < 5; ++i) volume.add(frame(i, {4, 4}, 200), {}, std::span(&row, 1));
+    volume.clear({1, 1, 3, 2});
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        EXPECT_EQ(volume.layer(i).scalar.count(), 16 - 2) << i;
+        EXPECT_EQ(volume.layer(i).scalar.at(2, 1), 0) << i;
+        EXPECT_EQ(volume.layer(i).owner.at(2, 1), 0) << i;
+        EXPECT_EQ(volume.track_of(volume.layer(i).owner.at(3, 1)), 7U) << i;
+    }
+}
+
 TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
     // Covered from frame 5 to frame 10.
     bricks::Volume volume({1, 1}, {.capacity = 100, .step = 4, .values = fields::Values::band});
