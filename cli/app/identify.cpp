@@ -98,7 +98,23 @@ events::Look Identifier::look_at(const glance::Crop& crop) {
     const auto all = detector_->detect(detector::view_of(shown.picture), static_cast<float>(limit.score));
     const std::optional<detector::Detection> found = detection_of(shown.object, all);
     if (!found) return {};
-    return {&detector::object_classes()[static_cast<std::size_t>(found->class_id)], found->score};
+    return {&detector::object_classes()[static_cast<std::size_t>(found->class_id)], found->score, crop.at(),
+            shown.in_field(found->box)};
+}
+
+std::vector<PixelBox> Identifier::living_in(const video::Frame& frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    const OpenCvThreads threads(threads_);
+    ++use_.frames;
+    std::vector<PixelBox> boxes;
+    const Plane<Bgr> picture = video::picture_of(frame);
+    for (const detector::Detection& one :
+         detector_->detect(detector::view_of(picture), static_cast<float>(limit.score))) {
+        const detector::ObjectClass& what = detector::object_classes()[static_cast<std::size_t>(one.class_id)];
+        if (detector::lives_or_drives(what.group)) boxes.push_back(one.box);
+    }
+    use_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return boxes;
 }
 
 }  // namespace vvr::app

@@ -12,6 +12,7 @@
 #include "core/events/event.h"
 #include "core/events/identify.h"
 #include "core/glance/crops.h"
+#include "core/video/frame.h"
 
 // The object detector looks at the events of a clip.
 namespace vvr::app {
@@ -25,6 +26,7 @@ struct DetectorUse {
     std::string_view format;  ///< of its model
     std::int64_t events = 0;  ///< that it looked at
     std::int64_t looks = 0;   ///< pictures of them
+    std::int64_t frames = 0;  ///< whole frames, for the empty scene
     double seconds = 0;       ///< for all looks
 };
 
@@ -41,6 +43,9 @@ class Identifier {
     /// Sets the identities of the most important events, and refutes claims.
     /// \returns the use so far
     const DetectorUse& identify(events::Findings& found, const glance::Crops& crops);
+
+    /// The people, vehicles and animals in a frame, field pixels.
+    std::vector<PixelBox> living_in(const video::Frame& frame);
 
   private:
     /// What the detector found in a track's picture.

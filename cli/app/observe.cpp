@@ -79,6 +79,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     fields::FieldNeeds needs = needs_of(plan, source, expected > 0 ? expected : step * capacity);
     ObservationBuilder builder(plan, {.capacity = capacity, .step = step}, needs);
     needs.scene = builder.scene_sink();
+    needs.find_living = builder.living_finder();
     fields::MotionDetector motion;
     Observation& seen = builder.seen;
     const int keyframes = plan.job.look.keyframes;
@@ -174,6 +175,11 @@ fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
         if (finder) finder->set_scene(scene);
     };
+}
+
+fields::LivingFinder ObservationBuilder::living_finder() {
+    if (!identifier_) return {};
+    return [this](const video::Frame& frame) { return identifier_->living_in(frame); };
 }
 
 const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field,

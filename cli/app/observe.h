@@ -90,6 +90,10 @@ class ObservationBuilder {
     /// Gives the empty scene to the search for events. It refers to this object.
     fields::SceneSink scene_sink();
 
+    /// Finds people, vehicles and animals in whole frames, so that the empty scene is without them. Empty without a
+    /// detector. It refers to this object.
+    fields::LivingFinder living_finder();
+
     Observation seen;
     std::optional<events::EventFinder> finder;  ///< none = objects are not tracked
 

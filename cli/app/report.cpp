@@ -204,7 +204,11 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
 }
 
 Json json_of(const DetectorUse& use) {
-    return {{"format", use.format}, {"events", use.events}, {"looks", use.looks}, {"seconds", rounded(use.seconds)}};
+    return {{"format", use.format},
+            {"events", use.events},
+            {"looks", use.looks},
+            {"frames", use.frames},
+            {"seconds", rounded(use.seconds)}};
 }
 
 Json json_of(const labels::Label& label) {

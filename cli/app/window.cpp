@@ -18,6 +18,7 @@ Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink ful
       full_(std::move(full)) {
     seen_.info = source.info();
     needs_.scene = builder_.scene_sink();
+    needs_.find_living = builder_.living_finder();
     if (plan.colours_objects()) seen_.identify = objects_.identify();
 }
 

@@ -27,4 +27,9 @@ const ObjectClass* find_class(std::string_view name);
 
 std::string_view name_of(Group group);
 
+/// Whether it moves by itself: nobody leaves or takes it.
+constexpr bool lives_or_drives(Group group) {
+    return group == Group::person || group == Group::vehicle || group == Group::animal;
+}
+
 }  // namespace vvr::detector

@@ -308,14 +308,14 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
 }
 
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
-                            const SceneSink& scene_sink) {
+                            const SceneSink& scene_sink, const LivingFinder& find_living) {
     validate(options);
     EmptyScene scene{.reference = {},
                      .region = make_region(options, source.field_size(), source.info().size),
                      .frames = source.info().frames};
     const SingleThreadedOpenCv one_thread;
     if (needs_reference(options)) {
-        on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
+        on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options, find_living); });
         if (scene_sink) scene_sink(scene.reference);
     }
     FieldStages work(scene, options);
@@ -348,7 +348,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     options.full_size = needs.full_size;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
     if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
-    return compute_fields(*clip_, options, sink, needs.scene);
+    return compute_fields(*clip_, options, sink, needs.scene, needs.find_living);
 }
 
 }  // namespace vvr::fields

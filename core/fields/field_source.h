@@ -35,7 +35,7 @@ struct FieldSummary {
 ///
 /// \throws Error usage for invalid options, not_video if no frame decodes; and whatever `sink` throws
 FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
-                            const SceneSink& scene_sink = {});
+                            const SceneSink& scene_sink = {}, const LivingFinder& find_living = {});
 
 /// A frame, and the decoded picture to which it refers, if that is kept.
 struct ReadFrame {
@@ -66,6 +66,7 @@ struct FieldNeeds {
     bool full_size = false;            ///< decoded pictures in full size, for `video::crop_of` in the sink
     std::int64_t every = 1;            ///< seeds and flow at frames whose number is a multiple of this
     SceneSink scene{};                 ///< who wants the empty scene
+    LivingFinder find_living{};        ///< keeps whoever it finds out of the empty scene
 };
 
 /// The source of a clip's fields: computed from its frames, or read from data files (yellow boxes of Fig. 3).

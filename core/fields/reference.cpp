@@ -98,6 +98,17 @@ std::uint8_t median_of(std::vector<std::uint8_t>& scratch, const std::vector<con
     return *half;
 }
 
+/// Sets a pixel of the scene to its median in some frames.
+void set_median(Planes& scene, std::size_t i, const std::vector<const video::Frame*>& frames,
+                std::vector<std::uint8_t>& scratch) {
+    scene.grey.pixels()[i] = median_of(scratch, frames, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
+    if (scene.colour.empty()) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+        scene.colour.pixels()[i][c] =
+            median_of(scratch, frames, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
+    }
+}
+
 template <class Pixel>
 class FirstLasting {
   public:
@@ -144,14 +155,7 @@ void correct(Planes& reference, std::span<const video::Frame> frames, Plane<Pixe
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (lasting.is_stable(i, medians.pixels()[i])) continue;
             lasting.find(i, shown);
-            if (shown.empty()) continue;
-            reference.grey.pixels()[i] =
-                median_of(scratch, shown, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
-            if (reference.colour.empty()) continue;
-            for (std::size_t c = 0; c < 3; ++c) {
-                reference.colour.pixels()[i][c] =
-                    median_of(scratch, shown, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
-            }
+            if (!shown.empty()) set_median(reference, i, shown, scratch);
         }
     });
 }
@@ -167,6 +171,50 @@ Planes lasting_reference(std::span<const video::Frame> frames) {
         correct(reference, frames, &video::Frame::colour, medians.colour);
     }
     return reference;
+}
+
+namespace {
+
+/// Whether most of the frames show a pixel as it is in the scene.
+bool show(const std::vector<const video::Frame*>& frames, const Planes& scene, std::size_t i) {
+    const auto count = std::ranges::count_if(frames, [&](const video::Frame* frame) {
+        if (scene.colour.empty()) return similar(scene.grey.pixels()[i], frame->grey.pixels()[i]);
+        return similar(scene.colour.pixels()[i], frame->colour.pixels()[i]);
+    });
+    return 2 * count > std::ssize(frames);
+}
+
+}  // namespace
+
+void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene) {
+    constexpr std::size_t looks = 8;
+    constexpr std::size_t fewest = 2;  // what a single frame shows may be a shadow or a reflection
+    const std::size_t step = std::max<std::size_t>(1, frames.size() / looks);
+    std::vector<const video::Frame*> seen;
+    std::vector<Plane<std::uint8_t>> hides;
+    for (std::size_t k = 0; k < frames.size(); k += step) {
+        const std::vector<PixelBox> boxes = find_living(frames[k]);
+        if (k == 0 && boxes.empty()) return;
+        seen.push_back(&frames[k]);
+        Plane<std::uint8_t>& plane = hides.emplace_back(scene.grey.size());
+        for (const PixelBox& living : boxes) {
+            const PixelBox box = intersection(living, {0, 0, plane.width(), plane.height()});
+            for (int j = box.top; j < box.bottom; ++j) {
+                for (int i = box.left; i < box.right; ++i) plane.at(i, j) = 1;
+            }
+        }
+    }
+    std::vector<const video::Frame*> behind;
+    std::vector<const video::Frame*> before;
+    std::vector<std::uint8_t> scratch;
+    for (std::size_t i = 0; i < scene.grey.pixels().size(); ++i) {
+        behind.clear();
+        before.clear();
+        for (std::size_t k = 0; k < seen.size(); ++k) (hides[k].pixels()[i] != 0 ? before : behind).push_back(seen[k]);
+        // The scene shows somebody where it looks like most frames with somebody there, and unlike the others.
+        if (behind.size() < fewest || !show(before, scene, i) || show(behind, scene, i)) continue;
+        set_median(scene, i, behind, scratch);
+    }
 }
 
 namespace {
@@ -279,7 +327,8 @@ constexpr std::array rows{
                  lasting_reference, false, true},
 };
 
-Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
+Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
+                const LivingFinder& find_living) {
     std::vector<video::Frame> frames = relit_like_first(row.sample(clip), *options.illumination);
     Reference reference;
     // A filter that shows the video itself or its motion must show the camera's motion too.
@@ -289,6 +338,7 @@ Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOp
     if (reference.shakes) align(frames);
     static_cast<Planes&>(reference) = row.scene(frames);
     if (frames.empty()) return reference;
+    if (find_living) look_behind(frames, find_living, reference);
     reference.noise = noise_of(frames, smoothed(reference.grey, reference.colour, options.smooth), options.smooth);
     return reference;
 }
@@ -315,8 +365,8 @@ ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row
     }
 }
 
-Reference make_reference(video::FrameSource& clip, const FieldOptions& options) {
-    if (const ReferenceRow* const row = options.reference.row()) return learn(clip, *row, options);
+Reference make_reference(video::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living) {
+    if (const ReferenceRow* const row = options.reference.row()) return learn(clip, *row, options, find_living);
     const std::string& picture_file = options.reference.name();
     video::SourceOptions like_clip;
     like_clip.field_size = clip.field_size();

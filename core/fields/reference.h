@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,11 +48,20 @@ struct ReferenceRow {
 /// "median", "first", "running".
 std::span<const ReferenceRow> reference_kinds();
 
+/// The boxes of people, vehicles and animals in a frame, field pixels.
+using LivingFinder = std::function<std::vector<PixelBox>(const video::Frame&)>;
+
+/// Replaces people, vehicles and animals in the empty scene by what is behind them. Looks at the first frame, and only
+/// if somebody is in it, at about seven more. Whoever is at a place in nearly all of them stays in the scene.
+/// \param frames from which `scene` was made, in order of time
+void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene);
+
 /// Makes the empty scene of a clip, by a row of the table or from a picture file (scaled to the field's size). Changes
 /// of light are compensated if the options say so; frames of a shaking camera are aligned. Leaves the clip at its first
 /// frame.
+/// \param find_living may be empty; then whoever stands there for long may be in the scene
 /// \throws Error io or not_video for a picture that can't be read
-Reference make_reference(video::FrameSource& clip, const FieldOptions& options);
+Reference make_reference(video::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living = {});
 
 /// The median of each pixel and channel over frames: the upper of the two middle values for an even number. All frames
 /// must have the same size; without frames the result is empty.

@@ -47,11 +47,16 @@ PixelBox still_box(const PixelBox& object, Size frame) {
     return square_around(object, around_still, frame);
 }
 
+PixelBox ObjectPicture::in_field(const PixelBox& box) const {
+    return scaled(box, 1 / scale).translated(origin.x, origin.y);
+}
+
 Crop::Crop(const events::Portrait& portrait, const video::Frame& frame) : at_(portrait.at), score_(portrait.score) {
     const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
     const PixelBox wide = square_around(portrait.box, around_wide, size);
     raw_ = video::crop_of(frame, wide, longest_side);
     scale_ = static_cast<double>(raw_.width()) / wide.width();
+    origin_ = {wide.left, wide.top};
     object_ = portrait.box.translated(-wide.left, -wide.top);
     still_ = still_box(portrait.box, size).translated(-wide.left, -wide.top);
 }
@@ -64,7 +69,7 @@ void Crop::compress() {
 
 ObjectPicture Crop::surroundings() const {
     // A still does not depend on how many objects there were beside it.
-    return {image::decompress(is_raw() ? image::compress(raw_) : jpeg_), scaled(object_, scale_), scale_};
+    return {image::decompress(is_raw() ? image::compress(raw_) : jpeg_), scaled(object_, scale_), scale_, origin_};
 }
 
 ObjectPicture Crop::still() const {
@@ -72,7 +77,8 @@ ObjectPicture Crop::still() const {
     PixelBox box = scaled(still_, scale_);
     const int side = std::min({box.width(), wide.picture.width() - box.left, wide.picture.height() - box.top});
     box = {box.left, box.top, box.left + side, box.top + side};
-    return {part_of(wide.picture, box), wide.object.translated(-box.left, -box.top), scale_};
+    return {part_of(wide.picture, box), wide.object.translated(-box.left, -box.top), scale_,
+            origin_ + glm::ivec2(still_.left, still_.top)};
 }
 
 void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "core/base/plane.h"
 #include "core/events/event.h"
 #include "core/video/frame.h"
@@ -16,8 +18,12 @@ namespace vvr::glance {
 /// A square picture of an object and its surroundings.
 struct ObjectPicture {
     Plane<Bgr> picture;
-    PixelBox object;   ///< bounding box within `picture`
-    double scale = 1;  ///< pixels of `picture` per field pixel
+    PixelBox object;      ///< bounding box within `picture`
+    double scale = 1;     ///< pixels of `picture` per field pixel
+    glm::ivec2 origin{};  ///< field pixel at the top left of `picture`
+
+    /// A box within `picture` in field pixels.
+    PixelBox in_field(const PixelBox& box) const;
 };
 
 /// A crop of a frame around an object. Most are replaced by a better one soon, so they are compressed late; whoever
@@ -52,6 +58,7 @@ class Crop {
     Plane<Bgr> raw_;               ///< of the surroundings; empty once compressed
     std::vector<std::byte> jpeg_;  ///< likewise; empty before
     double scale_ = 1;             ///< pixels per field pixel
+    glm::ivec2 origin_{};          ///< of the surroundings, field pixels
     PixelBox object_;              ///< within the surroundings, in field pixels
     PixelBox still_;               ///< likewise
 };

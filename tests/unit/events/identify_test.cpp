@@ -81,5 +81,47 @@ TEST(Claims, OfAPersonInTheEmptySceneAreOfWhoStoodThere) {
     EXPECT_EQ(event.path.size(), 2U);
 }
 
+/// Somebody, of whom a part is an event of its own: `apart` field pixels beside, unless it is seen in the same box.
+Findings in_two_parts(double apart, EventKind kind = EventKind::moved) {
+    Findings found;
+    found.events = {event_of(EventKind::moved, 0, 9), event_of(kind, 2, 8), event_of(EventKind::moved, 8, 9)};
+    for (Event& event : found.events) {
+        const double off = &event == &found.events[1] ? apart : 0;
+        event.path = {{event.first, {15 + off, 30}}, {event.last, {15 + off, 30}}};
+    }
+    found.events[0].tracks = {7};
+    found.events[1].tracks = {8, 9};
+    found.events[2].from = 1;
+    return found;
+}
+
+std::vector<std::vector<Look>> looks_at_both(double apart) {
+    const int off = static_cast<int>(apart);
+    const Moment then{50, 5};
+    return {{{detector::find_class("person"), 0.8, then, {10, 20, 20, 40}}},
+            {{detector::find_class("person"), 0.7, then, {10 + off, 20, 20 + off, 40}}},
+            {}};
+}
+
+TEST(Parts, ThatTheDetectorSeesInOneBoxAreOneObject) {
+    Findings found = in_two_parts(3);
+    identify(found, looks_at_both(3));
+    ASSERT_EQ(found.events.size(), 2U);
+    EXPECT_EQ(found.events[0].tracks, (std::vector<std::size_t>{7, 8, 9}));
+    EXPECT_EQ(found.events[1].from, 0U) << "what came out of the part came out of the whole";
+}
+
+TEST(Parts, OfTwoPeopleStayTwo) {
+    Findings found = in_two_parts(12);
+    identify(found, looks_at_both(12));
+    EXPECT_EQ(found.events.size(), 3U);
+}
+
+TEST(Parts, AreNeverThings) {
+    Findings found = in_two_parts(3, EventKind::left);
+    identify(found, std::vector<std::vector<Look>>{looks_at_both(3)[0], {}, {}});
+    EXPECT_EQ(found.events.size(), 3U);
+}
+
 }  // namespace
 }  // namespace vvr::events

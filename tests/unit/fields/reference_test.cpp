@@ -23,6 +23,35 @@ TEST(Reference, MedianForgetsWhoPassedBy) {
     EXPECT_TRUE(reference.colour.empty());
 }
 
+TEST(Reference, IsWithoutWhoStoodThereForMostOfTheClip) {
+    const PixelBox person{4, 2, 8, 7};
+    const PixelBox box{12, 4, 15, 7};  // a box is no living thing
+    std::vector<video::Frame> frames;
+    for (int f = 0; f < 24; ++f) {
+        video::Frame& frame = frames.emplace_back(test::flat_frame({20, 8}, f, 90));
+        const auto draw = [&](const PixelBox& where, std::uint8_t level) {
+            for (int j = where.top; j < where.bottom; ++j) {
+                for (int i = where.left; i < where.right; ++i) frame.grey.at(i, j) = level;
+            }
+        };
+        if (f < 16) draw(person, 200);
+        if (f >= 12) draw(box, 10);
+    }
+    fields::Planes scene = fields::lasting_reference(frames);
+    EXPECT_EQ(scene.grey.at(5, 4), 200);
+    int looks = 0;
+    const auto find = [&](const video::Frame& frame) {
+        ++looks;
+        return frame.grey.at(5, 4) == 200 ? std::vector{person} : std::vector<PixelBox>();
+    };
+    fields::look_behind(frames, find, scene);
+    EXPECT_TRUE(std::ranges::all_of(scene.grey.pixels(), [](auto level) { return level == 90; }));
+    EXPECT_EQ(looks, 8);
+    looks = 0;
+    fields::look_behind(std::span(frames).subspan(16), find, scene);
+    EXPECT_EQ(looks, 1) << "nobody is in the first frame";
+}
+
 TEST(Reference, MedianIsTheMiddleValue) {
     std::vector<video::Frame> frames;
     for (int level : {200, 3, 77, 255, 0}) {
