@@ -81,13 +81,16 @@ std::vector<events::Look> Identifier::looks_at(const events::Event& event, const
                                                Answers& current) {
     // The frames do not show what only the empty scene has.
     const bool only_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
+    const bool is_claim = row_of(event.kind).is_thing;
     std::vector<events::Look> looks;
     for (const auto& [track, crop] : crops.all(event)) {
         if (std::ssize(looks) == limit.looks || (only_scene && crop->score() != glance::score_of_scene)) break;
-        const auto known = answers_.find(track);
-        const bool is_same = known != answers_.end() && known->second.score == crop->score();
-        looks.push_back(is_same ? known->second.look : look_at(*crop));
-        current[track] = {crop->score(), looks.back()};
+        // One answer is enough, except to refute a claim; without one, another moment may give it.
+        if (!is_claim && !looks.empty() && looks.back().what != nullptr) break;
+        const std::pair key(track, crop->score());
+        const auto known = answers_.find(key);
+        looks.push_back(known != answers_.end() ? known->second : look_at(*crop));
+        current[key] = looks.back();
     }
     return looks;
 }

@@ -48,12 +48,8 @@ class Identifier {
     std::vector<PixelBox> living_in(const video::Frame& frame);
 
   private:
-    /// What the detector found in a track's picture.
-    struct Answer {
-        double score = 0;  ///< of the picture, which a better one may replace
-        events::Look look;
-    };
-    using Answers = std::map<std::size_t, Answer>;  // by track
+    /// What the detector found in a picture, by track and score of the picture.
+    using Answers = std::map<std::pair<std::size_t, double>, events::Look>;
 
     std::vector<events::Look> looks_at(const events::Event& event, const glance::Crops& crops, Answers& current);
     events::Look look_at(const glance::Crop& crop);

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/events/event_options.h"
 #include "core/fields/motion.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
@@ -159,7 +160,10 @@ ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions r
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
                                                                   .labels = plan.colours_objects()});
-    if (plan.finds_objects && plan.detector) identifier_.emplace(*plan.detector, plan.job.fields.threads);
+    if (plan.finds_objects && plan.detector) {
+        identifier_.emplace(*plan.detector, plan.job.fields.threads);
+        seen.crops = glance::Crops(events::thresholds.detector.looks);
+    }
 }
 
 void ObservationBuilder::set_findings(events::Findings findings) {

@@ -83,8 +83,8 @@ ObjectPicture Crop::still() const {
 
 void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {
     if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
-    if (const auto earlier = crops_.find(track); earlier != crops_.end()) remove(earlier);
-    const Crop& crop = crops_.emplace(track, Crop(portrait, frame)).first->second;
+    make_room(track);
+    const Crop& crop = crops_.emplace(Key(track, 0), Crop(portrait, frame)).first->second;
     bytes_ += crop.bytes();
     raw_bytes_ += crop.bytes();
     while (raw_bytes_ > max_raw_bytes) compress_oldest();
@@ -93,7 +93,27 @@ void Crops::keep(std::size_t track, const events::Portrait& portrait, const vide
     }
 }
 
-void Crops::remove(std::map<std::size_t, Crop>::iterator place) {
+/// Removes a track's best crop, or makes it one of an earlier moment.
+void Crops::make_room(std::size_t track) {
+    constexpr double apart = 1;  // seconds; what was hidden a moment ago still is
+    const auto best = crops_.find({track, 0});
+    if (best == crops_.end()) return;
+    const auto earlier = crops_.find({track, 1});
+    const bool is_far = earlier == crops_.end() || best->second.at().seconds - earlier->second.at().seconds >= apart;
+    if (per_track_ == 1 || !is_far) {
+        remove(best);
+        return;
+    }
+    if (const auto last = crops_.find({track, per_track_ - 1}); last != crops_.end()) remove(last);
+    for (int place = per_track_ - 2; place >= 0; --place) {
+        auto moved = crops_.extract({track, place});
+        if (moved.empty()) continue;
+        moved.key().second = place + 1;
+        crops_.insert(std::move(moved));
+    }
+}
+
+void Crops::remove(std::map<Key, Crop>::iterator place) {
     bytes_ -= place->second.bytes();
     if (place->second.is_raw()) raw_bytes_ -= place->second.bytes();
     crops_.erase(place);
@@ -102,7 +122,7 @@ void Crops::remove(std::map<std::size_t, Crop>::iterator place) {
 /// Compresses the raw crop that has not been replaced for longest.
 void Crops::compress_oldest() {
     Crop* oldest = nullptr;
-    for (auto& [track, crop] : crops_) {
+    for (auto& [key, crop] : crops_) {
         if (crop.is_raw() && (oldest == nullptr || crop.at().frame < oldest->at().frame)) oldest = &crop;
     }
     if (oldest == nullptr) return;
@@ -115,7 +135,7 @@ void Crops::compress_oldest() {
 const Crop* Crops::find(const events::Event& event) const {
     const Crop* best = nullptr;
     for (const std::size_t track : event.tracks) {
-        const auto found = crops_.find(track);
+        const auto found = crops_.find({track, 0});
         if (found == crops_.end()) continue;
         const Crop& crop = found->second;
         if (event.portrait && crop.at().frame == event.portrait->at.frame) return &crop;
@@ -126,10 +146,16 @@ const Crop* Crops::find(const events::Event& event) const {
 
 std::vector<std::pair<std::size_t, const Crop*>> Crops::all(const events::Event& event) const {
     std::vector<std::pair<std::size_t, const Crop*>> all;
-    for (const std::size_t track : event.tracks) {
-        if (const auto found = crops_.find(track); found != crops_.end()) all.emplace_back(track, &found->second);
+    for (int place = 0; place < per_track_; ++place) {
+        const auto before = std::ssize(all);
+        for (const std::size_t track : event.tracks) {
+            if (const auto found = crops_.find({track, place}); found != crops_.end()) {
+                all.emplace_back(track, &found->second);
+            }
+        }
+        std::ranges::stable_sort(all.begin() + before, all.end(), std::greater(),
+                                 [](const auto& one) { return one.second->score(); });
     }
-    std::ranges::stable_sort(all, std::greater(), [](const auto& one) { return one.second->score(); });
     return all;
 }
 

@@ -69,6 +69,9 @@ inline constexpr double score_of_scene = std::numeric_limits<double>::max();
 /// Keeps the best crop of each track while the fields are read, because frames aren't kept.
 class Crops {
   public:
+    /// \param per_track at most this many: the best, and the best at earlier moments, a second apart
+    explicit Crops(int per_track = 1) : per_track_(per_track) {}
+
     /// Crops a track's object from a frame and replaces the track's earlier crop.
     /// \param portrait its time must be the frame's
     /// \throws Error io or out_of_memory, as `image::compress`
@@ -77,7 +80,7 @@ class Crops {
     /// The crop of an event: at its portrait's time if kept, else the best of its tracks. Null if none is kept.
     const Crop* find(const events::Event& event) const;
 
-    /// The crops of an event, best first, each with its track.
+    /// The crops of an event: the best of each track, then those of earlier moments; of both the best first.
     std::vector<std::pair<std::size_t, const Crop*>> all(const events::Event& event) const;
 
     /// Memory of all crops.
@@ -90,10 +93,14 @@ class Crops {
     static constexpr std::size_t max_raw_bytes = 8'000'000;
 
   private:
-    void remove(std::map<std::size_t, Crop>::iterator place);
+    using Key = std::pair<std::size_t, int>;  ///< the track; 0 = its best, then ever earlier moments
+
+    void make_room(std::size_t track);
+    void remove(std::map<Key, Crop>::iterator place);
     void compress_oldest();
 
-    std::map<std::size_t, Crop> crops_;
+    int per_track_;
+    std::map<Key, Crop> crops_;
     std::size_t bytes_ = 0;
     std::size_t raw_bytes_ = 0;  ///< of those that are not compressed yet
 };

@@ -101,8 +101,8 @@ std::vector<std::string> activities(const events::Event& event) {
     const std::string duration =
         has_duration ? labels::format_duration(events::stationary_seconds(event)) : std::string();
     const std::string text = fmt::format(fmt::runtime(row.activity), duration);
-    const bool is_sum = has_duration && event.stays.size() > 1;
-    return {is_sum ? text + " in all" : text, std::string(row.activity_short)};
+    if (has_duration && event.stays.size() > 1) return {text + " in all", text, std::string(row.activity_short)};
+    return {text, std::string(row.activity_short)};
 }
 
 }  // namespace

@@ -106,6 +106,34 @@ TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
     EXPECT_EQ(crops.find(event)->at().frame, 4);
 }
 
+TEST(Crops, OfEarlierMomentsAreASecondApart) {
+    glance::Crops crops(3);
+    const video::Frame frame = frame_of(1, {200, 200});
+    for (int tenth = 0; tenth <= 40; ++tenth) {
+        const Moment now{tenth, tenth / 10.0};
+        crops.keep(1, {now, {10, 10, 20, 20}, 5.0 + tenth}, frame);
+        crops.keep(2, {now, {10, 10, 20, 20}, 4.0 + tenth}, frame);
+    }
+    std::vector<std::pair<std::size_t, std::int64_t>> found;
+    for (const auto& [track, crop] : crops.all(event_of({2, 1}))) found.emplace_back(track, crop->at().frame);
+    ASSERT_EQ(found.size(), 6U);
+    EXPECT_EQ(found[0], std::pair(std::size_t{1}, std::int64_t{40})) << "the best of each track comes first";
+    EXPECT_EQ(found[1], std::pair(std::size_t{2}, std::int64_t{40}));
+    EXPECT_EQ(found[2].first, 1U);
+    EXPECT_LT(found[2].second, 40);
+    EXPECT_LE(found[4].second, found[2].second - 10);
+    EXPECT_EQ(crops.find(event_of({1}))->at().frame, 40);
+}
+
+TEST(Crops, SayWhereTheyAreInTheField) {
+    glance::Crops crops;
+    crops.keep(1, {{1, 1}, {100, 90, 120, 130}, 9}, frame_of(1, {200, 200}));
+    for (const glance::ObjectPicture& shown :
+         {crops.find(event_of({1}))->still(), crops.find(event_of({1}))->surroundings()}) {
+        EXPECT_EQ(shown.in_field(shown.object), PixelBox(100, 90, 120, 130));
+    }
+}
+
 TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
     glance::Crops crops;
     const video::Frame frame = frame_of(1, {64, 64});
