@@ -7,6 +7,7 @@ class Break(NamedTuple):
     file: str
     old: str
     new: str
+    test: str = ""  # of the command line, if only one of those notices it; runs first
 
 
 BREAKS = [
@@ -21,7 +22,7 @@ BREAKS = [
     # core/detector
     Break("core/detector/letterbox.cpp", "pixel(box.left, image.width), pixel(box.top, image.height)",
           "pixel(box.left, image.height), pixel(box.top, image.width)"),
-    Break("core/detector/tensor.cpp", "all == in_raw || (all == in_list && !raw)", "all == in_raw || all == in_list"),
+    Break("core/detector/onnx.cpp", "all == in_raw || (all == in_list && !raw)", "all == in_raw || all == in_list"),
     # core/video
     Break("core/video/frame_span.cpp", "pts >= *span.end - slack", "pts >= *span.end + slack"),
     Break("core/video/frame_span.cpp", "day_at(clock, begin) - 1; date", "day_at(clock, begin); date"),
@@ -35,6 +36,13 @@ BREAKS = [
     Break("core/fields/blobs.cpp", "merge_neighbours(gaps, 0);", "merge_neighbours(gaps, 1);"),
     Break("core/fields/shadows.cpp", "shares.least > darkest && shares.most < 1", "shares.least > darkest && shares.most < 2"),
     Break("core/fields/motion.cpp", "if (differ(past_.front().occupancy, past_.back().occupancy)) last_", "if (differ(past_.front().occupancy, past_.back().occupancy) && !last_) last_"),
+    # core/events
+    Break("core/events/association.cpp", "if (*most < limit.shared_part * tracks", "if (*most > limit.shared_part * tracks"),
+    Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin.place : bearer.end.place",
+          "kind == EventKind::taken ? bearer.end.place : bearer.begin.place"),
+    Break("core/events/identify.cpp", "*other = places[**other]", "*other = order[**other]"),
+    Break("core/events/path.cpp", "other.last.frame >= stay.first.frame;", "other.last.frame > stay.last.frame;"),
+    Break("core/events/track.cpp", "(std::ssize(moments) - 1) * 9 / 10", "(std::ssize(moments) - 1) * 1 / 10"),
     # core/space
     Break("core/space/camera.cpp", "std::max({x.half() / tan_x, y.half() / tan_y, 1e-9 - z.low})", "std::max({x.half() / tan_x, 1e-9 - z.low})"),
     Break("core/space/horseshoe.cpp", "if (before_open_side) std::ranges::reverse(order);", ""),
@@ -50,8 +58,10 @@ BREAKS = [
     # core/labels
     Break("core/labels/time_ticks.cpp", "intervals.back().half_open = true;", ""),
     # core/glance
-    Break("core/glance/idle.cpp", "until = std::max(until, period.end);", "until = period.end;"),
+    Break("core/glance/time_strip.cpp", "until = std::max(until, period.end);", "until = period.end;"),
     Break("core/glance/crops.cpp", "crops_.size() > max_crops || bytes_ > max_bytes", "crops_.size() > max_crops && bytes_ > max_bytes"),
+    Break("core/glance/objects.cpp", "!row_of(events[k].kind).is_thing, -weight_of", "row_of(events[k].kind).is_thing, -weight_of"),
+    Break("core/glance/objects.cpp", "length > 0 ? (seconds - before.at.seconds) / length", "length > 0 ? (after->at.seconds - seconds) / length"),
     # core/store
     Break("core/store/manifest.cpp", "frame.pts < frames.back().pts", "frame.pts < frames.front().pts"),
     # core/page
