@@ -262,16 +262,6 @@ def test_archive_takes_any_name(t):
     check("%FF%FE.avi" in t.path("out/index.html").read_text(), "the index leaves one out")
 
 
-def test_archive_finds_its_way_through_folders(t):
-    clips(t, "cam/a.avi", "cam/.hidden.avi", "cam/.trash/b.avi", "cam/notes.txt", "pictures/none.txt")
-    t.path("in/cam/up").symlink_to("..")
-    t.path("in/again").symlink_to("cam")
-    result = t.vvr("archive", "in", "-o", "in/pictures", *QUICK).expect(0, "1 clip drawn")
-    check("1/1 cam/a.avi" in result.err, str(result))
-    t.vvr("archive", "in", "-o", "in/pictures", *QUICK, "--match", "*").expect(0, "1/1 cam/notes.txt: ", "1 done before")
-    t.vvr("archive", "in", "-o", "in/pictures", *QUICK, "--match", "cam/*.avi", "--match", "*.txt", "--dry-run").expect(0, out=None)
-
-
 def test_archive_goes_on_past_what_it_cannot_read(t):
     clips(t, "a.avi", "shut/b.avi", "open/c.avi")
     t.path("in/gone.avi").symlink_to("nowhere.avi")
@@ -308,26 +298,6 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
     check(not t.path("out").exists(), "a refused run leaves something")
-
-
-def test_archive_knows_the_names_of_recorders(t):
-    clips(t, "2026-11-21/08/gate/00.10.mp4", "hall/door at 21.11.2026 09-30.avi", "2026/11/21/10/yard/x.avi")
-
-    def index(*arguments):
-        archive(t, *arguments, "--write", "pictures,index").expect(0)
-        text = t.path("out/index.html").read_text()
-        data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
-        return {row[1]: (data["cameras"][row[0]], row[2]) for row in data["clips"]}, data["zone"]
-
-    t.zone("Asia/Kolkata")
-    found, zone = index("--names", "{camera} at %d.%m.%Y %H-%M")
-    day = 1795219200  # 2026-11-21 00:00 UTC
-    check(found["./2026-11-21/08/gate/00.10.mp4"] == ("gate", day + 8 * 3600 + 10), f"Frigate's are in UTC: {found}")
-    check(found["./hall/door%20at%2021.11.2026%2009-30.avi"] == ("door", day + 4 * 3600), f"others are local: {found}")
-    check(found["./2026/11/21/10/yard/x.avi"][0] == "yard", str(found))
-    check(zone[0][1:] == [19800, "IST, UTC+5:30"], str(zone))
-    found, _ = index()
-    check(found["./hall/door%20at%2021.11.2026%2009-30.avi"][0] == "hall", f"not drawn again, and indexed by its folder: {found}")
 
 
 def test_archive_without_opengl_blames_no_clip(t):

@@ -117,10 +117,6 @@ def test_names_that_nobody_knows_stop_every_command(t):
     t.expect_files("clip.avi", "vvr.toml")
 
 
-def test_config_says_who_named_a_file_that_is_missing(t, places):
-    t.vvr("config", env=places | {"VVR_CONFIG": "none.toml"}).expect(2, "'none.toml'", "VVR_CONFIG", code="io")
-
-
 def test_config_with_errors(t):
     t.vvr("config", "rendr").expect(1, "'rendr'", "'render'", code="command-unknown")
     t.vvr("config", "render", "info").expect(1, "'info'", "`vvr config`", code="input-unsuitable")

@@ -52,23 +52,6 @@ def test_bands_of_layers_that_hold_several_frames(t):
         check(columns(t, "still.png")[-1] > 0.94, f"{step} frames per layer: no longer covered")
 
 
-def test_bands_have_four_colours_and_a_legend(t):
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "200")
-    look = ("--backend", "software", "--size", "960x600", "--filter", "bands")
-    t.render("bag.y4m", *look, "--show", "volume", output="plain.png").expect(0)
-    t.render("bag.y4m", *look, "--show", "volume,legend", output="legend.png").expect(0)
-
-    def near(pixel, colour):
-        return max(abs(a - b) for a, b in zip(pixel, colour)) < 12
-    legend = [pixel for row in t.rgb("legend.png")[-60:] for pixel in row]
-    for name, colour in {"newly": (219, 51, 31), "still": (115, 115, 115), "uncovered": (26, 115, 217)}.items():
-        count = sum(near(pixel, colour) for pixel in legend)
-        check(count > 200, f"the legend's bar of '{name}' has {count} pixels")
-    pixels = [pixel for row in t.rgb("plain.png") for pixel in row]
-    check(sum(r > b + 60 for r, _, b in pixels) > 100, "nothing is newly covered")
-    check(sum(b > r + 60 for r, _, b in pixels) > 100, "nothing is uncovered")
-
-
 def test_no_seeds_on_uncovered_background(t):
     t.vvr("extract", moving_clip(t, step=3), "-o", "data", "--filter", "bands", "--grid", "2", "--min-magnitude", "0").expect(0)
     checked = 0

@@ -142,17 +142,6 @@ def test_watch_help_has_no_options_that_need_an_end(t):
         t.vvr("watch", "clip.avi", "-o", "out.png", *arguments).expect(1, text)
 
 
-def test_times_are_written_alike_everywhere(t):
-    t.clip(seconds=3)
-    told = {t.vvr("inspect", "clip.avi", "--frame", time, "-o", "frame.png").expect(0).err for time in ("1s", "10f", "00:00:01", "0m1s")}
-    check(len(told) == 1, f"{told}")
-    t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "1m").expect(2, code="file-not-found")
-    t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "2h").expect(1, "--patience", "'2h'", code="option-value-out-of-range")
-    t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "20f").expect(1, "--patience", "'20f'", code="option-value")
-    t.vvr("cut", "clip.avi", "-o", "piece.avi", "--start", "5").expect(1, "--start", "5f", "5s", code="option-value")
-    t.render("clip.avi", "--start-time", "00:00:01").expect(1, "--start", code="option-value")
-
-
 HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 9s"}
 
 

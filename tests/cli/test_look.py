@@ -70,18 +70,3 @@ def test_transfer_functions(t):
     t.render("clip.avi", "--transfer", "wrong.tf", output="no.png").expect(
         1, "--transfer", "wrong.tf:2", "blue", "'red'", "0 to 1", code="option-value")
     t.expect_files("clip.avi", "heat.png", "mine.tf", "out.png", "wrong.tf")
-
-
-def test_colours_of_the_video(t):
-    t.ffmpeg("-f", "lavfi", "-i", "color=0x404040:size=64x48:rate=10:duration=3", "-f", "lavfi", "-i",
-             "color=0x20E020:size=16x24:rate=10:duration=3", "-filter_complex", "overlay=x=20*t:y=12", "-c:v", "ffv1",
-             "green.mkv")
-    for colour in ("transfer", "video"):
-        t.render("green.mkv", "--color", colour, "--show", "volume", output=f"{colour}.png").expect(0)
-
-    def green_pixels(name):
-        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | od -An -v -tu1 -w3"])
-        pixels = (tuple(map(int, line.split())) for line in raw.out.splitlines())
-        return sum(g > r + 60 and g > b + 60 for r, g, b in pixels)
-    check(green_pixels("transfer.png") == 0, "green where the transfer function has blue")
-    check(green_pixels("video.png") > 20, f"{green_pixels('video.png')} green pixels")

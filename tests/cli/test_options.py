@@ -105,22 +105,3 @@ def test_help_and_version(t):
     check(names == ["vvr", "FFmpeg", "OpenImageIO", "OpenCV", "OpenGL:"], str(version))
     for line in version[:-1]:
         check(line.split()[1][0].isdigit(), line)
-
-
-def test_config_file(t):
-    t.clip()
-    t.write("vvr.conf", "# for all commands\nsize = 40x30\nshow = volume,arrows\n[render]\nfov = 20\n[info]\nthreshold = 9\n")
-    t.vvr("render", "clip.avi", "-o", "out.png", "--config", "vvr.conf").expect(0)
-    t.expect_picture(size=(40, 30))
-    t.vvr("render", "clip.avi", "-o", "out.png", "--config", "vvr.conf", "--size", "50x30").expect(0)
-    t.expect_picture(size=(50, 30))
-
-
-def test_config_file_with_errors(t):
-    t.clip()
-    t.write("typo.conf", "szie = 40x30\n")
-    t.render("clip.avi", "--config", "typo.conf").expect(1, "'typo.conf'", "'szie'", "'size'", code="config-invalid")
-    t.write("value.conf", "alpha = lots\n")
-    t.render("clip.avi", "--config", "value.conf").expect(1, "--alpha", "'lots'", "'value.conf'", code="option-value")
-    t.render("clip.avi", "--config", "none.conf").expect(2, "'none.conf'", "--config", code="io")
-    t.expect_files("clip.avi", "typo.conf", "value.conf")

@@ -59,37 +59,6 @@ def test_alpha_of_100_gives_almost_no_flow(t):
     check(u["100"] < 0.25 * SPEED, f"60 steps with α = 100 find {u['100']:.2f} of {SPEED} pixels")
 
 
-def test_solvers(t):
-    texture(t)
-    flows = {}
-    for name, *more in (("pyramid",), ("jacobi",), ("jacobi", "--iterations", "2000")):
-        solver = " ".join((name, *more[1:]))
-        t.vvr("extract", "shift.y4m", "-o", solver, "--solver", name, *more, *MOVES, "--end", "12f").expect(0)
-        flows[solver] = flow_of(t, f"{solver}/flow/000006.flo")
-    for solver in ("pyramid", "jacobi 2000"):
-        u, v = flows[solver]
-        check(abs(u - SPEED) < 0.1 and abs(v) < 0.1, f"{solver}: {u:.2f}, {v:.2f}")
-    check(flows["jacobi"][0] < flows["jacobi 2000"][0] - 0.02, "60 steps are as good as the solution")
-
-
-def test_orders_of_seeds(t):
-    moving_clip(t)
-    rows = {}
-    for order in ("magnitude", "difference", "age"):
-        t.vvr("extract", "clip.mkv", "-o", order, "--seed-order", order, "--grid", "4").expect(0)
-        lines = t.path(f"{order}/seeds/000025.txt").read_text().splitlines()[5:]
-        rows[order] = [tuple(float(word) for word in line.split()[:4]) for line in lines]
-    check(len(rows["age"]) > 20 and {tuple(sorted(found)) for found in rows.values()} == {tuple(sorted(rows["age"]))}, "other seeds")
-    speeds = [(u * u + v * v) ** 0.5 for _, _, u, v in rows["magnitude"]]
-    check(speeds == sorted(speeds, reverse=True), "the fastest are not first")
-    scalar = t.rgb("difference/scalar/000025.png")
-    values = [scalar[int(y)][int(x)][0] for x, y, _, _ in rows["difference"]]
-    check(values == sorted(values, reverse=True) and len(set(values)) > 3, f"the largest differences are not first: {values}")
-    # The square moves to the right, so it has covered its left for longest.
-    ages = [x for x, _, _, _ in rows["age"]]
-    check(sum(ages[:8]) < sum(ages[-8:]), "what was covered for longest is not first")
-
-
 def test_size_of_arrows(t):
     texture(t)
     look = (*ALONG, *one_seed(t), "--show", "arrows")

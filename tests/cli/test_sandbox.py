@@ -229,10 +229,6 @@ def test_a_sandbox_that_is_required_and_not_there(t, feature, said):
     check(outputs(t) == [], f"{outputs(t)}")
 
 
-def test_unknown_sandbox(t):
-    archive(t, "--sandbox", "strict").expect(1, "--sandbox", "'strict'", "auto, off, required", code="choice-unknown")
-
-
 def test_the_sandbox_lets_links_and_named_files_through(t, walls):
     """Clips behind links, PICTURES behind one, and each file that an option names, wherever they are."""
     for folder in ("elsewhere", "in/gate", "options", "real"):

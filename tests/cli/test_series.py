@@ -60,17 +60,6 @@ def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     check(len({pixels(t, f"fresh0.{i}.png") for i in range(8)}) == 8, "the stripes stand still")
 
 
-def test_a_window_whose_last_brick_is_shorter(t):
-    # Of 80, 80 and 40 layers, which are three, three and two pieces.
-    moving_clip(t, frames=200, step=0.35)
-    look = ("--brick", "80f", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
-    t.vvr("extract", "clip.mkv", "-o", "all", "--flow-every", "1").expect(0, "200 frames")
-    t.vvr("extract", "clip.mkv", "-o", "end", "--start", "8s", "--flow-every", "1").expect(0, "120 frames")
-    t.render("all", *look, output="all.{brick}.png").expect(0, "3 pictures")
-    t.render("end", *look, output="end.{brick}.png").expect(0, "2 pictures")
-    check(pixels(t, "all.2.png") == pixels(t, "end.1.png"), "what left the window is still there")
-
-
 def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9f", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
@@ -140,11 +129,6 @@ def test_a_clip_shorter_than_the_window(t):
     t.ffmpeg("-i", "clip.mkv", "-frames:v", "1", "-c:v", "ffv1", "one.mkv")
     t.render("one.mkv", output="one.{brick}.png").expect(0, "1 picture of 1 frame")
     t.expect_picture("one.0.png")
-
-
-def test_bricks_of_ten_seconds_unless_told(t):
-    t.clip(seconds=35)
-    t.render("clip.avi", "--window", "2", "--show", "volume", output="s.{brick}.png").expect(0, "4 pictures of 350 frames")
 
 
 def test_series_that_cannot_be(t):

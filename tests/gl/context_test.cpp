@@ -27,14 +27,6 @@ TEST(Context, AutoOpensWhatThereIs) {
     EXPECT_FALSE(context->version().empty());
 }
 
-TEST(Context, UnknownBackendIsAUsageError) {
-    test::expect_error(ErrorCode::choice_unknown, [] { gl::open_context("vulkan"); });
-}
-
-TEST(Context, MissingDeviceSaysWhatThereIs) {
-    test::expect_error(ErrorCode::opengl_unavailable, [] { gl::open_context("software", 40); }, {"40", "vvr doctor"});
-}
-
 TEST(Context, TheDriverIsHeard) {
     for (const char* backend : {"software", "osmesa"}) {
         std::vector<std::string> messages;

@@ -127,53 +127,5 @@ TEST_F(Archive, TakesOverNoClaimThatIsNone) {
     EXPECT_TRUE(archive::LockFile::take_over(leave_claim("good", "good")));
 }
 
-TEST_F(Archive, ClaimsThroughNoLink) {
-    const fs::path file = leave_claim("a.avi", "");
-    for (const char* target : {"nowhere", "empty"}) {
-        write(out() / "empty", "");
-        fs::remove(file);
-        fs::create_symlink(target, file);
-        EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
-        EXPECT_FALSE(fs::exists(out() / "nowhere"));
-        EXPECT_TRUE(fs::is_empty(out() / "empty"));
-        EXPECT_TRUE(fs::is_symlink(file));
-    }
-    fs::remove(file);
-    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
-    EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
-    EXPECT_TRUE(fs::exists(file));
-}
-
-TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
-    done("x.report");
-    leave_claim("x", "x");
-    leave_claim("index", "index");
-    write(out() / "index.html");
-    write(out() / "x.png");
-    fs::create_symlink("index.html", out() / "x.html");
-    fs::create_directory(out() / "x.jpg");
-    archive::tidy(out(), archive::list_outputs(out(), in()));
-    EXPECT_FALSE(fs::exists(out() / "x.png"));
-    EXPECT_TRUE(fs::is_symlink(out() / "x.html"));
-    EXPECT_TRUE(fs::exists(out() / "x.jpg"));
-    EXPECT_TRUE(fs::exists(out() / "index.html"));
-    EXPECT_TRUE(archive::read_sidecar(out(), "x.report")) << "where the report of x would be";
-    EXPECT_TRUE(archive::list_outputs(out(), in()).locks.empty());
-}
-
-TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
-    const auto hidden = [&](const std::string& name) {
-        char text[64];
-        std::snprintf(text, sizeof text, ".vvr-%016lx-1-0.part", static_cast<unsigned long>(fnv1a(name)));
-        write(out() / text);
-        return out() / text;
-    };
-    const fs::path ours = hidden("a.avi.png"), theirs = hidden("b.avi.png");
-    const std::vector<std::string> names = archive::written_names("a.avi");
-    remove_leftovers(out(), names);
-    EXPECT_FALSE(fs::exists(ours));
-    EXPECT_TRUE(fs::exists(theirs));
-}
-
 }  // namespace
 }  // namespace vvr

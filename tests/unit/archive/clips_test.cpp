@@ -69,18 +69,6 @@ TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
     EXPECT_EQ(scan.clips.size(), 4);
 }
 
-TEST_F(Archive, RefusesNamesThatAreTooLong) {
-    const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
-    for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
-    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
-    EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
-    ASSERT_EQ(scan.problems.size(), 2);
-    EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
-    EXPECT_EQ(scan.problems[1].reason, "the name of its file '" + long_one +
-                                           ".report.json' would have 256 bytes, more than 255; shorten the "
-                                           "name of the clip");
-}
-
 TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();

@@ -226,21 +226,5 @@ TEST(SceneSource, GivesTheScenesPixels) {
     EXPECT_NEAR(frame.colour.at(20, 20)[2], scene.frame(1).at(20, 20)[2], 2);
 }
 
-TEST(Scene, HasNames) {
-    EXPECT_EQ(make_scene("walkers").frames(), 600);
-    EXPECT_EQ(make_scene("stands").frames(), 350);
-    EXPECT_THROW(make_scene("nothing"), std::invalid_argument);
-}
-
-TEST(Y4m, HasTheSizeItSays) {
-    Options options;
-    options.size = {33, 17};
-    options.frames = 2;
-    std::ostringstream out;
-    write_y4m(make_still(options), out);
-    const auto header = out.str().find('\n') + 1;
-    EXPECT_EQ(out.str().size(), header + 2 * (6 + 33 * 17 + 2 * 17 * 9));
-}
-
 }  // namespace
 }  // namespace vvr::generator

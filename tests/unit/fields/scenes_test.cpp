@@ -144,37 +144,6 @@ TEST(Still, NothingLightsUpInNoiseAndChangingLight) {
     }
 }
 
-TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
-    generator::Options options;
-    options.frames = 5;
-    options.u = 4.8;
-    options.v = -3.6;
-    const generator::Scene scene = generator::make_shifted_texture(options);
-    fields::FieldOptions fields;
-    fields.filter = "luminance";
-    const std::vector<fields::Field> result = fields_of(scene, fields);
-    EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
-    EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
-    fields.flow.solver = "jacobi";
-    EXPECT_GT(test::error_of(fields_of(scene, fields)[2].flow, options.u, options.v, 14).end_point, 2);
-}
-
-TEST(ShiftedTexture, ThePyramidHalvesTheErrorOfSixtySteps) {
-    generator::Options options;
-    options.frames = 15;
-    options.u = 0.9;
-    options.v = 0.5;
-    const generator::Scene scene = generator::make_shifted_texture(options);
-    fields::FieldOptions fields;
-    fields.filter = "luminance";
-    fields.flow.every = 7;
-    const auto angle = [&](const char* solver) {
-        fields.flow.solver = solver;
-        return test::error_of(fields_of(scene, fields)[7].flow, options.u, options.v, 14).angle;
-    };
-    EXPECT_LT(angle("pyramid"), angle("jacobi") / 2);
-}
-
 TEST(SpinningSphere, FlowTurns) {
     generator::Options options;
     options.frames = 5;

@@ -222,29 +222,6 @@ TEST_F(ImageTest, EndingsInCapitalsCount) {
     EXPECT_NO_THROW(image::check_picture_path(file("A.PNG")));
 }
 
-TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
-    const Error error = error_of([&] { image::check_picture_path(file("a.pgn")); });
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
-    expect_text(error, "the file extension '.pgn' is unknown (did you mean '.png'?); use one of: .png ");
-    for (const std::string& ending : image::picture_file_extensions()) expect_text(error, " " + ending);
-    expect_text(error_of([&] { image::check_picture_path(file("a")); }), "it has no file extension");
-}
-
-TEST_F(ImageTest, MissingFolderSaysHowToMakeIt) {
-    const Error error = error_of([&] { image::check_picture_path(file("none/a.png")); });
-    EXPECT_EQ(error.kind(), ErrorKind::io);
-    expect_text(error, "mkdir -p '" + file("none").string() + "'");
-}
-
-TEST_F(ImageTest, RefusesWhatIsNoPlaceForAFile) {
-    fs::create_directories(file("folder.png"));
-    expect_text(error_of([&] { image::check_picture_path(file("folder.png")); }), "it is a folder");
-    std::ofstream(file("plain")) << "text";
-    expect_text(error_of([&] { image::check_picture_path(file("plain/a.png")); }), "a.png");
-    // No one may make files here, not even root.
-    EXPECT_EQ(error_of([&] { image::check_picture_path("/proc/a.png"); }).kind(), ErrorKind::io);
-}
-
 TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
     std::ofstream(file("text.png")) << "not a picture";
     expect_text(error_of([&] { read_picture(file("text.png")); }), "cannot read picture");
