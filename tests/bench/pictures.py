@@ -24,9 +24,7 @@ WAYS_TO_UPLOAD = {
 def upload(setting):
     """A brick's way into its 3D texture."""
     report = output_of([setting.program("upload"), setting.backend, str(max(setting.runs, 9)), str(setting.scale)])
-    plots.upload(report["bricks"], WAYS_TO_UPLOAD, setting.plot("upload"))
-    text = figure("upload", "Gigabytes a second, to a texture of one byte a voxel (the default) and of four (the video's "
-                            "colours).")
+    text = ""
     head = ["", "ms", "MB/s", "million texels/s", "of memcpy's rate"]
     for brick in report["bricks"]:
         took = {way: median(seconds) for way, seconds in brick["seconds"].items()}
@@ -35,17 +33,9 @@ def upload(setting):
                 for way, name in WAYS_TO_UPLOAD.items()]
         text += (f"A brick of {'×'.join(map(str, brick['size']))} texels, {brick['format']}, {brick['bytes'] / 1e6:.0f} MB:\n\n"
                  + table(head, rows) + "\n")
-    grey = report["bricks"][0]["seconds"]
-    cells = 1e3 * (median(grey["renderer"]) - median(grey["textures"]))
-    measured = ("How fast a brick of the volume gets into its 3D texture on " + report["renderer"] + ", beside a memcpy of the "
-                                                                                                     "same bytes "
-                "and a bare OpenGL call, in turn; each waits until OpenGL is done.")
-    meaning = (f"From the volume's layers, of which only what isn't empty is held, to the texture vvr reaches "
-               f"{median(ratios(grey['bare'], grey['textures'])):.2f} of the rate of the bare call, which is given texels that are "
-               f"ready, and {median(ratios(grey['memcpy'], grey['textures'])):.2f} of memcpy's: near 1 there is nothing to win in "
-               f"it. The renderer also looks for cells that hold nothing, once for each brick, which takes {cells:.0f} ms and "
-               "spares drawing them in every picture.")
-    return section("Brick upload", measured, text, meaning), report
+    measured = (f"A brick of the volume gets into its 3D texture on {report['renderer']}, beside a memcpy of the same bytes and a bare "
+                "OpenGL call, in turn; each waits until OpenGL is done.")
+    return section("Brick upload", measured, text), report
 
 
 WAYS_TO_SLICE = {
@@ -72,9 +62,7 @@ def slicing(setting):
     volumes = {volume["filter"]: volume for volume in report["volumes"]}
     for volume in volumes.values():
         volume["shares"] = {way: ratios(volume["seconds"]["fetch"], volume["seconds"][way]) for way in WAYS_TO_SLICE}
-    plots.slicing(volumes, VOLUMES, WAYS_TO_SLICE, setting.plot("slicing"))
-    text = figure("slicing", "Samples a second: a fragment of a slice for which a voxel is fetched and blended. Grey: a shader "
-                             "that does nothing else; blue: vvr's. In brackets the share of the bare shader's rate.")
+    text = ""
     for name, volume in volumes.items():
         samples = volume["by_adding"]
         took = {way: median(seconds) for way, seconds in volume["seconds"].items()}
@@ -88,14 +76,7 @@ def slicing(setting):
                 f"{report['renderer']}, against a bare shader that fetches a voxel and blends it and does nothing else: no "
                 "inverse of the map, no transfer function, no length of the ray. Same polygons, same textures, same framebuffer, "
                 "in turn.")
-    def shares(way):
-        return " and ".join(f"{median(volume['shares'][way]):.2f}" for volume in volumes.values())
-
-    meaning = (f"On polygons that are ready vvr's shader reaches {shares('shader')} of the bare rate (of the volume as one sees "
-               "it, and where nothing is empty); with all that a picture takes, the cutting of the slices too, "
-               f"{shares('slicer')}. What is missing to 1 is the price of a bent volume, of a transfer function, and of opacity "
-               "that doesn't depend on the number of slices.")
-    return section("Slicing", measured, text, meaning), report
+    return section("Slicing", measured, text), report
 
 
 def table1_of(report):
@@ -118,7 +99,7 @@ def table1_of(report):
                   ["V+S+G over V+S", *ratio("V+S+G", "V+S"), "1.00, 1.00, 1.00"]]
     text = (table(head, rows) + "\nThe median of the runs, the range in which the middle half of them lies, and in brackets the "
             "paper's. As ratios of the table's rates:\n\n" + table(["rate", *head[1:], "the paper"], ratio_rows))
-    return text, min(fps(row["seconds"]) / row["paper_fps"] for row in report["rows"])
+    return text
 
 
 def table1(setting):
@@ -126,21 +107,11 @@ def table1(setting):
     program = setting.program("table1")
     report = output_of([program, "difference", setting.backend, str(setting.runs), str(setting.scale)])
     dense = output_of([program, "luminance", setting.backend, str(setting.runs), str(setting.scale)])
-    plots.table1(report["rows"], dense["rows"], setting.plot("table1"))
-    cells, least = table1_of(report)
-    dense_cells, least_dense = table1_of(dense)
     measured = (f"Pictures a second of a left-bag volume of 384×288×1600 voxels, {100 * report['occupied']:.2f} % of them not "
                 f"empty, {report['seeds']} seeds, drawn by {report['renderer']}; in brackets the paper's on a GeForce 7800 GTX. "
                 "V: volume, S: in bricks (8), -S: in one, G: with arrows, DS: a new brick for each picture. One sample a pixel.")
-    body = (figure("table1", "Pictures a second for each style of the paper's Table 1 and each size of picture. Grey: the paper "
-                             "on a graphics card of 2005; blue: vvr on the same kind of volume; orange: vvr where no voxel is "
-                             "empty, which the paper doesn't have.")
-            + cells + f"\nThe dense case, the `luminance` filter, in which {100 * dense['occupied']:.0f} % of the voxels are not "
-                      "empty:\n\n"
-            + dense_cells)
-    meaning = (f"The slowest cell against the paper is {least:.2f} times its rate; in the dense case, which no surveillance "
-               f"video comes near, {least_dense:.2f}.")
-    return section("Table 1 of the paper", measured, body, meaning), {"difference": report, "luminance": dense}
+    body = (table1_of(report) + f"\nThe same through the `luminance` filter, {100 * dense['occupied']:.0f} % not empty:\n\n" + table1_of(dense))
+    return section("Table 1 of the paper", measured, body), {"difference": report, "luminance": dense}
 
 
 def vtk(setting):
@@ -150,13 +121,12 @@ def vtk(setting):
     theirs = output_of(["xvfb-run", "-a", "/usr/bin/python3", "tests/bench/vtk_volume.py", str(setting.scratch), str(setting.runs)])
     ours = scene["seconds"]
     names = {"vtk_gpu": "VTK, GPU mapper (on Mesa)", "vtk_cpu": "VTK, fixed-point CPU mapper"}
-    rows, psnr = [["vvr", spread([1000 * s for s in ours], 0), "", ""]], []
+    rows = [["vvr", spread([1000 * s for s in ours], 0), "", ""]]
     for key, name in names.items():
         compared = subprocess.run([setting.vvr, "compare", setting.scratch / "vvr.png", setting.scratch / f"{key}.png", "--json"],
                                   check=False, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        psnr.append(json.loads(compared.stdout)["psnr_db"])
         rows.append([name, spread([1000 * s for s in theirs[key]], 0), f"{median(theirs[key]) / median(ours):.1f}",
-                     f"{psnr[-1]:.1f}"])
+                     f"{json.loads(compared.stdout)['psnr_db']:.1f}"])
     plots.side_by_side([("vvr", setting.scratch / "vvr.png")] + [(name, setting.scratch / f"{key}.png") for key, name in names.items()],
                        setting.reports / "report-vtk.png")
     measured = ("Milliseconds of a picture of the same volume of 384×288×1600 voxels as a straight box, 800×600, one sample a "
@@ -164,11 +134,7 @@ def vtk(setting):
                 f"{theirs['version']}.")
     body = (table(["", "ms", "times as long as vvr", "PSNR to vvr's picture, dB"], rows)
             + "\n![The same volume by vvr and VTK](report-vtk.png)\n")
-    meaning = (f"The pictures agree to {min(psnr):.1f} dB or better (from 40 the eye sees no difference). VTK's mapper for GPUs takes "
-               f"{median(theirs['vtk_gpu']) / median(ours):.1f} times as long on the same rasteriser, its mapper for CPUs "
-               f"{median(theirs['vtk_cpu']) / median(ours):.1f} times. They are programs of their own, so unlike elsewhere each had "
-               "all its runs together: another load meanwhile would show in the ratio.")
-    return section("Beside VTK", measured, body, meaning), {"vvr": ours} | theirs
+    return section("Beside VTK", measured, body), {"vvr": ours} | theirs
 
 
 CURVES = {
@@ -184,11 +150,9 @@ def growth(setting):
     report = output_of([setting.program("growth"), setting.backend, str(setting.runs), str(setting.scale)])
     curves = {name: report[name] for name in CURVES}
     plots.growth(curves, CURVES, setting.plot("growth"))
-    rows, said = [], {}
+    rows = []
     for name, label in CURVES.items():
-        first, last = curves[name][0], curves[name][-1]
-        said[name] = median(last["seconds"]) / median(first["seconds"]), last["megabytes"] / max(0.1, first["megabytes"])
-        rows += [[label.replace("\n", " ") if point is first else "", f"{point['x']:.4g}", spread([1e3 * s for s in point["seconds"]], 1),
+        rows += [[label.replace("\n", " ") if point is curves[name][0] else "", f"{point['x']:.4g}", spread([1e3 * s for s in point["seconds"]], 1),
                   f"{point['megabytes']:.0f}"] for point in curves[name]]
     measured = ("Time to draw one picture, and the most memory that the renderer holds for it beside the volume, as one thing "
                 "grows and all others stay: the left-bag volume of 384×288×1600 voxels, and for the last two curves volumes of "
@@ -197,10 +161,4 @@ def growth(setting):
                              "volume, and the share of it that isn't empty. Above time, with a band from the least to the "
                              "greatest; below memory.")
             + table(["over", "", "ms", "MB"], rows))
-    meaning = (f"Pixels ×{curves['pixels'][-1]['x'] / curves['pixels'][0]['x']:.0f} take {said['pixels'][0]:.1f} times the time "
-               f"and {said['pixels'][1]:.2f} times the memory, as large pictures are drawn in tiles; 32 bricks take "
-               f"{said['bricks'][0]:.2f} times the time of one and {said['bricks'][1]:.2f} times its memory, as only one brick's "
-               f"texels stand beside the textures; frames of {curves['voxels'][-1]['x'] / curves['voxels'][0]['x']:.0f} times "
-               f"the pixels take {said['voxels'][0]:.1f} times the time, for there are more slices, and nearly all memory is "
-               "theirs. What is occupied costs time, and no memory. On a GPU the memory that is given here is the processor's.")
-    return section("Growth", measured, body, meaning), report
+    return section("Growth", measured, body), report

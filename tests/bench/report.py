@@ -71,23 +71,14 @@ def machine(setting):
 def introduction(about, given):
     told = about["versions"]
     options = (["--long"] if given.long else []) + ([f"--runs {given.runs}"] if given.runs != RUNS else [])
-    command = " ".join(["scripts/bench", *options, *given.parts])
     return (
         "# Benchmark of vvr\n\n"
-        "vvr turns hours of surveillance video into one still picture: the video as a volume, bent into a horseshoe, in which "
-        "what moved stands out and what stood still is empty.\n\n"
-        f"**What was run.** {', '.join(f'`{name}`' for name in given.parts or parts.PARTS)}, on {about['date']}, with vvr "
-        f"{told['vvr']}. `{command}` runs the same again, and makes the clips that it needs; `scripts/bench PART...` runs only "
-        "parts.\n\n"
-        f"**On what.** {about['cores']} cores of {about['processor']}, {about['memory_gb']} GB of memory, {about['system']}; "
-        f"the load before it began was {about['load']:.1f}. Pictures are drawn by {told['renderer']}. vvr's libraries: "
-        + ", ".join(f"{name} {version}" for name, version in told.items()
-                    if name not in ("vvr", "ffmpeg", "renderer", "VTK", "compiler"))
-        + f". Compared with: the program ffmpeg {told['ffmpeg']}, VTK {told['VTK']}. Compiler: {told['compiler']}.\n\n"
-        f"**How to read it.** What is compared runs in turn, {given.runs} times after a first time that isn't counted, so that "
-        "what else the machine does meets all alike. Numbers are medians, with the least and the greatest in brackets; in plots "
-        "a pale band lies between these. A difference that is smaller than this spread is noise. Where a ratio is given, trust "
-        "it more than the times. All numbers of all runs are in `report.json`.\n"
+        f"`{' '.join(['scripts/bench', *options, *given.parts])}` on {about['date']}, with vvr {told['vvr']}: {about['cores']} cores of "
+        f"{about['processor']}, {about['memory_gb']} GB of memory, {about['system']}; the load before it began was {about['load']:.1f}. "
+        + ", ".join(f"{name}: {version}" for name, version in told.items() if name != "vvr")
+        + f".\n\nWhat is compared runs in turn, {given.runs} times after a first time that isn't counted. Numbers are medians, with the "
+        "least and the greatest in brackets. A difference that is smaller than this spread is noise. Trust ratios more than times. "
+        "`report.json` has all numbers of all runs.\n"
         + ("" if given.scale == 1 else f"\n**This was only a try**: volumes and pictures were scaled by {given.scale:g}.\n")
     )
 

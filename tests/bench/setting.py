@@ -40,9 +40,9 @@ def frames_of(clip):
     return int(counted.stdout.decode().strip().rstrip(","))
 
 
-def section(title, measured, body, meaning):
-    """What is measured in a sentence, the numbers, and what they mean."""
-    return f"## {title}\n\n{measured}\n\n{body.strip()}\n\n**What it means.** {meaning}\n"
+def section(title, measured, body):
+    """What is measured in a sentence, and the numbers."""
+    return f"## {title}\n\n{measured}\n\n{body.strip()}\n"
 
 
 def figure(name, caption):

@@ -57,7 +57,7 @@ def main():
                         "--clips", folder, "--out", folder, part], check=True, stdin=subprocess.DEVNULL)
         text = (folder / "report.md").read_text()
         numbers = json.loads((folder / "report.json").read_text())
-        check("**What it means.**" in text and "not found" not in text.replace("VTK not found", ""), f"the report says:\n{text}")
+        check("\n## " in text and "not found" not in text.replace("VTK not found", ""), f"the report says:\n{text}")
         check(part in numbers and numbers["machine"]["versions"]["renderer"], f"the numbers are {sorted(numbers)}")
         for plot in folder.glob("report-*.svg"):
             check(f"({plot.name})" in text, f"{plot.name} is not in the report")

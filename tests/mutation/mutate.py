@@ -6,8 +6,8 @@
     tests/mutation/mutate.py 1 7          # bugs 1 and 7
 
 The copy is a worktree of git in build/mutation, with what git tracks as it is now. Without numbers, the default set must
-pass there first. The test that breaks.py names runs first, then the unit tests of the module, those of the others, and the
-rest of the default set until the first failure.
+pass there first. The test that breaks.py names runs first: the one that noticed the bug before. If it passes, the unit tests
+of the module run, those of the others, and the rest of the default set until the first failure.
 Exits with 1 if a bug survives or does not build. A bug whose text is no longer in the sources is an error of breaks.py.
 """
 
@@ -88,6 +88,16 @@ def failure_of_units(names):
     return (re.findall(r"\[  FAILED  \] ([\w./]+)", done.stdout) or re.findall(r"\bunit\.\w+", done.stdout))[0]
 
 
+def failure_of_unit(name):
+    """The test SUITE.NAME, if it fails; of its program nothing else runs."""
+    test = re.compile(r"^TEST(_[FP])?\({}, {}\)".format(*name.split(".")), re.MULTILINE)
+    (file,) = [path for path in (COPY / "tests").rglob("*_test.cpp") if test.search(path.read_text())]
+    folder = BUILD / file.parent.relative_to(COPY)
+    program = f"test_{file.parent.name}" if file.parent.parent.name == "unit" else f"test_{file.name.removesuffix('_test.cpp')}"
+    build(program)
+    return name if run(folder / program, f"--gtest_filter={name}:*/{name}/*").returncode != 0 else None
+
+
 def failure_of_pytest(*what):
     """The first of pytest's tests that fails."""
     build(*COMMANDS)
@@ -101,7 +111,7 @@ def failure_of_pytest(*what):
 def stages(first_test, first_programs):
     """Functions that run the default set in parts. Each returns the name of a test that fails, or None."""
     if first_test:
-        yield lambda: failure_of_pytest(f"tests/{first_test}")
+        yield lambda: failure_of_pytest(f"tests/{first_test}") if "::" in first_test else failure_of_unit(first_test)
     yield lambda: failure_of_units(first_programs)
     yield lambda: failure_of_units(unit_programs() - first_programs)
     yield lambda: failure_of_pytest("-m", "not slow and not alone and not browser", "tests/cli", "tests/rules")

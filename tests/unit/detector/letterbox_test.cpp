@@ -45,6 +45,8 @@ TEST(Letterbox, ReadsRowsWithPadding) {
 TEST(Letterbox, ReturnsBoxesToTheImage) {
     const Letterbox letterbox({200, 100}, {64, 64});
     EXPECT_EQ(letterbox.to_image({16, 8, 32, 24}, {200, 100}), (PixelBox{50, 25, 100, 75}));
+    EXPECT_EQ(letterbox.to_image({40, 8, 60, 24}, {200, 100}), (PixelBox{125, 25, 188, 75}))
+        << "farther than it is high";
     EXPECT_EQ(letterbox.to_image({-9, -9, 99, 99}, {200, 100}), (PixelBox{0, 0, 200, 100}));
     EXPECT_TRUE(letterbox.to_image({0, 40, 10, 60}, {200, 100}).empty()) << "in the padding";
 }
