@@ -46,7 +46,7 @@ def must(*command, folder=COPY):
 
 
 def make_copy():
-    commit = must("git", "stash", "create", folder=SOURCE) or "HEAD"
+    commit = must("git", "stash", "create", folder=SOURCE) or must("git", "rev-parse", "HEAD", folder=SOURCE)
     if COPY.exists():
         must("git", "checkout", "--force", "--detach", commit)
     else:

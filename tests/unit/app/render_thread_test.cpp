@@ -5,6 +5,7 @@
 
 #include "cli/app/draw.h"
 #include "core/base/error.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
@@ -31,12 +32,7 @@ TEST(RenderThread, PassesTheFirstErrorToAllWhoWait) {
     auto first = thread.start([](app::Drawing&) { throw Error(ErrorCode::backend, "no OpenGL"); });
     bool done = false;
     for (int i = 0; i < 2; ++i) {
-        try {
-            thread.run([&](app::Drawing&) { done = true; });
-            FAIL();
-        } catch (const Error& error) {
-            EXPECT_STREQ(error.what(), "no OpenGL");
-        }
+        test::expect_error(ErrorCode::backend, [&] { thread.run([&](app::Drawing&) { done = true; }); }, {"no OpenGL"});
     }
     EXPECT_FALSE(done);
     EXPECT_THROW(first.get(), Error);

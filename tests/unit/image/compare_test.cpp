@@ -57,13 +57,13 @@ TEST(Compare, SizeChannelsAndNumbersComeFirstInThatOrder) {
     value_at(b, 1, 2, 0) = std::numeric_limits<float>::quiet_NaN();
     image::Comparison comparison = image::compare(a, b);
     EXPECT_EQ(comparison.verdict, image::Verdict::size);
-    EXPECT_EQ(comparison.reason, "the sizes differ, 4x4 and 4x5");
+    EXPECT_NE(comparison.reason.find("4x4 and 4x5"), std::string::npos);
     EXPECT_FALSE(comparison.has_numbers());
     b.size = {4, 4};
     b.values.resize(64);
     comparison = image::compare(a, b);
     EXPECT_EQ(comparison.verdict, image::Verdict::channels);
-    EXPECT_EQ(comparison.reason, "the channels differ, R,G,B and R,G,B,A");
+    EXPECT_NE(comparison.reason.find("R,G,B and R,G,B,A"), std::string::npos);
     comparison = image::compare(even({4, 4}, 0.5F, {"R", "G", "B", "A"}), b);
     EXPECT_EQ(comparison.verdict, image::Verdict::not_finite);
     EXPECT_EQ(comparison.reason, "1 value of the second picture is not finite, first at 1,2");

@@ -156,9 +156,7 @@ TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
     setrlimit(RLIMIT_FSIZE, &old_limit);
     std::signal(SIGXFSZ, old_action);
 
-    EXPECT_EQ(error.kind(), ErrorKind::io);
-    expect_text(error, "File too large");
-    expect_text(error, "free some space");
+    EXPECT_EQ(error.code(), ErrorCode::disk_full);
     EXPECT_EQ(files(), 0U);
 }
 
@@ -224,7 +222,7 @@ TEST_F(ImageTest, EndingsInCapitalsCount) {
 
 TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
     std::ofstream(file("text.png")) << "not a picture";
-    expect_text(error_of([&] { read_picture(file("text.png")); }), "cannot read picture");
+    EXPECT_EQ(error_of([&] { read_picture(file("text.png")); }).code(), ErrorCode::file_invalid);
     expect_text(error_of([&] { read_picture(file("none.png")); }), "none.png");
 }
 
@@ -266,7 +264,6 @@ TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
     const std::string text = "text";
     const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
     EXPECT_EQ(error.kind(), ErrorKind::io);
-    EXPECT_NE(std::string(error.what()).find("its symbolic link cannot be followed"), std::string::npos);
     EXPECT_EQ(files(), 1);
 }
 
@@ -315,7 +312,7 @@ TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
         film.add(Plane<Bgr>({32, 16}), 0);
         film.finish();
     });
-    EXPECT_EQ(error.what(), std::string("the disk is full"));
+    EXPECT_EQ(error.code(), ErrorCode::disk_full);
 }
 
 }  // namespace
