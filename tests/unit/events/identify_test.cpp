@@ -68,9 +68,10 @@ TEST(Claims, OfThingsStay) {
 TEST(Claims, OfAPersonInTheEmptySceneAreOfWhoStoodThere) {
     Findings found;
     found.begins = {{0, 0}, {30, 3}, {80, 8}};
-    found.events = {event_of(EventKind::moved, 4, 9), event_of(EventKind::taken, 5, 9)};
-    found.events[0].into = 1;
-    identify(found, std::vector<std::vector<Look>>{{}, {look("person", 0.8)}});
+    found.events = {event_of(EventKind::moved, 4, 9), event_of(EventKind::moved, 4.5, 9),
+                    event_of(EventKind::taken, 5, 9)};
+    found.events[0].into = 2;
+    identify(found, std::vector<std::vector<Look>>{{}, {}, {look("person", 0.8)}});
     EXPECT_EQ(found.events[1].into, 0U) << "events are listed by their first frames";
     const Event& event = found.events[0];
     EXPECT_EQ(event.kind, EventKind::stood);

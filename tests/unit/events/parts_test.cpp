@@ -94,6 +94,16 @@ TEST(Stays, AreWhereTheMiddleKeepsItsPlace) {
     EXPECT_NEAR(found[0].place.x, 100, 3);
 }
 
+TEST(Stays, ThatAreKnownExactlyReplaceThoseTheyMeet) {
+    events::Stays stays(2);
+    for (int f = 0; f < 300; ++f) stays.add(at(f), {f < 100 ? 0 : f < 200 ? 50 : 100, 0}, {}, 3);
+    stays.add_exactly({at(150), at(280), {60, 0}, {}});
+    const std::vector<events::Stay> found = stays.finish();
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].last.frame, 99);
+    EXPECT_EQ(found[1].first.frame, 150);
+}
+
 /// A finder for fields without pictures, where what is no object is black.
 events::EventFinder finder_on_black() {
     events::EventFinder finder({120, 90}, {.scene_is_learnt = false});

@@ -233,6 +233,11 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     EXPECT_EQ(object.at(15, 25), 0);
     EXPECT_NE(object.at(45, 25), 0);
     EXPECT_NE(object.at(75, 25), 0);
+    frame = empty;
+    darken(5, 1.5, 1.5, 1.5);
+    EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0) << "light is no shadow";
+    frame = empty;
+    darken(5, 0.68, 0.65, 0.64);
     options.shadows = "keep";
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0);
 }

@@ -55,6 +55,12 @@ TEST(Blobs, HolesAreFilledAndBaysAreNot) {
     EXPECT_EQ(plane.at(13, 13), 48);
     fields::fill_holes(plane, differences, {.max_area = 100, .least = 9, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 109) << "the mean counts";
+    Plane<std::uint8_t> corner(size);
+    paint(corner, 10, 10, 30, 30, 40);
+    paint(corner, 20, 20, 10, 10, 0);
+    paint(corner, 30, 30, 2, 2, 0);
+    fields::fill_holes(corner, differences, {.max_area = 20, .least = 7, .value = 48});
+    EXPECT_EQ(corner.at(30, 30), 48) << "holes that touch at a corner are two";
     Plane<std::uint8_t> nothing(size);
     fields::fill_holes(nothing, differences, {.max_area = size.width * size.height});
     EXPECT_EQ(lit(nothing), 0);

@@ -47,7 +47,7 @@ TEST(MostTelling, TheSlowestAndTheLargestAreAmongTheFirst) {
 
 TEST(PlaceAt, IsOnThePath) {
     const events::Event event = event_of(events::EventKind::moved, 2, 4);
-    EXPECT_EQ(glance::position_at(event, 3), glm::dvec2(20, 30));
+    EXPECT_EQ(glance::position_at(event, 2.5), glm::dvec2(15, 25));
     EXPECT_EQ(glance::position_at(event, 0), glm::dvec2(10, 20));
     EXPECT_EQ(glance::position_at(event, 9), glm::dvec2(30, 40));
 }
