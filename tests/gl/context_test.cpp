@@ -1,7 +1,11 @@
 #include "gl/context.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
+#include "gl/framebuffer.h"
 #include "tests/support/errors.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
@@ -19,6 +23,21 @@ TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
     shot.backend = "osmesa";
     const test::Drawn osmesa = draw_volume(volume, shot);
     EXPECT_LE(test::max_difference(software.picture, osmesa.picture), 2);
+}
+
+TEST(Tiles, CoverEachPixelOnce) {
+    constexpr Size picture{7, 5};
+    for (const std::int64_t pixels : {1, 3, 7, 16, 100}) {
+        Plane<int> covered(picture);
+        for (const PixelBox& tile : gl::cut_tiles(picture, pixels)) {
+            EXPECT_LE(std::int64_t{tile.width()} * tile.height(), pixels);
+            ASSERT_TRUE((PixelBox{0, 0, picture.width, picture.height}.contains(tile))) << pixels;
+            for (int j = tile.top; j < tile.bottom; ++j) {
+                for (int i = tile.left; i < tile.right; ++i) ++covered.at(i, j);
+            }
+        }
+        EXPECT_EQ(std::ranges::count(covered.pixels(), 1), picture.width * picture.height) << pixels;
+    }
 }
 
 TEST(Context, AutoOpensWhatThereIs) {

@@ -112,7 +112,7 @@ BREAKS = [
           "Gone.IsOnlyWhatIsCertainlyNotThere"),
     # gl
     Break("gl/framebuffer.cpp", "std::min(left + width, picture.width)", "left + width",
-          "Slicer.TilesOfALargePictureFitTogether"),
+          "Tiles.CoverEachPixelOnce"),
     Break("gl/brick_window.cpp", "return same_before && same_after ?", "return same_before || same_after ?",
           "MovingWindow.LooksOnlyAtTheEndsOfABrickThatIsThere"),
     # cli
