@@ -30,24 +30,11 @@ def test_a_picture_for_each_brick(t):
         check(text in data, f"{text} is not in the last picture")
 
 
-@pytest.mark.parametrize("look", [(), ("--camera", "-50,20"), ("--filter", "luminance"), ("--transfer", "solid"),
-                                  ("--layout", "box")], ids=" ".join)
-def test_a_picture_does_not_depend_on_how_the_volume_is_cut(t, look):
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "210")
-    for window in (1, 2, 3, 8):
-        t.render("bag.y4m", "--size", "400x250", "--show", "volume", "--backend", "software", *look, "--window", str(window),
-                 output=f"{window}.png").expect(0)
-    for window in (2, 3, 8):
-        compared = t.vvr("compare", "1.png", f"{window}.png", "--tolerance", "100", "--json").expect(0, out=None)
-        most = json.loads(compared.out)["max"]
-        check(most <= 1.001 / 255, f"--window {window}: a pixel is {most * 255:.1f} of 255 off")
-
-
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.
     moving_clip(t, frames=320)
     t.render("clip.mkv", "--brick", "40f", "--window", "4", *ALL, output="moved.{brick}.png").expect(0, "8 pictures")
-    for moved in (0, 1, 3, 4):
+    for moved in (0, 3):
         begin, end = 40 * moved, 40 * (moved + 4)
         start = ("--start", f"{begin / 10}s") if moved else ()
         t.vvr("extract", "clip.mkv", "-o", f"part{moved}", *start, "--end", f"{end}f", "--flow-every", "1").expect(

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -159,6 +160,18 @@ TEST(EventFinder, ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken) {
     EXPECT_EQ(box.from, 0U);
     EXPECT_EQ(box.into, 2U);
     EXPECT_TRUE(events[0].stays.empty());
+}
+
+TEST(EventFinder, WhoStoodThereFromTheFirstFrameMayLeaveAThing) {
+    const auto events = events_of(400, [](int f, auto& field) {
+        const int x = 60 - std::max(0, f - 100);
+        fill(field, {60, 60, 72, 70}, 220);
+        fill(field, {x, 30, x + 14, 72}, 120);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_TRUE(row_of(events[1].kind).is_thing);
+    EXPECT_EQ(events[1].from, 0U);
+    EXPECT_NEAR(static_cast<double>(events[1].first.frame), 110, 10);
 }
 
 TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
