@@ -119,7 +119,7 @@ def test_four_parts_are_one_whole(t):
 
 def test_part_gives_the_picture_that_the_clip_gives(t):
     moving_clip(t, frames=60)
-    for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17f"), ("--end", "2.05s")):
+    for span in (("--start", "17f"), ("--start", "1.5s", "--end", "2.05s")):
         t.vvr("extract", "clip.mkv", "-o", "data", *span).expect(0)
         for options in ((), span):
             t.render("data", "--backend", "software", *options, output="data.png").expect(0)

@@ -42,14 +42,14 @@ def test_no_shells_between_bands(t):
 
 def test_bands_of_layers_that_hold_several_frames(t):
     options = lamp(t)
-    for step in (4, 7):
-        for band, value in BANDS.items():
-            t.render("lamp.mkv", *options, *STRAIGHT, "--step", str(step), "--transfer", transfer(t, f"{band}.tf", value),
-                     output=f"{band}.png").expect(0)
-        check(columns(t, "uncovered.png") == [], f"{step} frames per layer: uncovered")
-        newly = columns(t, "newly.png")
-        check(newly and newly[-1] - newly[0] < 1.3 * step / 60, f"{step} frames per layer: newly covered for {newly}")
-        check(columns(t, "still.png")[-1] > 0.94, f"{step} frames per layer: no longer covered")
+    step = 7
+    for band, value in BANDS.items():
+        t.render("lamp.mkv", *options, *STRAIGHT, "--step", str(step), "--transfer", transfer(t, f"{band}.tf", value),
+                 output=f"{band}.png").expect(0)
+    check(columns(t, "uncovered.png") == [], "uncovered")
+    newly = columns(t, "newly.png")
+    check(newly and newly[-1] - newly[0] < 1.3 * step / 60, f"newly covered for {newly}")
+    check(columns(t, "still.png")[-1] > 0.94, "no longer covered")
 
 
 def test_no_seeds_on_uncovered_background(t):
