@@ -141,7 +141,7 @@ ExpressionBuilder make(std::string_view pattern, RecorderPattern::Words words) {
             refuse(pattern, fmt::format("unknown field '{}' (known: {})", rest.substr(0, end),
                                         fmt::join(names_of(fields), " ")));
         }
-        builder.expression += re2::RE2::QuoteMeta(rest.substr(0, 1));
+        builder.expression += re2::RE2::QuoteMeta(re2::StringPiece(rest.data(), 1));
         rest.remove_prefix(percent ? 2 : 1);
     }
     return builder;

@@ -529,8 +529,9 @@ def killed_at_random(t, count, seed):
         way = ways[number % len(ways)]
         done = stamps(t) if t.path("out").exists() else {}
         if way == "disk full":
-            # A limit on the size of files is met where a full disk would be, and says much the same.
-            full = start(t, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((100, 4000, 20000)),) * 2))
+            # A limit on the size of files is met where a full disk would be, and says much the same. A smaller one would
+            # also be met by what workers are told, which is on no disk.
+            full = start(t, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((8000, 20000)),) * 2))
             said = full.communicate(timeout=60)[1].decode()
             check(full.returncode == 2 or len(done) == len(names), f"status {full.returncode}: {said}")
         else:
