@@ -16,6 +16,7 @@ namespace vvr::app {
 namespace {
 
 constexpr auto& limit = events::thresholds.detector;
+constexpr std::size_t most_events = 200;  // per clip, the most important ones: a look takes 50 to 100 ms
 
 /// Limits the threads of OpenCV to those that the user allows.
 class OpenCvThreads {
@@ -63,7 +64,7 @@ const DetectorUse& Identifier::identify(events::Findings& found, const glance::C
     const OpenCvThreads threads(threads_);
     std::vector<std::vector<events::Look>> looks(found.events.size());
     std::vector<std::size_t> order = glance::by_importance(found.events);
-    order.resize(std::min(order.size(), static_cast<std::size_t>(limit.events)));
+    order.resize(std::min(order.size(), most_events));
     Answers current;
     use_.events = 0;
     for (const std::size_t k : order) {

@@ -120,7 +120,6 @@ struct Thresholds {
         double score = 0.5;    ///< probability; with less, nano-sized models confuse things with people
         double overlap = 0.3;  ///< share of the object's box, or of both boxes; what overlaps less is something else
         int looks = 3;         ///< pictures of one object
-        int events = 200;      ///< per clip, the most important ones: a look takes 50 to 100 ms
     } detector;
 };
 
