@@ -85,7 +85,7 @@ std::vector<events::Look> Identifier::looks_at(const events::Event& event, const
     const bool is_claim = row_of(event.kind).is_thing;
     std::vector<events::Look> looks;
     for (const auto& [track, crop] : crops.all(event)) {
-        if (std::ssize(looks) == limit.looks || (only_scene && crop->score() != glance::score_of_scene)) break;
+        if (std::ssize(looks) == most_looks || (only_scene && crop->score() != glance::score_of_scene)) break;
         // One answer is enough, except to refute a claim; without one, another moment may give it.
         if (!is_claim && !looks.empty() && looks.back().what != nullptr) break;
         const std::pair key(track, crop->score());

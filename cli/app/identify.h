@@ -21,6 +21,9 @@ namespace vvr::app {
 /// \throws Error not_a_model, io
 std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options);
 
+/// The largest number of pictures of one object that a detector looks at.
+inline constexpr int most_looks = 3;
+
 /// What a detector was used for.
 struct DetectorUse {
     std::string_view format;  ///< of its model

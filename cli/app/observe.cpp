@@ -5,7 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "core/events/event_options.h"
 #include "core/fields/motion.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
@@ -162,7 +161,7 @@ ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions r
                                                                   .labels = plan.colours_objects()});
     if (plan.finds_objects && plan.detector) {
         identifier_.emplace(*plan.detector, plan.job.fields.threads);
-        seen.crops = glance::Crops(events::thresholds.detector.looks);
+        seen.crops = glance::Crops(most_looks);
     }
 }
 

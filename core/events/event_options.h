@@ -119,7 +119,6 @@ struct Thresholds {
     struct {
         double score = 0.5;    ///< probability; with less, nano-sized models confuse things with people
         double overlap = 0.3;  ///< share of the object's box, or of both boxes; what overlaps less is something else
-        int looks = 3;         ///< pictures of one object
     } detector;
 };
 
