@@ -90,8 +90,8 @@ class Writer {
     page::WatchedFields* watched_;
     const PictureCallback& on_picture_;
     Observer& observer_;
-    image::Picture last_;                  ///< for the comparison with the golden picture
-    std::vector<double> tiles_;            ///< times of the contact sheet, seconds
+    image::Picture last_;        ///< for the comparison with the golden picture
+    std::vector<double> tiles_;  ///< times of the contact sheet, seconds
 };
 
 }  // namespace vvr::app

@@ -197,7 +197,7 @@ function beginDrawing(kind) {
  * @param {MouseEvent} event
  */
 function take(kind, event) {
-    state.tool = state.view === 'scene' && state.tool === kind && !isByKeyboard(event) ? null : kind;
+    state.tool = kind;
     ask({view: 'scene'});
     if (!isByKeyboard(event)) return;
     if (sceneCamera() !== null) beginDrawing(kind);
