@@ -46,7 +46,7 @@ const parts = [
     {draw: drawCamera, from: () => [state.camera]},
     {draw: drawClips, from: () => [state.view === 'clips' && chosenClips(), state.order]},
     {draw: drawDays, from: () => [state.view === 'days' && chosenClips()]},
-    {draw: drawScene, from: () => [state.view === 'scene', sceneCamera()]},
+    {draw: drawScene, from: () => [state.view === 'scene', sceneCamera(), sceneCamera() === null && state.tool]},
     {draw: drawTools, from: () => [state.tool, state.view, state.drawn, state.place, sceneCamera()]},
     {draw: drawPlace, from: () => [state.place, state.drawn]},
     {draw: answer, from: () => state.view === 'scene' ? [searchedClips(), state.place, state.way, state.kind, state.class, span()] : [null]},

@@ -97,16 +97,17 @@ function drawChoosers() {
         const picture = element('div', 'stage');
         const image = stillOf(/** @type {import('./clips.js').Clip} */ (clipOfScene(camera)));
         const drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-        drawing.setAttribute('class', 'drawing active');
+        drawing.setAttribute('class', state.tool ? 'drawing active' : 'drawing');
         drawing.setAttribute('preserveAspectRatio', 'none');
         drawing.setAttribute('aria-hidden', 'true');
         /** @type {Shape | null} */
         let drawn = null;
         letDraw(drawing, 1000, {
-            kind: () => state.tool ?? 'box', shape: () => drawn,
+            kind: () => state.tool, shape: () => drawn,
             shows: shape => drawShape(drawing, drawn = shape, [1000, 1000], 1000, true),
             asks: place => ask({camera, place}),
         });
+        drawing.addEventListener('click', () => { if (!state.tool) ask({camera}); });
         image.addEventListener('load', () => { picture.style.aspectRatio = String(image.naturalWidth / image.naturalHeight); });
         picture.append(image, drawing);
         const name = button('', cameraName(camera), () => ask({camera}));
@@ -158,10 +159,10 @@ export function drawTools() {
     const {tool, view, drawn, place} = state;
     for (const [id, kind] of tools) press(at(id), view === 'scene' && tool === kind);
     surface.classList.toggle('active', tool !== null);
-    const camera = sceneCamera();
+    const whichCamera = sceneCamera() === null ? 'Which camera? ' : '';
     at('scenehint').textContent = drawn ? 'Arrow keys move an end, Tab goes to the other one, Enter searches.'
-        : camera === null ? `Which camera? ${hints[tool ?? 'box']}`
-        : tool && !place ? hints[tool] : place ? '' : 'Warm colours show where most went on.';
+        : tool && !place ? whichCamera + hints[tool]
+        : whichCamera || (place ? '' : 'Warm colours show where most went on. Search by area, or draw a line, to ask who was where.');
 }
 
 /** → 12, ← 4, both: with how many events. */
