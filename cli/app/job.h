@@ -72,6 +72,7 @@ struct OutputOptions {
     std::filesystem::path page_place;  ///< final path of the page, for links; empty = where it is written
     std::filesystem::path thumbnail;   ///< empty = none
     std::filesystem::path still;       ///< for a frame of the clip; empty = none
+    std::filesystem::path stills;      ///< for the contact sheet of the events; empty = none
     bool plain_name = false;           ///< `path` contains no pattern field
     std::optional<int> animate;        ///< number of pictures with moving texture
     std::optional<int> slide;          ///< film of the sliding window: pictures per brick

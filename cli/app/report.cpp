@@ -278,7 +278,8 @@ Json json_of(const WallClock& clock, double first, double last) {
 
 }  // namespace
 
-std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds) {
+std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds,
+                          std::span<const double> tiles) {
     const auto& [plan, seen, composed, run] = context;
     const video::VideoInfo& info = seen.info;
     const double first = seen.begin.seconds;
@@ -331,6 +332,8 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
             json["events"].push_back(json_of(seen.events->events[k], k, scale, {info.segments, plan.clock}));
     }
+    // Only an archive asks for them.
+    for (const double tile : tiles) json["stills"].push_back(rounded(tile));
     return json_text(json, 2) + "\n";
 }
 

@@ -66,7 +66,8 @@ struct RunContext {
 /// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.
 /// \param advice from advice_on
 /// \param seconds duration of the run
-std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds);
+std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds,
+                          std::span<const double> tiles = {});
 
 /// The metadata of a picture's file: the settings, and their results for this clip.
 image::Metadata record_of(const RunContext& context);

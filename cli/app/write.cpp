@@ -28,6 +28,7 @@ namespace {
 constexpr int pictures_per_second = 20;  // a GIF's frame time is a whole number of hundredths of a second
 constexpr int thumbnail_side = 400;
 constexpr int thumbnail_quality = 80;
+constexpr int sheet_quality = 66;
 
 }  // namespace
 
@@ -36,7 +37,8 @@ PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
       name_(name_of(options)),
       page_(page_of(options)),
       thumbnail_(options.thumbnail),
-      still_(options.still) {
+      still_(options.still),
+      stills_(options.stills) {
     if (options.path.empty() || is_standard_output(options.path)) return;
     const auto held = observer.guard();
     if (image::is_animation(options.path) || is_page(options.path)) {
@@ -74,6 +76,13 @@ void PictureOutput::add_still(const std::optional<page::Still>& still) {
     const std::vector<std::byte> encoded = image::encode_picture(still_, still->picture, thumbnail_quality);
     const auto held = observer_.guard();
     replace_file(still_, encoded);
+}
+
+void PictureOutput::add_stills(const std::optional<page::ContactSheet>& sheet) {
+    if (stills_.empty() || !sheet) return;
+    const std::vector<std::byte> encoded = image::encode_picture(stills_, sheet->picture, sheet_quality);
+    const auto held = observer_.guard();
+    replace_file(stills_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {
@@ -181,6 +190,11 @@ void Writer::write(FinishedPicture&& finished) {
     const std::span<const events::Event> events =
         shown ? std::span<const events::Event>(shown->events) : std::span<const events::Event>();
     files_.add_still(page::best_still(moments.stills, events, plan.clip.field_size));
+    if (files_.wants_stills()) {
+        const std::optional<page::ContactSheet> sheet = page::contact_sheet(moments.stills, events);
+        files_.add_stills(sheet);
+        if (sheet) tiles_ = sheet->seconds;
+    }
     if (page_of(output).empty()) {
         files_.add(finished.number, std::move(picture), record);
         return;
@@ -198,7 +212,7 @@ void Writer::finish(const RunContext& context, double seconds) {
     if (context.plan.products.events && context.seen.events)
         observer_.info(events_summary(context.seen.events->events, context.plan.clock));
     if (!output.report.empty()) {
-        const std::string text = format_report(context, advice, seconds);
+        const std::string text = format_report(context, advice, seconds, tiles_);
         const auto bytes = std::as_bytes(std::span(text));
         const auto held = observer_.guard();
         if (is_standard_output(output.report)) {

@@ -40,6 +40,11 @@ class PictureOutput {
     /// Writes a frame of the clip, if requested and available.
     void add_still(const std::optional<page::Still>& still);
 
+    /// Writes the contact sheet of the events, if requested and available.
+    void add_stills(const std::optional<page::ContactSheet>& sheet);
+
+    bool wants_stills() const { return !stills_.empty(); }
+
     /// Writes the page, in place of the picture or beside it.
     void add_page(const std::string& text);
 
@@ -52,6 +57,7 @@ class PictureOutput {
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
     std::filesystem::path still_;
+    std::filesystem::path stills_;
     std::optional<image::AnimationFile> animation_;
 };
 
@@ -84,7 +90,8 @@ class Writer {
     page::WatchedFields* watched_;
     const PictureCallback& on_picture_;
     Observer& observer_;
-    image::Picture last_;  ///< for the comparison with the golden picture
+    image::Picture last_;        ///< for the comparison with the golden picture
+    std::vector<double> tiles_;  ///< times of the contact sheet, seconds
 };
 
 }  // namespace vvr::app

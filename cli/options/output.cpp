@@ -208,6 +208,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     line.plan_setting("page-camera", [&options](const std::string& camera) { options.page_camera = camera; });
     line.plan_setting("page-index", [&options](const std::string& path) { options.page_index = path; });
     line.plan_setting("page-place", [&options](const std::string& path) { options.page_place = path; });
+    line.plan_setting("stills", [&options](const std::string& path) { options.stills = path; });
     line.plan_setting("thumbnail", [&options](const std::string& path) { options.thumbnail = path; });
 }
 

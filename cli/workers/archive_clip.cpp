@@ -249,9 +249,9 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
 
 std::unique_ptr<Worker> ClipTask::start() const {
     static constexpr std::array outputs{
-        std::pair{archive::OutputKind::picture, "output"}, std::pair{archive::OutputKind::page, "page"},
+        std::pair{archive::OutputKind::picture, "output"},      std::pair{archive::OutputKind::page, "page"},
         std::pair{archive::OutputKind::thumbnail, "thumbnail"}, std::pair{archive::OutputKind::report, "report"},
-        std::pair{archive::OutputKind::still, "still"}};
+        std::pair{archive::OutputKind::still, "still"},         std::pair{archive::OutputKind::stills, "stills"}};
     WorkerPlan plan{"render", {}, {{"quiet", "true"}, {"plain-name", "true"}, {"detector-tried", "true"}}};
     const auto set = [&plan](const char* name, std::string value) {
         if (!value.empty()) plan.settings.emplace_back(name, std::move(value));

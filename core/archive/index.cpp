@@ -17,6 +17,7 @@
 #include "core/detector/classes.h"
 #include "core/events/event_kind.h"
 #include "core/page/html.h"
+#include "core/page/moments.h"
 #include "web_files.h"
 
 namespace vvr::archive {
@@ -220,6 +221,7 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::Recor
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
         Json& day = days[date_of(begin_of(sidecar, names).utc)];
         day.push_back({page::url_of_path(sidecar.clip.path), std::move(events)});
+        if (!sidecar.stills.empty()) day.back().push_back(sidecar.stills);
     }
     DayFiles files;
     for (const auto& [day, clips] : days) {
@@ -249,6 +251,7 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
               {"zone", zone_of(places)},
               {"kinds", page::json_of_kinds()},
               {"classes", classes_by_group(sidecars)},
+              {"sheet_columns", page::ContactSheet::columns},
               {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
     json["recordings"] = Json::array();

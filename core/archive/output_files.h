@@ -33,7 +33,7 @@ std::string text_of_path(std::string_view path);
 std::string path_of_text(std::string_view text);
 
 /// The kinds of files that an archive writes for a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
-enum class OutputKind { picture, page, thumbnail, report, still };
+enum class OutputKind { picture, page, thumbnail, report, still, stills };
 
 struct OutputRow {
     OutputKind kind;
@@ -44,7 +44,7 @@ struct OutputRow {
 inline constexpr std::array output_rows{
     OutputRow{OutputKind::picture, "picture", ".png"},     OutputRow{OutputKind::page, "page", ".html"},
     OutputRow{OutputKind::thumbnail, "thumbnail", ".jpg"}, OutputRow{OutputKind::report, "report", ".report.json"},
-    OutputRow{OutputKind::still, "still", ".still.jpg"},
+    OutputRow{OutputKind::still, "still", ".still.jpg"},   OutputRow{OutputKind::stills, "stills", ".stills.jpg"},
 };
 
 inline constexpr std::string_view sidecar_extension = ".json";

@@ -239,6 +239,7 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     sidecar.recorded_by = source_of(json.value("recorded_by", Json()));
     // Older sidecars have none.
     for (const Json& event : json.value("found", Json::array())) sidecar.found.push_back(found_event_of(event));
+    for (const Json& still : json.value("stills", Json::array())) sidecar.stills.push_back(whole(still));
     return sidecar;
 }
 
@@ -258,7 +259,7 @@ std::string in_lines(const Json& json) {
 /// JSON text in lines for people, with each event, and the clips of each folder of a day, on one line.
 std::string text_of(Json json) {
     std::string lists;
-    for (const char* name : {"clips", "found"}) {
+    for (const char* name : {"clips", "found", "stills"}) {
         if (const auto list = json.find(name); list != json.end()) {
             lists += fmt::format(",\n  \"{}\": {}", name, in_lines(*list));
             json.erase(name);
@@ -305,6 +306,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
         json["recorded_by"] = sidecar.recorded ? Json(row_of(sidecar.recorded_by).name) : Json();
         json["found"] = Json::array();
         for (const FoundEvent& event : sidecar.found) json["found"].push_back(json_of(event));
+        if (!sidecar.stills.empty()) json["stills"] = sidecar.stills;
     }
     json["files"] = Json::object();
     for (const OutputKind kind : sidecar.files) {
@@ -382,6 +384,9 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         if (const Json& events = json.at("events"); !events.is_null()) {
             sidecar.events = static_cast<std::int64_t>(events.size());
             sidecar.found = found_events(json);
+        }
+        for (const Json& seconds : json.value("stills", Json::array())) {
+            sidecar.stills.push_back(whole(10 * seconds.get<double>()));
         }
     } catch (const Json::exception& error) {
         refuse(error.what());

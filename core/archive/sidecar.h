@@ -84,6 +84,7 @@ struct Sidecar {
     std::optional<std::string> recorded;               ///< UTC; nothing if only the file's time is known
     ClockSource recorded_by = ClockSource::container;  ///< source of `recorded`
     std::vector<FoundEvent> found;                     ///< the events
+    std::vector<int> stills;                           ///< times of the contact sheet's pictures, tenths of a second
 };
 
 /// Writes a sidecar atomically. Call it when all files that it names exist.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -91,6 +92,48 @@ std::optional<Still> best_still(std::span<const Still> stills, std::span<const e
     const auto at = [](double value) { return static_cast<int>(std::lround(value)); };
     outline(still.picture, {at(place.x - half), at(place.y - half), at(place.x + half), at(place.y + half)});
     return still;
+}
+
+namespace {
+
+constexpr int sheet_side = 240;
+
+/// The stills that a contact sheet shows, in order of time.
+std::vector<const Still*> sheet_stills(std::span<const Still> stills, std::span<const events::Event> events) {
+    std::set<const Still*> chosen;
+    for (const events::Event& event : events) {
+        chosen.insert(&nearest_to(stills, (event.first.frame + event.last.frame) / 2));
+        for (const Still& still : stills) {
+            if (still.frame >= event.first.frame && still.frame <= event.last.frame) chosen.insert(&still);
+        }
+    }
+    if (chosen.empty()) chosen.insert(&stills[stills.size() / 2]);
+    std::vector<const Still*> shown;  // the order of addresses is that of time
+    const std::size_t count = std::min(chosen.size(), ContactSheet::most);
+    const std::vector<const Still*> all(chosen.begin(), chosen.end());
+    for (std::size_t k = 0; k < count; ++k) shown.push_back(all[(2 * k + 1) * all.size() / (2 * count)]);
+    return shown;
+}
+
+}  // namespace
+
+std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const events::Event> events) {
+    if (stills.empty()) return std::nullopt;
+    const std::vector<const Still*> shown = sheet_stills(stills, events);
+    const Size tile = fit_into(stills.front().picture.size(), sheet_side);
+    const int count = static_cast<int>(shown.size());
+    const int columns = std::min(count, ContactSheet::columns);
+    ContactSheet sheet{Plane<Bgr>({columns * tile.width, (count + columns - 1) / columns * tile.height}), {}};
+    for (int k = 0; k < count; ++k) {
+        const Plane<Bgr> small = image::resized(shown[static_cast<std::size_t>(k)]->picture, tile);
+        const int left = k % columns * tile.width;
+        const int top = k / columns * tile.height;
+        for (int y = 0; y < tile.height; ++y) {
+            for (int x = 0; x < tile.width; ++x) sheet.picture.at(left + x, top + y) = small.at(x, y);
+        }
+        sheet.seconds.push_back(shown[static_cast<std::size_t>(k)]->seconds);
+    }
+    return sheet;
 }
 
 namespace {
@@ -239,10 +282,8 @@ ConstantRateFrames Timeline::current() const {
 
 namespace {
 
-constexpr int still_side = 240;
-constexpr int small_still_side = 200;
-constexpr std::size_t few_stills =
-    Stills::most / 2;  // with a preview, a still is shown only until the preview has loaded
+constexpr int still_side = 320;
+constexpr std::size_t few_stills = Stills::most / 2;  // with a preview, a page needs them only until that has loaded
 
 /// Whether all current browsers play such a file.
 bool browsers_play(const video::VideoInfo& info) {
@@ -289,8 +330,7 @@ void WatchedFields::begin() {
         preview_.emplace(info().size, expected, use);
     }
     const bool has_film = preview_ && preview_->is_possible();
-    stills_.emplace(fit_into(info().size, has_film ? small_still_side : still_side),
-                    has_film ? few_stills : Stills::most);
+    stills_.emplace(fit_into(info().size, still_side), has_film ? few_stills : Stills::most);
 }
 
 void WatchedFields::look_at(const video::Frame& frame, const fields::Field& field) {

@@ -64,6 +64,20 @@ class Stills {
 /// \returns empty if there are no stills
 std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
 
+/// Small pictures of what happens in a clip, in one: from left to right and from the top down in order of time.
+struct ContactSheet {
+    static constexpr int columns = 10;
+    static constexpr std::size_t most = 60;  ///< pictures
+
+    Plane<Bgr> picture;
+    std::vector<double> seconds;  ///< the time of each small picture
+};
+
+/// The stills that show events, at least one for each event; the middle one of a clip without events. If there are more
+/// than ContactSheet::most, some are left out evenly.
+/// \returns empty if there are no stills
+std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const events::Event> events);
+
 /// A small video in a format that browsers play.
 struct EncodedVideo {
     std::string type;  ///< MIME type, such as "video/mp4"

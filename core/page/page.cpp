@@ -65,6 +65,8 @@ std::string heading_of(const std::string& name, const WallClock& clock, double b
 using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 66;
+constexpr int still_side = 240;
+constexpr int small_still_side = 200;  // with a preview, a still is shown only until the preview has loaded
 
 /// Rounds a time or rate to six decimals, the precision of containers.
 double rounded(double value) {
@@ -209,9 +211,11 @@ Json json_of_portrait(const Plane<Bgr>& portrait) {
     return data_url("image/jpeg", image::encode_picture("portrait.jpg", portrait, still_quality));
 }
 
-Json json_of(const Still& still) {
+/// \param side of the picture, pixels
+Json json_of(const Still& still, int side) {
+    const Plane<Bgr> small = image::resized(still.picture, fit_into(still.picture.size(), side));
     return {{"frame", still.frame},
-            {"src", data_url("image/jpeg", image::encode_picture("still.jpg", still.picture, still_quality))}};
+            {"src", data_url("image/jpeg", image::encode_picture("still.jpg", small, still_quality))}};
 }
 
 Json json_of(const EncodedVideo& film) {
@@ -264,7 +268,8 @@ Json json_of(const PageContent& content) {
         json["live"] = {{"state", live->text}, {"written", live->written}, {"brick", std::ceil(live->brick_seconds)}};
     }
     for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
-    for (const Still& still : moments.stills) json["stills"].push_back(json_of(still));
+    const int side = moments.preview ? small_still_side : still_side;
+    for (const Still& still : moments.stills) json["stills"].push_back(json_of(still, side));
     return json;
 }
 

@@ -15,7 +15,7 @@ from harness import check, fnv1a, lock_name, part_name
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 DAY_FILE = re.compile(r"index\.\d{4}-\d\d-\d\d\.js")
-ENDINGS = (".png", ".html", ".jpg", ".still.jpg", ".report.json", ".json")
+ENDINGS = (".png", ".html", ".jpg", ".still.jpg", ".stills.jpg", ".report.json", ".json")
 
 
 def age(t, *names):

@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {meets, partInBox, scaled, sidesOf} from '../../core/web/shared/shapes.js';
-import {arrowAcross, boundsOf, crossingWords, crossingsOf, stayOf} from '../../core/web/shared/ways.js';
+import {firstShape, meets, movedShape, partInBox, scaled, shapeOfText, shapeText, sidesOf} from '../../core/web/shared/shapes.js';
+import {arrowAcross, boundsOf, crossingWords, crossingsOf, pointOnWay, stayOf} from '../../core/web/shared/ways.js';
 
 /** Numbers that look random, the same each time. */
 function chance(seed) {
@@ -174,6 +174,30 @@ test('the part of a stretch in a rectangle', () => {
     assert.equal(partInBox(0, 25, 30, 25, box), null);
     assert.equal(partInBox(0, 0, 9, 9, box), null);
     assert.deepEqual(partInBox(0, 0, 10, 10, box), [1, 1]);  // it ends at the corner
+});
+
+test('shapes that keys move stay in the picture', () => {
+    const line = firstShape('line', 1000);
+    assert.deepEqual(line, {kind: 'line', from: [500, 200], to: [500, 800]});
+    assert.deepEqual(movedShape(line, 'from', [30, -500], 1000), {kind: 'line', from: [530, 0], to: [500, 800]});
+    assert.deepEqual(movedShape(line, 'to', [-10, 0], 1000), {kind: 'line', from: [500, 200], to: [490, 800]});
+    assert.deepEqual(movedShape(line, null, [700, 900], 1000), {kind: 'line', from: [1000, 400], to: [1000, 1000]});
+    assert.deepEqual(movedShape(firstShape('box', 100), null, [-90, -1], 100), {kind: 'box', from: [0, 34], to: [30, 64]});
+});
+
+test('shapes in addresses', () => {
+    const line = {kind: 'line', from: [499.6, 0], to: [500, 1000]};
+    assert.equal(shapeText(line), 'line.500.0.500.1000');
+    assert.deepEqual(shapeOfText(shapeText(line)), {...line, from: [500, 0]});
+    for (const text of [null, '', 'line', 'line.1.2.3', 'line.1.2.3.x', 'line.1.2.3.1001', 'oval.1.2.3.4', 'box.1.2.3.4.5', 'box.-1.2.3.4']) {
+        assert.equal(shapeOfText(text), null, text);
+    }
+});
+
+test('where a way is at a time', () => {
+    const way = [10, 0, 100, 20, 100, 100, 40, 100, 300];
+    assert.deepEqual([0, 10, 15, 20, 30, 40, 99].map(at => pointOnWay(way, at)), [[0, 100], [0, 100], [50, 100], [100, 100], [100, 200], [100, 300], [100, 300]]);
+    assert.deepEqual(pointOnWay([5, 1, 2], 7), [1, 2]);
 });
 
 test('shapes and the boxes about ways', () => {

@@ -2,9 +2,11 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {answerOf, coloursOf, daysBetween, eventOf, heatOf, sortedFound} from '../../core/web/index/answers.js';
+import {answerOf, coloursOf, daysBetween, eventOf, heatOf, hitBeside, ofWay, sortedFound} from '../../core/web/index/answers.js';
 import {busiestHour, clipsOf, counted, eventsIn, failureOf, hoursOf, neighbourOf, pageOf, summaryOf} from '../../core/web/index/clips.js';
-import {choicesIn, chosenOf, isOf, nothingAsked, readQuery, sortedBy, writeQuery} from '../../core/web/index/query.js';
+import {choicesIn, chosenOf, isOf, isOfChoice, nothingAsked, readQuery, sortedBy, spanOf, writeQuery} from '../../core/web/index/query.js';
+import {nearestStill, sheetPlace, stillsBetween} from '../../core/web/index/sheet.js';
+import {isWithin, overlaps, timeWords, timesIn} from '../../core/web/shared/day_time.js';
 import {wallIn} from '../../core/web/shared/wall_clock.js';
 
 const kind = (name, tally, choice) => ({name, words: name, by: 'by', isThing: false, emphasis: 'none', tally, choice});
@@ -34,18 +36,18 @@ test('clips are read from their rows, the newest first', () => {
     const [d, c, b, whole, a, f] = clips;
     assert.deepEqual([d.path, d.name, d.day, d.time, d.hour, d.gone], ['Ü/d e.mp4', 'd e.mp4', '2026-11-22', '00:30:00', 0, true]);
     assert.deepEqual([d.placedBy, b.placedBy, a.placedBy], ['when it was last written', 'when its container says it was written', '']);
-    assert.deepEqual([c.failed, c.drawn, c.reason, failureOf(c)], [true, false, 'no[U+202E]video', 'Failed once, status 3']);
-    assert.deepEqual([f.failed, f.drawn, f.until, failureOf(f)], [true, true, '2026-11-21 01:00:00', 'Failed 4 times, status 6']);
+    assert.deepEqual([c.failed, c.drawn, c.reason, failureOf(c)], [true, false, 'no[U+202E]video', 'Failed once, exit status 3']);
+    assert.deepEqual([f.failed, f.drawn, f.until, failureOf(f)], [true, true, '2026-11-21 01:00:00', 'Failed 4 times, exit status 6']);
     assert.deepEqual([b.damaged, a.damaged, a.tallyOf, c.tallyOf.left], [true, false, {left: 26, taken: 0, stood: 0, moved: 0}, 0]);
     assert.deepEqual([whole.wholeDay, whole.name, whole.day, whole.hour], [true, '3 clips', '2026-11-21', 8]);
     assert.deepEqual([pageOf(a), pageOf(b)], ['./gate/a.mp4.html', './gate/b.mp4.png']);
 });
 
 test('a whole day is not counted again', () => {
-    assert.equal(summaryOf(clips, data), '5 clips · 3 cameras · 12 events · 2 failures · 1 gone · times are those of CET');
+    assert.equal(summaryOf(clips, data), '5 clips · 3 cameras · 12 events · 2 failures · 1 gone · times in CET, from file names (3), creation times in containers (1), when files were last written (1)');
     assert.deepEqual(named(counted(clips.filter(clip => clip.wholeDay))), ['2026-11-21']);
     assert.equal(eventsIn(counted(clips)), 12);
-    assert.match(summaryOf([], {...data, cameras: [], zone: []}), /^0 clips · 0 cameras · 0 events · times are those of UTC$/);
+    assert.match(summaryOf([], {...data, cameras: [], zone: []}), /^0 clips · 0 cameras · 0 events · times in UTC$/);
 });
 
 test('hours of a day', () => {
@@ -58,15 +60,19 @@ test('hours of a day', () => {
 
 test('the clip before and the one after, of the same camera and with a picture', () => {
     const of = name => clips.find(clip => clip.url.endsWith(name));
-    assert.equal(neighbourOf(clips, of('b.mp4'), 1), of('2026-11-21'));
-    assert.equal(neighbourOf(clips, of('a.mp4'), 1), of('f.mp4'));
-    assert.equal(neighbourOf(clips, of('f.mp4'), 1), null);
-    assert.equal(neighbourOf(clips, of('b.mp4'), -1), null);  // c failed
-    assert.equal(neighbourOf(clips, of('f.mp4'), -1), of('a.mp4'));
+    assert.equal(neighbourOf(clips, of('b.mp4'), -1), of('a.mp4'));  // not the picture of the whole day between them
+    assert.equal(neighbourOf(clips, of('a.mp4'), -1), of('f.mp4'));
+    assert.equal(neighbourOf(clips, of('f.mp4'), -1), null);
+    assert.equal(neighbourOf(clips, of('b.mp4'), 1), null);  // c failed
+    assert.equal(neighbourOf(clips, of('f.mp4'), 1), of('a.mp4'));
+    assert.equal(neighbourOf(clips, of('2026-11-21'), 1), null);
+    // Of a list from which the clip itself is gone, as it has been seen.
+    assert.equal(neighbourOf(clips.filter(clip => clip !== of('a.mp4')), of('a.mp4'), 1), of('b.mp4'));
+    assert.equal(neighbourOf([of('f.mp4')], of('b.mp4'), -1), of('f.mp4'));
 });
 
 test('what is asked for', () => {
-    const chosen = (query, isSeen = unseen) => named(chosenOf(clips, {...nothingAsked, ...query}, choices, isSeen));
+    const chosen = (query, isSeen = unseen) => named(chosenOf(clips, {...nothingAsked, ...query}, choices, isSeen, wallIn(data.zone)));
     assert.equal(chosen({}).length, 6);
     assert.deepEqual(chosen({camera: 2}), ['d%20e.mp4']);
     assert.deepEqual(chosen({kind: 'events'}), ['b.mp4', '2026-11-21', 'a.mp4', 'f.mp4']);
@@ -76,7 +82,12 @@ test('what is asked for', () => {
     assert.deepEqual(chosen({kind: 'unseen'}, clip => clip.url.endsWith('b.mp4')), ['d%20e.mp4', '2026-11-21', 'a.mp4', 'f.mp4']);
     assert.deepEqual(chosen({class: 'vehicle'}), ['a.mp4']);
     assert.deepEqual(chosen({class: 'person'}), ['b.mp4']);
-    assert.deepEqual(chosen({day: '2026-11-22'}), ['d%20e.mp4']);
+    assert.deepEqual(chosen({from: '2026-11-22', to: '2026-11-22'}), ['d%20e.mp4']);
+    assert.deepEqual(chosen({to: '2026-11-20'}), ['f.mp4']);
+    assert.deepEqual(chosen({from: '2026-11-21', to: '2026-11-21'}), ['c.mp4', 'b.mp4', '2026-11-21', 'a.mp4']);
+    assert.deepEqual(chosen({camera: 1, since: '09:00', until: '10:00'}), ['b.mp4', '2026-11-21']);  // a whole day has all hours
+    assert.deepEqual(chosen({since: '22:00', until: '06:00'}), ['d%20e.mp4', '2026-11-21']);
+    assert.deepEqual(chosen({text: 'saturday after 9'}), ['c.mp4', 'b.mp4', '2026-11-21']);
     assert.deepEqual(chosen({text: 'uebergabe'}), ['d%20e.mp4']);
     assert.deepEqual(chosen({text: 'GATE sat 08:0'}), ['2026-11-21', 'a.mp4']);
     assert.deepEqual(chosen({text: 'gate xyz'}), []);
@@ -92,16 +103,19 @@ test('orders: what failed is last, and days are first', () => {
 });
 
 test('the address keeps what is asked', () => {
-    const queries = [{}, {view: 'scene', text: 'a & b=c #1', camera: 2, day: '2026-11-21'}, {kind: 'left', class: 'vehicle', order: 'stood'}, {camera: 0}];
+    const queries = [{}, {view: 'scene', text: 'a & b=c #1', camera: 2, from: '2026-11-21', to: '2026-11-22'},
+                     {since: '20:00', until: '06:00', place: {kind: 'line', from: [500, 0], to: [500, 1000]}, way: -1},
+                     {until: '24:00', place: {kind: 'box', from: [10, 20], to: [400, 1000]}}, {kind: 'left', class: 'vehicle', order: 'stood'}, {camera: 0}];
     for (const change of queries) {
         const query = {...nothingAsked, ...change};
         assert.deepEqual(readQuery(writeQuery(query, choices, data.cameras), choices, data.cameras), query);
     }
     assert.equal(writeQuery(nothingAsked, choices, data.cameras), '#');
+    assert.deepEqual(readQuery('#from=yesterday&since=25:00&until=7&place=line.1.2.3&way=1', choices, data.cameras), nothingAsked);
     assert.deepEqual(readQuery('#view=constructor&kind=x&class=lorry&order=&camera=none', choices, data.cameras), nothingAsked);
     assert.deepEqual(choices.known, {view: ['clips', 'days', 'scene'], kind: ['all', 'events', 'left', 'stood', 'unseen', 'failed'],
                                      class: ['', 'person', 'person', 'vehicle', 'bus', 'car'].filter((name, k, all) => all.indexOf(name) === k),
-                                     order: ['newest', 'left', 'stood', 'events']});
+                                     order: ['newest', 'oldest', 'left', 'stood', 'events']});
 });
 
 // ---- Scene
@@ -109,7 +123,7 @@ test('the address keeps what is asked', () => {
 const kindOf = name => ({...kind(name, 'none', null), rank: ['left', 'moved'].indexOf(name)});
 const clip = clips.find(one => one.url.endsWith('a.mp4'));
 const sceneEvent = (name, ...row) => eventOf(clip, [name, 1, 0, ...row], kindOf);
-const clock = (_, seconds) => `+${seconds}`;
+const clock = {has: () => true, text: (_, seconds) => `+${seconds}`};
 
 test('events of a day', () => {
     const found = eventOf(clip, ['left', 4, 255, 10, 500, 600, 270, 400, 700, 'car'], kindOf);
@@ -120,7 +134,7 @@ test('events of a day', () => {
 
 test('answers for a place', () => {
     const walker = sceneEvent('moved', 100, 0, 500, 300, 1000, 500);  // from 10 s to 30 s, from left to right
-    const answer = place => answerOf(walker, place, [640, 480], clock);
+    const answer = (place, way = 0, time = clock) => answerOf(walker, place, way, [640, 480], time);
     assert.deepEqual([answer(null).at, answer(null).words()], [10, '']);
     const stay = answer({kind: 'box', from: [250, 400], to: [500, 600]});
     assert.deepEqual([stay.at, stay.words()], [15, 'here 5.0 s']);
@@ -128,12 +142,44 @@ test('answers for a place', () => {
     const line = answer({kind: 'line', from: [500, 0], to: [500, 1000]});
     assert.deepEqual([line.at, line.words()], [20, 'crossed → +20']);
     assert.equal(answer({kind: 'line', from: [500, 600], to: [500, 1000]}), null);
+    assert.deepEqual(line.ways, [-1]);
+    // Only what happens within the time.
+    const before = end => ({...clock, has: (_, seconds) => seconds < end});
+    assert.equal(answer({kind: 'line', from: [500, 0], to: [500, 1000]}, 0, before(20)), null);
+    assert.equal(answer({kind: 'box', from: [250, 400], to: [500, 600]}, 0, before(15)), null);
+    assert.equal(answer(null, 0, {...clock, has: (_, seconds) => seconds >= 25}).at, 30);
+});
+
+test('a hit is at the crossing in the direction that is asked for', () => {
+    const pacer = sceneEvent('moved', 0, 400, 300, 100, 600, 300, 200, 400, 300);
+    const place = {kind: 'line', from: [500, 0], to: [500, 1000]};
+    const at = way => answerOf(pacer, place, way, [640, 480], clock);
+    assert.deepEqual([at(0).at, at(-1).at, at(1).at], [5, 5, 15]);
+    assert.deepEqual(at(0).ways, [1, -1]);
+    assert.equal(at(0).words(), 'crossed → +5, ← +15');
+    const found = [{event: pacer, how: at(0)}, {event: pacer, how: {...at(0), ways: [1]}}];
+    assert.deepEqual([0, 1, -1].map(way => ofWay(found, way).length), [2, 2, 1]);
+});
+
+test('events of a kind', () => {
+    const kindNamed = name => kindOf(name);
+    assert.deepEqual(['left', 'taken', 'moved'].map(name => isOfChoice(choices, 'left', kindNamed(name))), [true, true, false]);
+    assert.ok(isOfChoice(choices, 'unseen', kindNamed('moved')));  // this is about clips
+});
+
+test('from hit to hit', () => {
+    const hits = [3, 1, 7].map(number => ({event: {...sceneEvent('moved', 0, 1, 1), number}, how: {at: 0, ways: [], words: () => ''}}));
+    const beside = (number, by, url = clip.url) => hitBeside(hits, {clip: url, number}, by)?.event.number ?? null;
+    assert.deepEqual([beside(3, 1), beside(1, 1), beside(7, 1), beside(1, -1), beside(3, -1), beside(1, 0)], [1, 7, null, 3, null, 1]);
+    assert.deepEqual([beside(4, 1), beside(3, 1, 'another')], [null, null]);
 });
 
 test('what was found: the latest first, or by kind', () => {
-    const found = [['moved', 50], ['left', 10], ['moved', 90], ['left', 20]].map(([name, at]) => ({event: sceneEvent(name, 0, 1, 1), how: {at, words: () => ''}}));
-    assert.deepEqual(sortedFound(found, false).map(({how}) => how.at), [90, 50, 20, 10]);
-    assert.deepEqual(sortedFound(found, true).map(({how}) => how.at), [20, 10, 90, 50]);
+    const found = [['moved', 50], ['left', 10], ['moved', 90], ['left', 20]].map(([name, at]) => ({event: sceneEvent(name, 0, 1, 1), how: {at, ways: [], words: () => ''}}));
+    const sorted = (order, kinds = []) => sortedFound(found, order, kinds).map(({how}) => how.at);
+    assert.deepEqual(sorted('newest'), [90, 50, 20, 10]);
+    assert.deepEqual(sorted('oldest'), [10, 20, 50, 90]);
+    assert.deepEqual(sorted('left', ['left']), [20, 10, 90, 50]);
 });
 
 test('heat is the time in each cell', () => {
@@ -154,7 +200,51 @@ test('heat is the time in each cell', () => {
 
 test('days between two', () => {
     assert.deepEqual(daysBetween(data.days, '', ''), data.days);
-    assert.deepEqual(daysBetween(data.days, '2026-11-20', '2026-11-21'), ['2026-11-21']);
+    // A clip may begin the day before, and a night ends a day later.
+    assert.deepEqual(daysBetween(data.days, '2026-11-22', '2026-11-22'), ['2026-11-21']);
     assert.deepEqual(daysBetween(data.days, '', '2026-11-19'), ['2026-11-19']);
-    assert.deepEqual(daysBetween(data.days, '2026-11-25', ''), []);
+    assert.deepEqual(daysBetween(data.days, '2026-11-26', ''), []);
+});
+
+// ---- Days and times
+
+test('days and times of day', () => {
+    const span = (from, to, since, until) => ({from, to, since, until});
+    const within = (asked, text) => isWithin(asked, new Date(text + ':00Z'));
+    const evening = span('2026-11-17', '2026-11-17', '20:00', '');
+    assert.deepEqual(['2026-11-17T19:59', '2026-11-17T20:00', '2026-11-17T23:59', '2026-11-18T00:00'].map(text => within(evening, text)),
+                     [false, true, true, false]);
+    // A night belongs to the evening with which it begins.
+    const night = span('2026-11-17', '2026-11-17', '20:00', '06:00');
+    assert.deepEqual(['2026-11-17T05:00', '2026-11-17T20:00', '2026-11-18T05:59', '2026-11-18T06:00'].map(text => within(night, text)),
+                     [false, true, true, false]);
+    assert.ok(within(span('', '', '', ''), '2026-11-17T05:00'));
+    assert.deepEqual([within(span('', '', '', '06:00'), '2026-11-17T05:00'), within(span('', '', '', '06:00'), '2026-11-17T06:00')], [true, false]);
+    const begins = Date.UTC(2026, 10, 17, 19, 55) / 1000;
+    const wallOf = seconds => new Date(seconds * 1000);
+    assert.deepEqual([[290, false], [300, true], [3600, true]].map(([lasts]) => overlaps(evening, begins, lasts, wallOf)), [false, true, true]);
+});
+
+test('times in a text', () => {
+    assert.deepEqual(timesIn('tuesday after 20:00'), {words: 'tuesday  ', since: '20:00', until: ''});
+    assert.deepEqual(timesIn('gate 20:00-6:30'), {words: 'gate  ', since: '20:00', until: '06:30'});
+    assert.deepEqual(timesIn('8:00 to 9'), {words: ' ', since: '08:00', until: '09:00'});
+    assert.deepEqual(timesIn('before 6'), {words: ' ', since: '', until: '06:00'});
+    for (const text of ['08:1', '2026-11-20', '11-20', 'cam 3 2026-11-0', 'after 25:00', 'after 20:61', '20:15.mp4', 'after']) {
+        assert.deepEqual(timesIn(text), {words: text, since: '', until: ''}, text);
+    }
+    assert.deepEqual(spanOf({...nothingAsked, text: 'after 20:00', since: '08:00'}), {from: '', to: '', since: '08:00', until: ''});
+    assert.deepEqual(['20:00 to 06:00', 'after 20:00', '00:00 to 06:00', ''],
+                     [['20:00', '06:00'], ['20:00', ''], ['', '06:00'], ['', '']].map(([since, until]) => timeWords({since, until})));
+});
+
+// ---- Contact sheets
+
+test('pictures on a sheet', () => {
+    const stills = [1, 2, 5, 9];
+    assert.deepEqual([nearestStill(stills, 3), nearestStill(stills, 8), nearestStill(stills, 8, 0, 6), nearestStill(stills, 7, 6, 8)], [1, 3, 2, 2]);
+    assert.deepEqual(stillsBetween(stills, 2, 6), [1, 2]);
+    assert.deepEqual(stillsBetween(stills, 6, 7), [2]);
+    assert.deepEqual(sheetPlace(13, 25, 10), {left: -300, top: -100, width: 1000, height: 300});
+    assert.deepEqual(sheetPlace(2, 3, 10), {left: -200, top: -0, width: 300, height: 100});
 });

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {addressOfEvent, addressOfMoment, readAddress} from '../../core/web/page/address.js';
+import {addressOfClip, addressOfEvent, addressOfHit, addressOfMoment, addressWith, readAddress} from '../../core/web/page/address.js';
 import {cutCommand, filesOf, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
 import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
         sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
@@ -269,12 +269,29 @@ test('keys of the strip of time', () => {
 });
 
 test('addresses', () => {
-    assert.deepEqual(readAddress('#event=4'), {number: 4, seconds: null});
-    assert.deepEqual(readAddress('#t=12.9'), {number: null, seconds: 12.9});
-    assert.deepEqual(readAddress('#t=nonsense&event=x'), {number: null, seconds: null});
-    assert.deepEqual(readAddress(''), {number: null, seconds: null});
+    const nothing = {number: null, seconds: null, plays: false, place: null, search: '', nth: null, of: null, ended: null, all: false};
+    assert.deepEqual(readAddress('#event=4'), {...nothing, number: 4});
+    assert.deepEqual(readAddress('#t=12.9'), {...nothing, seconds: 12.9});
+    assert.deepEqual(readAddress('#t=nonsense&event=x&place=line.1.2'), nothing);
+    assert.deepEqual(readAddress(''), nothing);
     assert.equal(readAddress(addressOfEvent(17)).number, 17);
     assert.equal(readAddress(addressOfMoment(4.92)).seconds, 4.92);
+});
+
+test('the address of a hit', () => {
+    const place = {kind: 'line', from: [500, 0], to: [500, 1000]};
+    const search = 'view=scene&camera=a+%26+b&place=line.500.0.500.1000';
+    const hit = {number: 4, seconds: 12.5, place, search, nth: 2, of: 7};
+    assert.deepEqual(readAddress(addressOfHit(hit)), {...hit, plays: true, ended: null, all: false});
+    assert.deepEqual(readAddress(addressOfHit(hit, {all: true})), {...hit, plays: true, ended: null, all: true});
+    assert.deepEqual(readAddress(addressOfHit(hit, {ended: -1})), {...hit, plays: false, ended: -1, all: false});
+    // The hit stays with its event, what was searched for with each; a reload does not play.
+    const {plays, ...kept} = readAddress(addressWith(addressOfHit(hit), 4));
+    assert.deepEqual([kept, plays], [{...hit, ended: null, all: false}, false]);
+    assert.equal(addressWith(addressOfHit(hit), 5), '#' + new URLSearchParams({event: '5', search}));
+    assert.equal(addressWith(addressOfHit(hit), null), '#' + new URLSearchParams({search}));
+    assert.deepEqual([addressWith('#event=4', 5), addressWith('#event=4', null)], ['#event=5', '']);
+    assert.deepEqual([addressOfClip(''), addressOfClip('view=days'), readAddress(addressOfClip('', 1)).ended], ['', '#search=view%3Ddays', 1]);
     assert.equal(addressOfMoment(1 / 3), '#t=0.333');
 });
 

@@ -1,8 +1,9 @@
 // Answers of the view Scene: which events have to do with a place, where they were, and when.
 
-import {clamp} from '../shared/text.js';
 import {shortSpanOf} from '../shared/durations.js';
 import {meets, sidesOf} from '../shared/shapes.js';
+import {clamp} from '../shared/text.js';
+import {daysBefore} from '../shared/wall_clock.js';
 import {boundsOf, crossingWords, crossingsOf, stayOf} from '../shared/ways.js';
 
 /**
@@ -18,8 +19,17 @@ import {boundsOf, crossingWords, crossingsOf, stayOf} from '../shared/ways.js';
  * @property {number[]} way
  * @property {number[]} bounds of the way
  *
- * @typedef {{at: number, words: () => string}} Answer the second of the clip, and what there is to say
+ * @typedef {import('../shared/ways.js').Crossing} Crossing
+ * @typedef {object} Answer
+ * @property {number} at the second of the clip
+ * @property {number[]} ways the sides to which it crossed a line
+ * @property {() => string} words what there is to say
+ *
  * @typedef {{event: SceneEvent, how: Answer}} Found
+ *
+ * @typedef {object} Clock
+ * @property {(event: SceneEvent, seconds: number) => boolean} has whether a moment is asked for
+ * @property {(event: SceneEvent, seconds: number) => string} text
  */
 
 /**
@@ -36,33 +46,79 @@ export function eventOf(clip, [kind, number, still, ...rest], kindOf) {
 }
 
 /**
- * What an event has to do with a place; null = nothing.
+ * What an event has to do with a place, within the time that is asked for; null = nothing.
  * @param {SceneEvent} event
  * @param {Shape | null} place in thousandths of the scene; null = everywhere
+ * @param {number} way the side to which a line is crossed; 0 = both
  * @param {number[]} size of the scene
- * @param {(event: SceneEvent, seconds: number) => string} clock
+ * @param {Clock} clock
  * @returns {Answer | null}
  */
-export function answerOf(event, place, size, clock) {
-    if (!place) return {at: event.way[0] / 10, words: () => ''};
-    const box = sidesOf(place);
-    if (!meets(event.bounds, box)) return null;
-    if (place.kind === 'box') {
-        const stay = stayOf(event.way, box);
-        return stay && {at: stay.at / 10, words: () => 'here ' + shortSpanOf(stay.lasts / 10)};
+export function answerOf(event, place, way, size, clock) {
+    const [begin, end] = [event.way[0], event.way[event.way.length - 3]].map(tenths => tenths / 10);
+    if (place && !meets(event.bounds, sidesOf(place))) return null;
+    if (place?.kind === 'line') {
+        const crossings = crossingsOf(event.way, place.from, place.to).filter(({at}) => clock.has(event, at / 10));
+        const wanted = crossings.find(({side}) => way === 0 || side === way);
+        if (!crossings.length) return null;
+        return {at: (wanted ?? crossings[0]).at / 10, ways: [1, -1].filter(side => crossings.some(crossing => crossing.side === side)),
+                words: () => crossingWords(crossings, place, size, seconds => clock.text(event, seconds))};
     }
-    const crossings = crossingsOf(event.way, place.from, place.to);
-    return crossings.length ? {at: crossings[0].at / 10, words: () => crossingWords(crossings, place, size, seconds => clock(event, seconds))} : null;
+    const stay = place ? stayOf(event.way, sidesOf(place)) : null;
+    if (place && !stay) return null;
+    const at = stay ? stay.at / 10 : begin;
+    // An event that lasts into the time is shown when that begins.
+    const moment = firstMoment(at, stay ? at + stay.lasts / 10 : end, seconds => clock.has(event, seconds));
+    return moment === null ? null : {at: moment, ways: [], words: () => stay ? 'here ' + shortSpanOf(stay.lasts / 10) : ''};
 }
 
 /**
- * The latest first; without a place those that tell most.
- * @param {Found[]} found
- * @param {boolean} byKind
+ * The first second at which something holds, to half a minute; null = never.
+ * @param {number} from
+ * @param {number} to
+ * @param {(seconds: number) => boolean} holds
  */
-export function sortedFound(found, byKind) {
-    const byNews = (/** @type {Found} */ a, /** @type {Found} */ b) => b.event.clip.begins + b.how.at - a.event.clip.begins - a.how.at;
-    return [...found].sort((a, b) => (byKind ? a.event.kind.rank - b.event.kind.rank : 0) || byNews(a, b));
+function firstMoment(from, to, holds) {
+    for (let seconds = from; seconds < to; seconds += 30) if (holds(seconds)) return seconds;
+    return holds(to) ? to : null;
+}
+
+/**
+ * Those that crossed the line to a side; 0 = all.
+ * @param {Found[]} found
+ * @param {number} way
+ */
+export const ofWay = (found, way) => way === 0 ? found : found.filter(({how}) => how.ways.includes(way));
+
+/**
+ * What was found in an order: by time, or those of some kinds first, the longest of each first.
+ * @param {Found[]} found
+ * @param {string} order
+ * @param {string[]} kinds that are first; none = by time
+ */
+export function sortedFound(found, order, kinds) {
+    const when = (/** @type {Found} */ {event, how}) => event.clip.begins + how.at;
+    const byNews = (/** @type {Found} */ a, /** @type {Found} */ b) => when(b) - when(a) || a.event.number - b.event.number;
+    const byTime = (/** @type {Found} */ a, /** @type {Found} */ b) => when(a) - when(b) || a.event.number - b.event.number;
+    const rankOf = (/** @type {Found} */ {event}) => kinds.includes(event.kind.name) ? event.kind.rank : Infinity;
+    const longest = (/** @type {Found} */ {event}) => event.still || (event.way[event.way.length - 3] - event.way[0]) / 10;
+    if (!kinds.length) return [...found].sort(order === 'oldest' ? byTime : byNews);
+    return [...found].sort((a, b) => {
+        const [first, second] = [rankOf(a), rankOf(b)];
+        if (first !== second) return first < second ? -1 : 1;
+        return (first === Infinity ? 0 : longest(b) - longest(a)) || byNews(a, b);
+    });
+}
+
+/**
+ * The hit beside an event; null = there is none. If the event is no hit any more, the one beside its place in the list.
+ * @param {Found[]} hits in their order
+ * @param {{clip: string, number: number}} from URL of the clip, and number of the event
+ * @param {number} by 1 = the next, -1 = the one before
+ */
+export function hitBeside(hits, from, by) {
+    const here = hits.findIndex(({event}) => event.clip.url === from.clip && event.number === from.number);
+    return here < 0 ? null : hits[here + by] ?? null;
 }
 
 /**
@@ -104,9 +160,11 @@ export function coloursOf(cells) {
 }
 
 /**
- * The days between two, of those that have events; '' = no limit.
+ * The days that may have what is asked for, of those that have events; '' = no limit. A clip may begin a day before it
+ * shows something, and a night ends a day later.
  * @param {string[]} days
  * @param {string} from
  * @param {string} to
  */
-export const daysBetween = (days, from, to) => days.filter(day => (!from || day >= from) && (!to || day <= to));
+export const daysBetween = (days, from, to) =>
+    days.filter(day => (!from || day >= daysBefore(from, 1)) && (!to || day <= daysBefore(to, -1)));

@@ -91,7 +91,20 @@ export function counted(list) {
 export const eventsIn = list => list.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
 
 /** @param {Clip} clip */
-export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, status ${clip.status}`;
+export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, exit status ${clip.status}`;
+
+/**
+ * Where the times of clips come from, the most frequent source first: "file names (4), when files were written (1)".
+ * @param {Clip[]} clips
+ */
+export function sourcesOf(clips) {
+    const sources = {'file names': 0, 'creation times in containers': 0, 'when files were last written': 0};
+    for (const {files} of clips) {
+        ++sources[files & bits.byContainer ? 'creation times in containers' : files & bits.byFile ? 'when files were last written' : 'file names'];
+    }
+    const used = Object.entries(sources).filter(([, count]) => count > 0).sort((a, b) => b[1] - a[1]);
+    return used.map(([words, count]) => used.length > 1 ? `${words} (${count.toLocaleString('en')})` : words).join(', ');
+}
 
 /**
  * The summary of the archive.
@@ -102,8 +115,9 @@ export function summaryOf(clips, data) {
     const failures = counted(clips).filter(clip => clip.failed).length;
     const gone = clips.filter(clip => clip.gone).length;
     const zones = data.zone.length ? [...new Set(data.zone.map(([, , name]) => name))].join(', then ') : 'UTC';
+    const sources = sourcesOf(counted(clips));
     return [many(counted(clips).length, 'clip'), many(data.cameras.length, 'camera'), many(eventsIn(counted(clips)), 'event'),
-            failures ? many(failures, 'failure') : '', gone ? `${gone} gone` : '', 'times are those of ' + zones].filter(Boolean).join(' · ');
+            failures ? many(failures, 'failure') : '', gone ? `${gone} gone` : '', `times in ${zones}${sources && ', from ' + sources}`].filter(Boolean).join(' · ');
 }
 
 /**
@@ -128,12 +142,14 @@ export function busiestHour(list) {
 }
 
 /**
- * The clip of the same camera before or after another one; null = there is none.
- * @param {Clip[]} clips the newest first
+ * The clip of the same camera before or after another one, which need not be in the list; null = there is none. A
+ * picture of a whole day leads to other days.
+ * @param {Clip[]} list the newest first
  * @param {Clip} clip
- * @param {number} by 1 = before, -1 = after
+ * @param {number} by 1 = after, -1 = before
  */
-export function neighbourOf(clips, clip, by) {
-    const ofCamera = clips.filter(other => other.camera === clip.camera && other.drawn);
-    return ofCamera[ofCamera.indexOf(clip) + by] ?? null;
+export function neighbourOf(list, clip, by) {
+    const alike = list.filter(other => other.camera === clip.camera && other.drawn && other.wholeDay === clip.wholeDay && other !== clip);
+    const isLater = (/** @type {Clip} */ other) => other.begins > clip.begins || (other.begins === clip.begins && other.url < clip.url);
+    return (by > 0 ? alike.findLast(isLater) : alike.find(other => !isLater(other))) ?? null;
 }

@@ -12,6 +12,7 @@
  * @property {import('../shared/wall_clock.js').ZoneChange[]} zone
  * @property {import('../shared/kinds.js').KindRow[]} kinds
  * @property {Record<string, string[]>} classes of objects, by group
+ * @property {number} sheet_columns at most, of contact sheets
  * @property {Row[]} clips
  * @property {{date: string, clips: number, row: Row}[]} recordings all that a camera recorded on a day, in one picture
  * @property {string[]} days that have files of events
@@ -20,4 +21,4 @@
  */
 
 /** Bits of a row's files. */
-export const bits = {page: 2, thumbnail: 4, still: 16, gone: 256, damaged: 512, byContainer: 1024, byFile: 2048};
+export const bits = {page: 2, thumbnail: 4, still: 16, stills: 32, gone: 256, damaged: 512, byContainer: 1024, byFile: 2048};

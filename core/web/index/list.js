@@ -4,13 +4,19 @@ import {at, button, element} from '../shared/dom.js';
 import {durationOf, shortSpanOf} from '../shared/durations.js';
 import {grouped, many} from '../shared/text.js';
 import {timeText, weekday} from '../shared/wall_clock.js';
+import {addressOfClip} from '../page/address.js';
 import {counted, failureOf, pageOf} from './clips.js';
 import {bits} from './data.js';
-import {lastFailed, nothingAsked, sortedBy} from './query.js';
-import {isSeen, see} from './seen.js';
-import {ask, cameraName, choices, chosenClips, clips, data, state, wallOf} from './state.js';
+import {eventsIn, loadEventsOf, stillsOf} from './events.js';
+import {clear} from './filters.js';
+import {lastFailed, sortedBy} from './query.js';
+import {stillsBetween} from './sheet.js';
+import {cameraName, choices, chosenClips, clips, data, isSeen, search, see, state, wallOf} from './state.js';
+import {Tile, playOn, stillOf} from './tiles.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
+
+const cardHeight = 290;  // about, with the gap below
 
 /** @param {Clip} clip */
 function badgesOf(clip) {
@@ -63,17 +69,47 @@ function factsOf(clip) {
     return facts;
 }
 
+const mostTicks = 40;
+
 /**
+ * A large still. Under the pointer, or with the focus, it plays the clip's events one after the other.
  * @param {Clip} clip
- * @param {string} extension
+ * @param {HTMLElement} card
  */
-function imageOf(clip, extension) {
-    const image = element('img');
-    image.loading = 'lazy';
-    image.decoding = 'async';
-    image.alt = '';
-    image.src = clip.url + extension;
-    return image;
+function pictureOf(clip, card) {
+    const picture = element('span', 'images');
+    const still = stillOf(clip);
+    const ticks = element('span', 'ticks');
+    const note = element('small', 'of');
+    for (let k = 0; k < Math.min(clip.events ?? 0, mostTicks); ++k) ticks.append(element('i'));
+    picture.append(still, ticks, note);
+    /** @type {Tile | null} */
+    let tile = null;
+    const rest = () => {
+        tile?.window.remove();
+        tile = null;
+        note.textContent = '';
+        for (const tick of ticks.children) tick.className = '';
+    };
+    const begin = () => {
+        loadEventsOf(clip).then(() => {
+            if (tile || !stillsOf(clip).length || !card.matches(':hover, :focus')) return;
+            tile = new Tile(clip, stillsOf(clip).length);
+            tile.show(0);
+            still.after(tile.window);
+        });
+    };
+    card.addEventListener('pointerenter', begin);
+    card.addEventListener('focus', begin);
+    playOn(card, () => !tile ? [] : eventsIn(clip).flatMap((event, k) => {
+        const [from, to] = [event.way[0], event.way[event.way.length - 3]].map(tenths => tenths / 10);
+        return stillsBetween(stillsOf(clip), from, to).map(place => ({show: () => {
+            tile?.show(place);
+            [...ticks.children].forEach((tick, nth) => { tick.className = nth === k ? 'now' : ''; });
+            note.textContent = `${timeText(wallOf(clip.begins + stillsOf(clip)[place]))} · ${event.number} ${event.kind.words}`;
+        }}));
+    }), rest);
+    return picture;
 }
 
 /** @param {Clip} clip */
@@ -86,11 +122,11 @@ function cardOf(clip) {
         return card;
     }
     const card = element('a', 'card');
-    card.href = pageOf(clip);
-    const images = element('span', 'images');
-    if (clip.files & bits.still) images.append(imageOf(clip, '.still.jpg'));
-    images.append(imageOf(clip, clip.files & bits.thumbnail ? '.jpg' : '.png'));
-    card.append(images, factsOf(clip));
+    card.href = pageOf(clip) + (clip.files & bits.page ? addressOfClip(search()) : '');
+    card.dataset.url = clip.url;
+    card.ariaLabel = `${cameraName(clip.camera)}, ${clip.day}, ${clip.wholeDay ? stretchOf(clip) : clip.time}: ` +
+        [...clip.drawn && !isSeen(clip) ? ['not seen yet'] : [], ...badgesOf(clip).map(badge => badge.textContent), clip.name].join(', ');
+    card.append(pictureOf(clip, card), factsOf(clip));
     card.addEventListener('click', () => see(clip));
     return card;
 }
@@ -122,7 +158,7 @@ function sectionOf(title, clipsOf, columns) {
     const block = element('section', 'camera');
     const cards = element('div', 'cards');
     empty.set(cards, clipsOf);
-    cards.style.minHeight = Math.ceil(clipsOf.length / columns) * 232 + 'px';
+    cards.style.minHeight = Math.ceil(clipsOf.length / columns) * cardHeight + 'px';
     block.append(element('h3', '', title), cards);
     nearby.observe(cards);
     return block;
@@ -140,9 +176,9 @@ const sectionsByDay = (list, columns) => [...grouped(list, 'day')].map(([day, of
     return section;
 });
 
-function noteOfNone() {
-    const note = element('p', 'empty', clips.length ? 'Nothing here is like that. ' : 'No clips yet.');
-    if (clips.length) note.append(button('', 'Show all clips', () => ask({...nothingAsked, view: state.view, order: state.order})));
+export function noteOfNone() {
+    const note = element('p', 'empty', clips.length ? 'No matching clips · ' : 'No clips yet.');
+    if (clips.length) note.append(button('', 'Clear', clear));
     return note;
 }
 
@@ -154,9 +190,22 @@ export function drawClips() {
     empty.clear();
     const columns = Math.max(1, Math.floor((days.clientWidth + 12) / 284));
     const title = at('order', HTMLSelectElement).selectedOptions[0]?.textContent ?? '';
-    const sections = !list.length ? [noteOfNone()] : state.order === 'newest' ? sectionsByDay(list, columns)
+    const byTime = state.order === 'oldest' ? [...list].reverse() : state.order === 'newest' ? list : null;
+    const sections = !list.length ? [noteOfNone()] : byTime ? sectionsByDay(byTime, columns)
         : [sectionOf(title, sortedBy(list, state.order, choices), columns)];
     days.replaceChildren(...sections);
+}
+
+/**
+ * Scrolls to a clip's card.
+ * @param {Clip} clip
+ */
+export function showCard(clip) {
+    for (const [cards, list] of [...empty]) if (list.includes(clip)) fill(cards);
+    const card = [...document.querySelectorAll('a.card')].find(one => one instanceof HTMLElement && one.dataset.url === clip.url);
+    if (!(card instanceof HTMLElement)) return;
+    card.scrollIntoView({block: 'center'});
+    card.focus({preventScroll: true});
 }
 
 /** What is printed is there as a whole. */

@@ -1,18 +1,18 @@
 // The index of an archive.
 
 import {at, button, element, press} from '../shared/dom.js';
-import {grouped, many} from '../shared/text.js';
-import {counted, neighbourOf, pageOf, summaryOf} from './clips.js';
+import {grouped} from '../shared/text.js';
+import {counted, summaryOf} from './clips.js';
+import {takeDay} from './events.js';
+import {askedWords, drawCount, drawFilters, listenToFilters} from './filters.js';
+import {drawHits, listenToHits} from './hits.js';
+import {focusShown, followAddress, leadToHit, listenToReturn} from './leading.js';
 import {drawClips, fillAll} from './list.js';
 import {drawDays} from './overview.js';
-import {readQuery} from './query.js';
-import {askPlace, drawFound, drawHeat, drawHours, drawPlace, drawScene, drawTools, listenToScene, takeDay} from './scene.js';
-import {ask, cameraName, choices, chosenClips, clipOfUrl, clips, data, drawAll, set, state} from './state.js';
+import {answer, askPlace, drawHeat, drawHours, drawPlace, drawScene, drawTools, drawWays, listenToScene, sceneCamera} from './scene.js';
+import {ask, cameraName, chosenClips, clips, data, drawAll, hits, search, searchedClips, set, span, state} from './state.js';
 
-const text = at('text', HTMLInputElement);
-const classes = at('class', HTMLSelectElement);
-const order = at('order', HTMLSelectElement);
-const kinds = () => /** @type {HTMLInputElement[]} */ ([...document.getElementsByName('kind')]);
+const cameras = at('camera', HTMLSelectElement);
 
 /**
  * The buttons of cameras; null = all.
@@ -25,38 +25,37 @@ function drawViews() {
     for (const choice of at('views').querySelectorAll('button')) press(choice, choice.value === state.view);
 }
 
-/** A text that is being typed stays as it is. */
-function drawFilters() {
-    if (text.value.trim() !== state.text) text.value = state.text;
-    order.value = state.order;
-    classes.value = state.class;
-    for (const radio of kinds()) radio.checked = radio.value === state.kind;
-}
-
-function drawCount() {
-    const list = chosenClips();
-    const day = state.day ? ` on ${state.day}` : '';
-    at('count').textContent = list.length === clips.length ? '' : `${list.length.toLocaleString('en')} of ${many(clips.length, 'clip')}${day}`;
-}
-
 function drawCamera() {
     for (const [camera, made] of buttonOf) press(made, camera === state.camera);
+    cameras.value = String(state.camera);
+}
+
+/** For paper, which has no filters: what is shown. */
+function drawAsked() {
+    const camera = state.camera === null ? 'All cameras' : cameraName(state.camera);
+    const place = state.view === 'scene' && state.place ? state.place.kind === 'line' ? 'across the line' : 'in the area' : '';
+    at('asked').textContent = [camera, askedWords(), state.kind === 'all' ? '' : state.kind, state.class, place, state.text].filter(Boolean).join(' · ');
 }
 
 /** What the index shows, and what of the state each part depends on. */
 const parts = [
     {draw: drawViews, from: () => [state.view]},
-    {draw: drawFilters, from: () => [state.text, state.order, state.class, state.kind]},
-    {draw: drawCount, from: () => [chosenClips(), state.day]},
+    {draw: drawFilters, from: () => [state.text, state.order, state.class, state.kind, span(), state.days, state.times]},
+    {draw: drawCount, from: () => [chosenClips(), state.place, state.view, span()]},
+    {draw: drawAsked, from: () => [search()]},
     {draw: drawCamera, from: () => [state.camera]},
     {draw: drawClips, from: () => [state.view === 'clips' && chosenClips(), state.order]},
     {draw: drawDays, from: () => [state.view === 'days' && chosenClips()]},
-    {draw: drawTools, from: () => [state.tool, state.from, state.to]},
+    {draw: drawScene, from: () => [state.view === 'scene', sceneCamera(), sceneCamera() === null && state.tool]},
+    {draw: drawTools, from: () => [state.tool, state.view, state.drawn, state.place, sceneCamera()]},
     {draw: drawPlace, from: () => [state.place, state.drawn]},
-    {draw: drawScene, from: () => state.view === 'scene' ? [chosenClips(), state.place, state.from, state.to] : [null]},
-    {draw: drawFound, from: () => [state.answer]},
-    {draw: drawHeat, from: () => [state.answer]},
-    {draw: drawHours, from: () => [state.answer]},
+    {draw: answer, from: () => state.view === 'scene' ? [searchedClips(), state.place, state.way, state.kind, state.class, span()] : [null]},
+    {draw: drawWays, from: () => [state.answer, state.place, state.way]},
+    {draw: drawHits, from: () => [state.answer, hits(), state.all]},
+    {draw: drawHeat, from: () => [state.answer, hits()]},
+    {draw: drawHours, from: () => [state.answer, hits()]},
+    {draw: focusShown, from: () => [state.shown, state.answer]},
+    {draw: leadToHit, from: () => [state.leading, state.answer]},
 ];
 
 /**
@@ -71,56 +70,36 @@ function cameraItem(camera, name, list) {
     if (failed) counts.append(Object.assign(element('span', 'bad', ` ✕${failed}`), {title: `${failed} failed`}));
     made.append(element('bdi', '', name), counts);
     buttonOf.set(camera, made);
+    cameras.append(Object.assign(element('option', '', name), {value: String(camera)}));
     const item = element('li');
     item.append(made);
     return item;
 }
 
-/** What does not change: the summary, and what can be chosen. */
+/** What does not change: the summary, and the cameras, by name. */
 function fillPage() {
     const ofCamera = grouped(clips, 'camera');
+    const byName = [...data.cameras.keys()].sort((a, b) => cameraName(a).localeCompare(cameraName(b), 'en', {numeric: true}));
     at('summary').textContent = summaryOf(clips, data);
-    at('cameras').append(cameraItem(null, 'All cameras', clips),
-                         ...data.cameras.map((_, camera) => cameraItem(camera, cameraName(camera), ofCamera.get(camera) ?? [])));
-    classes.append(...choices.known.class.map(name => {
-        const words = name === '' ? 'everything' : (Object.hasOwn(data.classes, name) ? '' : '\u2013 ') + name;
-        return Object.assign(element('option', '', words), {value: name});
-    }));
-    classes.hidden = choices.classes.size === 0;
+    at('cameras').append(cameraItem(null, 'All cameras', clips), ...byName.map(camera => cameraItem(camera, cameraName(camera), ofCamera.get(camera) ?? [])));
 }
 
 function listen() {
-    let typing = 0;
-    text.addEventListener('input', () => {
-        clearTimeout(typing);
-        typing = window.setTimeout(() => ask({text: text.value.trim()}), 120);
+    for (const choice of at('views').querySelectorAll('button')) choice.addEventListener('click', () => ask({view: choice.value}));
+    cameras.addEventListener('change', () => ask({camera: cameras.value === 'null' ? null : Number(cameras.value)}));
+    addEventListener('beforeprint', () => {
+        fillAll();
+        set({all: true});
     });
-    for (const radio of kinds()) radio.addEventListener('change', () => ask({kind: radio.value}));
-    classes.addEventListener('change', () => ask({class: classes.value}));
-    order.addEventListener('change', () => ask({order: order.value}));
-    for (const choice of at('views').querySelectorAll('button')) choice.addEventListener('click', () => ask({view: choice.value, day: null}));
-    at('tools').addEventListener('submit', event => event.preventDefault());
-    addEventListener('beforeprint', fillAll);
-    addEventListener('hashchange', followAddress);
-}
-
-/** Shows what the address asks for. A clip's page leads here to find the clip before or after it, which it can't know. */
-function followAddress() {
-    const parts = new URLSearchParams(location.hash.slice(1));
-    const clip = clipOfUrl.get(parts.get('after') ?? parts.get('before') ?? '');
-    const next = clip ? neighbourOf(clips, clip, parts.has('after') ? -1 : 1) : null;
-    if (next) return location.replace(pageOf(next));
-    if (clip) history.replaceState(null, '', '#' + new URLSearchParams({camera: data.cameras[clip.camera]}));
-    set(readQuery(location.hash, choices, data.cameras));
+    addEventListener('afterprint', () => set({all: false}));
 }
 
 // The files of days call it.
 Object.assign(window, {vvrDay: takeDay});
 fillPage();
-listen();
-listenToScene();
-followAddress();
+for (const start of [listen, listenToFilters, listenToScene, listenToHits, listenToReturn]) start();
 drawAll(parts);
+followAddress();
 
 // The names that tests, and whoever debugs the index, find as `vvr.NAME`.
-export {ask, askPlace, data, set, state};
+export {ask, askPlace, data, hits, set, state};

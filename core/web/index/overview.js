@@ -2,12 +2,13 @@
 
 import {at, button, element} from '../shared/dom.js';
 import {durationOf} from '../shared/durations.js';
-import {grouped, many} from '../shared/text.js';
+import {digits, grouped, many} from '../shared/text.js';
 import {monthOf, weekday} from '../shared/wall_clock.js';
 import {busiestHour, counted, eventsIn, hoursOf, pageOf} from './clips.js';
-import {stretchOf} from './list.js';
-import {see} from './seen.js';
-import {ask, cameraName, chosenClips, data, state} from './state.js';
+import {addressOfClip} from '../page/address.js';
+import {bits} from './data.js';
+import {noteOfNone, stretchOf} from './list.js';
+import {ask, cameraName, chosenClips, data, search, see, state} from './state.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
@@ -17,11 +18,13 @@ import {ask, cameraName, chosenClips, data, state} from './state.js';
  */
 function hoursOfCell(all, most) {
     const hours = element('span', 'hours');
-    for (const count of hoursOf(all.filter(clip => !clip.wholeDay))) {
+    hoursOf(all.filter(clip => !clip.wholeDay)).forEach((count, k) => {
         const hour = element('i', count === null ? 'nothing' : count === 0 ? 'quiet' : 'busy');
+        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${count === null ? 'no clips' : many(count, 'event')}`;
+        hour.dataset.hour = String(k);
         if (count) hour.style.opacity = String(0.25 + 0.75 * Math.sqrt(count / most));
         hours.append(hour);
-    }
+    });
     return hours;
 }
 
@@ -39,6 +42,15 @@ function wordsOfCell(list) {
 }
 
 /**
+ * The hour that was clicked, if it has clips.
+ * @param {MouseEvent} event
+ */
+function hourUnder({target}) {
+    const hour = target instanceof HTMLElement && target.matches('.quiet, .busy') ? Number(target.dataset.hour) : null;
+    return hour === null ? {} : {since: digits(hour) + ':00', until: digits(hour + 1) + ':00'};
+}
+
+/**
  * @param {Clip[]} all of a day and a camera
  * @param {number} most events in an hour of any cell
  */
@@ -48,14 +60,15 @@ function cellOf(all, most) {
     const list = counted(all);
     const {camera, day} = list[0];
     const words = wordsOfCell(list);
-    const made = button('', '', () => ask({view: 'clips', camera, day}));
+    const made = button('', '');
+    made.addEventListener('click', event => ask({view: 'clips', camera, from: day, to: day, ...hourUnder(event)}));
     made.append(hoursOfCell(all, most), words);
-    made.ariaLabel = `${cameraName(camera)}, ${day}: ${words.textContent}`;
+    made.ariaLabel = `${cameraName(camera)}, ${day}: ${[...words.children].map(word => word.textContent).join(', ')}`;
     cell.append(made);
     const recording = all.find(clip => clip.wholeDay && clip.drawn);
     if (recording) {
         const link = element('a', 'wholeday', stretchOf(recording));
-        link.href = pageOf(recording);
+        link.href = pageOf(recording) + (recording.files & bits.page ? addressOfClip(search()) : '');
         link.addEventListener('click', () => see(recording));
         cell.append(link);
     }
@@ -74,7 +87,14 @@ export function drawDays() {
     const table = element('table');
     const cameras = [...new Set(list.map(clip => clip.camera))].sort((a, b) => a - b);
     const head = element('tr');
-    head.append(element('td'), ...cameras.map(camera => headOf(cameraName(camera), 'col')));
+    head.append(element('td'), ...cameras.map(camera => {
+        const cell = headOf('', 'col');
+        const scale = element('span', 'scale');
+        scale.setAttribute('aria-hidden', 'true');
+        for (let hour = 0; hour <= 24; hour += 6) scale.append(element('i', '', String(hour)));
+        cell.append(element('bdi', '', cameraName(camera)), scale);
+        return cell;
+    }));
     table.append(head);
     const most = busiestHour(list);
     let month = '';
@@ -90,6 +110,7 @@ export function drawDays() {
         row.append(headOf(`${weekday(day).slice(0, 3)} ${day.slice(8)}`, 'row'), ...cameras.map(camera => cellOf(byCamera.get(camera) ?? [], most)));
         table.append(row);
     }
-    const hint = element('p', 'hint', 'Each little box is an hour of the day, 0 to 23: the stronger its colour, the more events. Click a cell for its clips.');
-    at('overview').replaceChildren(list.length ? hint : element('p', 'empty', 'Nothing here is like that.'), table);
+    const hint = element('p', 'hint', `Each small box is an hour: the stronger its colour, the more events; the strongest is ${many(most, 'event')}. ` +
+        'Click an hour, or a day, for its clips.');
+    at('overview').replaceChildren(...list.length ? [hint, table] : [noteOfNone()]);
 }

@@ -1,7 +1,7 @@
 // Asking by place: a rectangle or a line that is drawn on the player.
 
 import {at, press} from '../shared/dom.js';
-import {drawByPointer, drawShape} from '../shared/drawing.js';
+import {beginByKeys, drawShape, isByKeyboard, letDraw} from '../shared/drawing.js';
 import {say} from './messages.js';
 import {set, state} from './state.js';
 
@@ -13,6 +13,8 @@ const drawing = at('drawing', SVGSVGElement);
 /** @type {[id: string, kind: Shape['kind']][]} */
 const tools = [['askbox', 'box'], ['askline', 'line']];
 const hints = {box: 'Draw a rectangle on the player: what was in it is listed.', line: 'Draw a line on the player: what crossed it is listed.'};
+
+const keyHint = 'Arrow keys move an end, Tab goes to the other one, Enter searches.';
 
 /**
  * Lets the next drag on the player draw; the same button again ends that.
@@ -30,10 +32,10 @@ export function askPlace(shape) {
 }
 
 export function drawTools() {
-    const {asking} = state;
+    const {asking, drawn} = state;
     drawing.classList.toggle('active', asking !== null);
     for (const [id, kind] of tools) press(at(id), asking === kind);
-    at('hint').textContent = asking ? hints[asking] : '';
+    at('hint').textContent = drawn ? keyHint : asking ? hints[asking] : '';
 }
 
 export function drawAsked() {
@@ -44,10 +46,17 @@ export function drawAsked() {
 }
 
 export function listenToTools() {
-    for (const [id, kind] of tools) at(id).addEventListener('click', () => askBy(kind));
+    for (const [id, kind] of tools) {
+        at(id).addEventListener('click', event => {
+            askBy(kind);
+            if (state.asking && isByKeyboard(event)) beginByKeys(drawing, 1, kind, shape => set({drawn: shape}));
+        });
+    }
     at('askall').addEventListener('click', () => askPlace(null));
-    drawByPointer(drawing, 1, {
+    drawing.removeAttribute('aria-hidden');  // its ends can be moved by keys
+    letDraw(drawing, 1, {
         kind: () => state.asking,
+        shape: () => state.drawn ?? state.asked,
         shows: shape => set({drawn: shape}),
         asks: shape => {
             set({asking: null});

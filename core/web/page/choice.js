@@ -1,7 +1,8 @@
 // The chosen event.
 
 import {at} from '../shared/dom.js';
-import {addressOfEvent, readAddress} from './address.js';
+import {addressWith, readAddress} from './address.js';
+import {endOfHit} from './around.js';
 import {factsOf, numberOf, placeBeside, placeOfNumber} from './events.js';
 import {answerOf, wantedEvents} from './filters.js';
 import {say} from './messages.js';
@@ -24,21 +25,20 @@ export function choose(place) {
 
 /** So that going back, and a reload, find the event again. */
 function keepInAddress() {
-    const hash = state.chosen === null ? '' : addressOfEvent(numberOf(state.events, state.chosen));
+    const hash = addressWith(location.hash, state.chosen === null ? null : numberOf(state.events, state.chosen));
     if (location.hash !== hash) history.replaceState(null, '', hash || location.pathname + location.search);
 }
 
 /** Goes to where the address leads. */
 export function followAddress() {
-    const {number, seconds} = readAddress(location.hash);
-    const place = number === null ? null : placeOfNumber(state.events, number);
-    if (place !== null) {
-        choose(place);
-        show(state.events[place].first, false, {until: state.events[place].last});
-    } else if (seconds !== null) {
-        const {time} = state;
-        show(time.frameAt(clamp(seconds, time.begins, time.secondsOf(time.lastFrame))), false);
-    }
+    const {number, seconds, plays} = readAddress(location.hash);
+    const {time, events} = state;
+    const place = number === null ? null : placeOfNumber(events, number);
+    const frame = seconds === null ? null : time.frameAt(clamp(seconds, time.begins, time.secondsOf(time.lastFrame)));
+    if (place !== null) choose(place);
+    const until = place === null ? null : endOfHit(place);
+    const first = frame ?? (place === null ? null : events[place].first);
+    if (first !== null) show(first, plays, {until});
 }
 
 /**

@@ -3,6 +3,7 @@
 import {at} from '../shared/dom.js';
 import {spanOf} from '../shared/durations.js';
 import {upright} from '../shared/text.js';
+import {linkIndex, listenToNeighbours, playOn, takeArrival} from './around.js';
 import {askPlace, drawAsked, drawTools, listenToTools} from './asking.js';
 import {choose, followAddress} from './choice.js';
 import {drawCommands, listenToExport} from './export.js';
@@ -43,16 +44,6 @@ function drawShapes() {
     at('peeked').style.width = 220 * size[0] / Math.max(...size) + 'px';
 }
 
-/** The index knows which clip comes next: this page was made before that clip was there. */
-function linkIndex() {
-    const {index} = state.data;
-    if (!index) return;
-    for (const [id, hash] of [['toindex', ''], ['earlier', '#before='], ['later', '#after=']]) {
-        at(id, HTMLAnchorElement).href = index.url + (hash && hash + encodeURIComponent(index.clip));
-    }
-    at('around').hidden = false;
-}
-
 /** What the page shows, and what of the state each part depends on. */
 const parts = [
     {draw: drawNames, from: () => [state.data]},
@@ -64,7 +55,7 @@ const parts = [
     {draw: drawList, from: () => [state.data, wantedEvents(), state.order]},
     {draw: drawChosen, from: () => [state.chosen]},
     {draw: drawLit, from: () => [state.lightened]},
-    {draw: drawTools, from: () => [state.asking]},
+    {draw: drawTools, from: () => [state.asking, state.drawn]},
     {draw: drawAsked, from: () => [state.asked, state.drawn]},
     {draw: drawRange, from: () => [state.time]},
     {draw: drawTicks, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
@@ -85,14 +76,16 @@ const parts = [
     {draw: openPeeker, from: () => [state.film]},
     {draw: drawPeek, from: () => [state.pointed?.frame]},
     {draw: drawTip, from: () => [state.pointed, state.lightened]},
+    {draw: playOn, from: () => [isPlaying()]},
 ];
 
 document.documentElement.dataset.script = '';  // shows what needs a script
 state.room = [view.clientWidth, view.clientHeight];
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
-for (const listen of [listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys]) listen();
+for (const listen of [listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
 linkIndex();
+takeArrival();
 addEventListener('hashchange', followAddress);
 followStream();
 openFilm(0);

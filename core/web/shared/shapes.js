@@ -1,5 +1,7 @@
 // Shapes that are searched for: a rectangle or a line.
 
+import {clamp} from './text.js';
+
 /**
  * @typedef {number[]} Point x and y
  * @typedef {number[]} Sides left, top, right, bottom
@@ -34,6 +36,48 @@ export function partInBox(x, y, toX, toY, [left, top, right, bottom]) {
     }
     return begin <= end ? [begin, end] : null;
 }
+
+/**
+ * For addresses, in thousandths of the picture: "line.500.0.500.1000".
+ * @param {Shape} shape
+ */
+export const shapeText = ({kind, from, to}) => [kind, ...[...from, ...to].map(Math.round)].join('.');
+
+/**
+ * @param {string | null} text
+ * @returns {Shape | null} null = it is none
+ */
+export function shapeOfText(text) {
+    const [kind, ...numbers] = (text ?? '').split('.');
+    const [x, y, toX, toY] = numbers.map(Number);
+    const inside = numbers.length === 4 && numbers.every(number => /^\d+$/.test(number) && Number(number) <= 1000);
+    return inside && (kind === 'box' || kind === 'line') ? {kind, from: [x, y], to: [toX, toY]} : null;
+}
+
+/**
+ * A shape of which one end has moved, or the whole of it, within the picture.
+ * @param {Shape} shape
+ * @param {'from' | 'to' | null} end null = the whole
+ * @param {number[]} by
+ * @param {number} whole the picture's width and height in the unit of shapes
+ * @returns {Shape}
+ */
+export function movedShape(shape, end, by, whole) {
+    if (end) return {...shape, [end]: shape[end].map((value, k) => clamp(value + by[k], 0, whole))};
+    const [left, top, right, bottom] = sidesOf(shape);
+    const step = [clamp(by[0], -left, whole - right), clamp(by[1], -top, whole - bottom)];
+    const moved = (/** @type {Point} */ point) => point.map((value, k) => value + step[k]);
+    return {...shape, from: moved(shape.from), to: moved(shape.to)};
+}
+
+/**
+ * The shape with which drawing by keys begins.
+ * @param {Shape['kind']} kind
+ * @param {number} whole the picture's width and height in the unit of shapes
+ * @returns {Shape}
+ */
+export const firstShape = (kind, whole) => kind === 'box' ? {kind, from: [0.35 * whole, 0.35 * whole], to: [0.65 * whole, 0.65 * whole]}
+    : {kind, from: [0.5 * whole, 0.2 * whole], to: [0.5 * whole, 0.8 * whole]};
 
 /**
  * The shape in another unit.

@@ -73,6 +73,19 @@ export function stayOf(way, box) {
 }
 
 /**
+ * Where a way is at a time, in thousandths; before and after it, at its ends.
+ * @param {number[]} way
+ * @param {number} tenths of a second
+ */
+export function pointOnWay(way, tenths) {
+    let k = 0;
+    while (k + 3 < way.length && way[k + 3] <= tenths) k += 3;
+    const next = Math.min(k + 3, way.length - 3);
+    const share = way[next] > way[k] ? Math.min(1, Math.max(0, (tenths - way[k]) / (way[next] - way[k]))) : 0;
+    return [way[k + 1] + share * (way[next + 1] - way[k + 1]), way[k + 2] + share * (way[next + 2] - way[k + 2])];
+}
+
+/**
  * The box about a way: most ways are nowhere near the place that is asked for.
  * @param {number[]} way
  * @returns {Sides}

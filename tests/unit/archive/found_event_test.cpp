@@ -88,12 +88,14 @@ TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
     sidecar.found = {{events::EventKind::left, 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
     archive::Sidecar other = sidecar;
     other.recorded = "2026-11-20 10:00:00";
+    other.stills = {4, 12};
     const archive::DayFiles days = archive::make_day_files({sidecar, other});
     ASSERT_EQ(days.size(), 2U);
     const std::string& text = days.at("index.2026-11-21.js");
     EXPECT_EQ(text.find('<'), std::string::npos);
     EXPECT_TRUE(text.starts_with("vvrDay(\"2026-11-21\",[[\"./cam/%3C"));
     EXPECT_NE(text.find(R"([["left",1,0,0,1,2,10,1,2]])"), std::string::npos);
+    EXPECT_NE(days.at("index.2026-11-20.js").find("],[4,12]]"), std::string::npos) << "times of the contact sheet";
     for (const auto& [name, unused] : days) EXPECT_TRUE(archive::is_day_file(name));
     for (const char* name : {"index.html", "index.js", "index.2026-11-2.js", "index.2026x11-21.js",
                              "xindex.2026-11-21.js", "index.2026-11-21.js.bak", "index..js"}) {

@@ -24,12 +24,14 @@ TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     sidecar.events = 3;
     sidecar.recorded = "2026-11-21 08:00:07";
     sidecar.seconds = 12.5;
+    sidecar.stills = {3, 17, 125};
     archive::write_sidecar(out(), sidecar);
     const auto read = archive::read_sidecar(out(), sidecar.clip.path);
     ASSERT_TRUE(read);
     EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
     EXPECT_EQ(read->clip.path, "cam/\xFF.avi");
     EXPECT_EQ(read->files, sidecar.files);
+    EXPECT_EQ(read->stills, sidecar.stills);
 
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.reason = "no \"video\" \xFF";

@@ -54,9 +54,9 @@ TEST(RecentMoments, KeepTheEndOfAStreamAndNoMore) {
     EXPECT_FALSE(moments.since(4999).stills.empty()) << "the last still there is, rather than none";
 }
 
-std::vector<page::Still> stills() {
+std::vector<page::Still> stills(std::int64_t step = 10) {
     std::vector<page::Still> stills;
-    for (std::int64_t k = 0; k < 100; k += 10)
+    for (std::int64_t k = 0; k < 100; k += step)
         stills.push_back({k, 0.1 * static_cast<double>(k), Plane<Bgr>({80, 60})});
     return stills;
 }
@@ -96,6 +96,39 @@ TEST(TellingStill, IsTheMiddleWhereNothingHappened) {
     // Nothing shows its time: no frame around a place where it is not.
     const std::vector<events::Event> brief{event_of(events::EventKind::moved, 33, 36, {5, 5})};
     EXPECT_FALSE(has_mark(*page::best_still(all, brief, field)));
+}
+
+TEST(ContactSheet, HasTheStillsOfEvents) {
+    std::vector<page::Still> all = stills(1);
+    all[62].picture.at(0, 0) = {{9, 9, 9}};
+    const std::vector<events::Event> events{event_of(events::EventKind::moved, 10, 12, {5, 5}),
+                                            event_of(events::EventKind::left, 60, 68, {20, 15}),
+                                            event_of(events::EventKind::stood, 64, 70, {5, 5})};
+    const auto sheet = page::contact_sheet(all, events);
+    ASSERT_TRUE(sheet);
+    ASSERT_EQ(sheet->seconds.size(), 3U + 11);
+    EXPECT_NEAR(sheet->seconds[1], 1.1, 1e-9);
+    EXPECT_NEAR(sheet->seconds[3], 6.0, 1e-9);
+    EXPECT_EQ(sheet->picture.size().width, page::ContactSheet::columns * 80);
+    EXPECT_EQ(sheet->picture.size().height, 2 * 60);
+    EXPECT_GT(sheet->picture.at(5 * 80, 0)[0], 0) << "the sixth picture is not that of frame 62";
+}
+
+TEST(ContactSheet, IsSmall) {
+    const std::vector<page::Still> all = stills(1);
+    const std::vector<events::Event> whole{event_of(events::EventKind::moved, 0, 99, {5, 5})};
+    const auto sheet = page::contact_sheet(all, whole);
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(sheet->seconds.size(), page::ContactSheet::most);
+    EXPECT_TRUE(std::ranges::is_sorted(sheet->seconds));
+    EXPECT_LT(sheet->seconds.front(), 0.3);
+    EXPECT_GT(sheet->seconds.back(), 9.6);
+    // Without events, and where none of them has a still of its own.
+    EXPECT_EQ(page::contact_sheet(all, {})->seconds.size(), 1U);
+    const std::vector<page::Still> two{all.front(), all.back()};
+    const std::vector<events::Event> brief{event_of(events::EventKind::moved, 33, 36, {5, 5})};
+    EXPECT_EQ(page::contact_sheet(two, brief)->seconds, std::vector<double>{0.0});
+    EXPECT_FALSE(page::contact_sheet({}, brief));
 }
 
 }  // namespace

@@ -1,0 +1,103 @@
+// Small pictures of moments: a window on a clip's contact sheet, which can play.
+
+import {appendShape, element} from '../shared/dom.js';
+import {drawShape} from '../shared/drawing.js';
+import {bits} from './data.js';
+import {sheetPlace} from './sheet.js';
+import {data} from './state.js';
+
+/**
+ * @typedef {import('./clips.js').Clip} Clip
+ * @typedef {import('../shared/shapes.js').Shape} Shape
+ */
+
+/**
+ * @param {Clip} clip
+ * @param {string} extension
+ */
+export function imageOf(clip, extension) {
+    const image = element('img');
+    image.loading = 'lazy';
+    image.decoding = 'async';
+    image.alt = '';
+    image.src = clip.url + extension;
+    return image;
+}
+
+/**
+ * The picture that tells most of a clip: a frame, else the picture of the whole.
+ * @param {Clip} clip
+ */
+export const stillOf = clip => imageOf(clip, clip.files & bits.still ? '.still.jpg' : clip.files & bits.thumbnail ? '.jpg' : '.png');
+
+/** A window that shows one picture of a sheet. */
+export class Tile {
+    /**
+     * @param {Clip} clip
+     * @param {number} count of the sheet's pictures; 0 = there is no sheet
+     */
+    constructor(clip, count) {
+        this.count = count;
+        this.window = element('span', count ? 'tile' : 'tile single');
+        this.image = count ? imageOf(clip, '.stills.jpg') : stillOf(clip);
+        this.window.append(this.image);
+        if (count) this.image.addEventListener('load', () => this.takeShape());
+    }
+
+    takeShape() {
+        const columns = Math.min(this.count, data.sheet_columns);
+        const rows = Math.ceil(this.count / columns);
+        this.window.style.aspectRatio = `${this.image.naturalWidth / columns} / ${this.image.naturalHeight / rows}`;
+    }
+
+    /** @param {number} place of the picture on the sheet */
+    show(place) {
+        if (!this.count) return;
+        for (const [side, value] of Object.entries(sheetPlace(place, this.count, data.sheet_columns))) this.image.style.setProperty(side, value + '%');
+    }
+
+    /**
+     * Draws what was searched for, and where the object is.
+     * @param {Shape | null} place in thousandths of the picture
+     * @param {number[] | null} spot
+     */
+    mark(place, spot) {
+        const marks = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+        marks.setAttribute('preserveAspectRatio', 'none');
+        marks.setAttribute('aria-hidden', 'true');
+        drawShape(marks, place, [1000, 1000], 1000, true);
+        if (spot) appendShape('path', {class: 'spot', d: `M${spot[0]} ${spot[1]}h0.001`}, marks);
+        this.window.append(marks);
+        return this;
+    }
+}
+
+const picturesPerSecond = 4;
+
+/**
+ * Plays while the pointer is on an element, or it has the focus.
+ * @param {HTMLElement} on
+ * @param {() => {show: () => void}[]} scenes what is shown one after the other
+ * @param {() => void} rest shows what is shown otherwise
+ */
+export function playOn(on, scenes, rest) {
+    let timer = 0;
+    const stop = () => {
+        clearInterval(timer);
+        timer = 0;
+        rest();
+    };
+    const play = () => {
+        if (timer) return;
+        let next = 0;
+        timer = window.setInterval(() => {
+            const all = scenes();
+            if (!on.isConnected) return clearInterval(timer);
+            if (all.length) all[next++ % all.length].show();
+        }, 1000 / picturesPerSecond);
+    };
+    on.addEventListener('pointerenter', play);
+    on.addEventListener('pointerleave', stop);
+    on.addEventListener('focus', () => { if (on.matches(':focus-visible')) play(); });
+    on.addEventListener('blur', stop);
+}
