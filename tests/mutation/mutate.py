@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Puts one bug of breaks.py at a time into a copy of the sources, and prints a table of the tests that notice them.
 
-    tests/mutation/mutate.py              # all of them: an hour or two
+    tests/mutation/mutate.py              # all of them, after the default set without any bug
     tests/mutation/mutate.py --list       # the bugs and their numbers
     tests/mutation/mutate.py 1 7          # bugs 1 and 7
 
