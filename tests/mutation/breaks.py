@@ -61,7 +61,7 @@ BREAKS = [
     Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin.place : bearer.end.place",
           "kind == EventKind::taken ? bearer.end.place : bearer.begin.place",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
-    Break("core/events/identify.cpp", "*other = places[**other]", "*other = order[**other]",
+    Break("core/events/identify.cpp", "*other = places[**other];", "*other = order[**other];",
           "Claims.OfAPersonInTheEmptySceneAreOfWhoStoodThere"),
     Break("core/events/path.cpp", "other.last.frame >= stay.first.frame;", "other.last.frame > stay.last.frame;",
           "Stays.ThatAreKnownExactlyReplaceThoseTheyMeet"),
