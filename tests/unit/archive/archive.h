@@ -29,6 +29,8 @@ class Archive : public ::testing::Test {
         fs::create_directories(out());
     }
     ~Archive() override { fs::remove_all(top_); }
+    Archive(const Archive&) = delete;
+    Archive& operator=(const Archive&) = delete;
 
     fs::path in() const { return top_ / "in"; }
     fs::path out() const { return top_ / "out"; }

@@ -17,8 +17,6 @@
 namespace vvr {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST(ArchiveNames, AreTextAndBackWhateverTheirBytes) {
     EXPECT_EQ(archive::text_of_path("cam1/Büro 2.avi"), "cam1/Büro 2.avi");
     EXPECT_EQ(archive::text_of_path("a\xFF\n%.avi"), "a%FF%0A%25.avi");
