@@ -63,7 +63,7 @@ export function linkIndex() {
         const link = at(id, HTMLAnchorElement);
         link.href = addressBeside(by);
         if (hasHits) link.textContent = by < 0 ? '◀ Hit' : 'Hit ▶';
-        link.title = `${hasHits ? by < 0 ? 'Previous hit' : 'Next hit' : by < 0 ? 'Earlier clip' : 'Later clip'} (${by < 0 ? 'P' : 'N'})`;
+        link.title = `${hasHits ? by < 0 ? 'Previous hit' : 'Next hit' : by < 0 ? 'Earlier clip' : 'Later clip'} (${by < 0 ? 'B' : 'N'})`;
         link.addEventListener('click', event => {
             if (event.ctrlKey || event.metaKey || event.shiftKey || !link.href) return;
             event.preventDefault();
@@ -107,7 +107,7 @@ export function playOn() {
 export function listenToNeighbours() {
     document.addEventListener('keydown', event => {
         if (event.ctrlKey || event.altKey || event.metaKey || !(event.target instanceof Element) || event.target.closest('input, select, textarea')) return;
-        const by = {n: 1, p: -1}[event.key.toLowerCase()];
+        const by = {n: 1, b: -1}[event.key.toLowerCase()];
         if (by === undefined) return;
         event.preventDefault();
         if (arrived.ended === by) tellEnd();
