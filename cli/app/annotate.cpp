@@ -124,17 +124,25 @@ std::vector<labels::LegendEntry> legend_of_transfer(const Plan& plan) {
              fmt::format("{}: little to much", filter.help), std::string(filter.name)}};
 }
 
-std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan) {
+/// Whether there are more objects than colours.
+bool shares_colours(const Composition& composed) {
+    return composed.objects.events.size() > std::size_t{events::object_colours};
+}
+
+std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan, const Composition& composed) {
     if (plan.colour->drawn == gl::VolumeColour::transfer) return legend_of_transfer(plan);
     if (!plan.colours_objects()) return legend_of_colour(plan);
-    return {{colours_of_objects(plan.job.look.theme), "a colour for each object, striped where it stood", "objects"},
+    return {{colours_of_objects(plan.job.look.theme),
+             shares_colours(composed) ? "colours of objects, striped where one stood"
+                                      : "a colour for each object, striped where it stood",
+             "objects"},
             {{rgba(plan.job.look.theme.unowned)}, "other changes", "other"}};
 }
 
 /// The legend: the meaning of a picture's colours.
-std::vector<labels::LegendEntry> legend_of(const Plan& plan) {
+std::vector<labels::LegendEntry> legend_of(const Plan& plan, const Composition& composed) {
     std::vector<labels::LegendEntry> entries;
-    if (plan.shows(Part::volume)) entries = legend_of_volume(plan);
+    if (plan.shows(Part::volume)) entries = legend_of_volume(plan, composed);
     const gl::GlyphStyle& style = plan.picture.glyphs;
     const auto flow = [&](const std::string& what) {
         return labels::LegendEntry{gradient(style.slow_colour, style.fast_colour),
@@ -196,7 +204,7 @@ class Annotator {
   private:
     void add_title_and_legend() {
         const std::vector<labels::LegendEntry> legend =
-            plan_.shows(Part::legend) ? legend_of(plan_) : std::vector<labels::LegendEntry>{};
+            plan_.shows(Part::legend) ? legend_of(plan_, composed_) : std::vector<labels::LegendEntry>{};
         const bool in_one_band = !legend.empty() && sheet_.legend == sheet_.title;
         const int right = sheet_.title.right - (in_one_band ? labels::brief_width(legend, sheet_) : 0);
         labels::label_title(plan_.title, length_text(), right, sheet_, ink_, pale_, lettering_);
@@ -241,12 +249,10 @@ class Annotator {
                             (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
         const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
                                              varies ? ", with room where something moves" : "");
-        // More objects than colours share them.
-        const bool shares_colours = composed_.objects.events.size() > std::size_t{events::object_colours};
         const std::array<std::string, 3> texts{
             time + ". Each cut through it is the camera's view at that moment. " +
-                (shares_colours ? "A number is the same object everywhere; colours repeat."
-                                : "A number and its colour are the same object everywhere."),
+                (shares_colours(composed_) ? "A number is the same object everywhere; colours repeat."
+                                           : "A number and its colour are the same object everywhere."),
             time + "; each cut through it is the view at that moment.", time + "."};
         labels::add_first_that_fits(texts, sheet_.small, sheet_.explanation.left,
                                     sheet_.explanation.bottom - sheet_.small / 2,

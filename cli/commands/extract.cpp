@@ -79,7 +79,8 @@ void extract(ExtractJob job, app::Observer& observer) {
     if (!day_times.empty()) observer.info(day_times);
     choose_part(job, clip->info());
     app::check_has_end(clip->info(), observer);
-    if (job.fields.filter->traits.object) job.fields.overlays = events::find_clocks(*clip);
+    // Parts must make the picture that the whole clip makes; the picture leaves the clock out.
+    if (job.fields.filter->traits.object && !job.part) job.fields.overlays = events::find_clocks(*clip);
     for (const PixelBox& box : job.fields.overlays) {
         observer.info(fmt::format("the fields leave out the camera's clock, {}x{} at {},{} of the field", box.width(),
                                   box.height(), box.left, box.top));

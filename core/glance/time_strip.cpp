@@ -147,7 +147,7 @@ class Strip {
             const int number = idle.end < end_ ? number_width() + number_gap : 0;
             const PixelBox room{column(idle.begin), rows_.top, column(idle.end) - number, rows_.bottom};
             const labels::Label label =
-                labels::make_centred_label("nobody seen", sheet_.small, (room.left + room.right) / 2.0,
+                labels::make_centred_label("nobody found", sheet_.small, (room.left + room.right) / 2.0,
                                            (room.top + room.bottom) / 2.0, style_.pale);
             lettering_.add(label, room.inflated(-sheet_.small / 3, 0), 2);
         }

@@ -32,10 +32,8 @@ def kinds(t, clip, *options):
     return [event["kind"] for event in report(t, clip, *options)["events"] or []]
 
 
-def test_reading_a_clock_is_masked(t):
-    clip = scene(t, "clock", *SMALL)
-    check(not report(t, clip)["volume"]["still"], "the clock shows nothing")
-    check(report(t, clip, "--mask", "115,0 192,0 192,20 115,20")["volume"]["still"], "the mask does not hide the clock")
+def test_reading_a_clock_is_left_out(t):
+    check(report(t, scene(t, "clock", *SMALL))["volume"]["still"], "the clock is in the picture")
 
 
 def test_reading_a_train_is_masked(t):
