@@ -191,7 +191,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
         // Those of the default view: seen from there, they would all be parallel to the picture.
         composed.slices = space::fit_camera(space::View{}, scene::outline_points(*plan.layout), plan.picture.size);
     }
-    composed.lettering = annotate(plan, seen, composed);
+    if (!plan.products.only_page) composed.lettering = annotate(plan, seen, composed);
     return composed;
 }
 

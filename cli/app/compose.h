@@ -39,7 +39,7 @@ struct Composition {
     bool frames_missing = false;            ///< some frames to be shown have no picture
     bool boxes = false;                     ///< Fig. 5: show boxes around the volume and its visible part
     std::optional<space::Camera> slices{};  ///< Fig. 5: the camera whose slices are shown
-    labels::Lettering lettering;            ///< flat text over the picture
+    labels::Lettering lettering;            ///< flat text over the picture; empty if only a page shows it
 };
 
 /// Decides what a picture of an observation shows. Calls no OpenGL, and reads no file except the font.

@@ -87,12 +87,10 @@ void show(const Plan& plan, Composition& composed, const Observation& seen, Draw
     drawing.renderer->set_scene(std::move(composed.scene));
 }
 
-image::Picture draw(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing,
-                    double phase) {
+image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, double phase) {
     image::Picture picture = image::to_picture(drawing.renderer->draw(*drawing.window, phase));
     if (plan.products.pixel_data)
         picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, scene::TimeTable(seen.volume));
-    labels::draw(picture, composed.lettering);
     return picture;
 }
 

@@ -45,10 +45,9 @@ void warm_up(const Plan& plan, const Drawing& drawing);
 /// \param seen with the volume that was composed; it must not change until they are drawn
 void show(const Plan& plan, Composition& composed, const Observation& seen, Drawing& drawing);
 
-/// Draws the current composition with its text.
+/// Draws the current composition without its lettering.
 /// \param phase of the texture that moves along the tracelines, 0..1
-image::Picture draw(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing,
-                    double phase = 0);
+image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, double phase = 0);
 
 /// Releases OpenGL's memory, before encoding needs as much.
 void close(Drawing& drawing);

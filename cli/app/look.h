@@ -48,6 +48,7 @@ struct PartRow {
     bool needs_pictures = false;  ///< needs frames in colour
     bool needs_events = false;    ///< needs objects, and so a filter that marks them
     bool around_volume = false;   ///< extends beyond the outline of the volume
+    bool page_has_own = false;    ///< a page shows it beside its picture
 };
 
 /// All parts, in the order of the enum.

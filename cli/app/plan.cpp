@@ -102,6 +102,7 @@ Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) 
     products.series = purpose == Purpose::stream || is_series(output);
     products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
                                    !image::is_animation(output.path) && image::holds_pixel_data(output.path));
+    products.only_page = page && (output.path.empty() || is_page(output.path)) && purpose != Purpose::caller;
     if (purpose == Purpose::stream) {
         products.portraits = page;
         return products;
@@ -278,7 +279,10 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     plan.glyphs.cap *= job.look.glyph_scale;
     plan.picture = job.picture;
     plan.picture.colour = plan.colour->drawn;
-    plan.picture.background = job.look.background.value_or(glm::vec4(job.look.theme.background, 1));
+    // A page shows its own ground through a light picture, and makes its colours lighter where the ground is dark.
+    const bool clear = plan.products.only_page && job.look.theme.background == glm::vec3(1);
+    const glm::vec4 ground = clear ? glm::vec4(0) : glm::vec4(job.look.theme.background, 1);
+    plan.picture.background = job.look.background.value_or(ground);
     plan.picture.glyphs = glyph_style_of(job, plan.colours_objects());
     plan.title = title_of(job.look.title, clip.info);
     plan.clock = clock_of(job.look.start_time, clip.info);
@@ -293,13 +297,14 @@ Framing Plan::framing() const {
     Framing framing;
     const Parts& show = job.look.show;
     framing.sheet = labels::arrange_sheet(job.picture.size,
-                                          {.title = show.has(Part::title),
-                                           .ruler = show.has(Part::ruler),
-                                           .legend = show.has(Part::legend),
-                                           .explanation = show.has(Part::explanation),
-                                           .portraits = show.has(Part::portraits),
-                                           .ends = show.has(Part::ends),
-                                           .strip = show.has(Part::strip)},
+                                          {.title = shows(Part::title),
+                                           .ruler = shows(Part::ruler),
+                                           .legend = shows(Part::legend),
+                                           .explanation = shows(Part::explanation),
+                                           .portraits = shows(Part::portraits),
+                                           .ends = shows(Part::ends),
+                                           .strip = shows(Part::strip),
+                                           .large_captions = products.only_page},
                                           static_cast<double>(clip.field_size.width) / clip.field_size.height);
     const PixelBox& part = framing.sheet.volume;
     const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
@@ -309,7 +314,7 @@ Framing Plan::framing() const {
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet already leaves a margin
     space::Camera camera = space::fit_camera(view, points, part.size());
     framing.edge = labels::outer_edge(*layout, camera, part.size());
-    if (show.has(Part::ruler)) {
+    if (shows(Part::ruler)) {
         const std::vector<glm::dvec3> reach = labels::ruler_reach(*layout, framing.edge);
         points.insert(points.end(), reach.begin(), reach.end());
         camera = space::fit_camera(view, points, part.size());

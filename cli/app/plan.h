@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -42,6 +43,7 @@ struct Products {
     bool pixel_data = false;  ///< pictures have the frame, time and depth of each pixel
     bool events = false;      ///< a report or a page lists the events
     bool portraits = false;   ///< a page shows a still of each event
+    bool only_page = false;   ///< the picture is only shown in a page, which writes the text over it
 };
 
 /// The amount of work, if the header's number of frames is correct.
@@ -89,7 +91,11 @@ struct Plan {
     std::string title{};
     WallClock clock{};  ///< for the ruler
 
-    bool shows(Part part) const { return job.look.show.has(part); }
+    /// Whether the picture has a part. A page has some beside its picture.
+    bool shows(Part part) const {
+        const bool elsewhere = products.only_page && parts()[static_cast<std::size_t>(part)].page_has_own;
+        return job.look.show.has(part) && !elsewhere;
+    }
     bool colours_objects() const { return colour->drawn == gl::VolumeColour::object; }
     Framing framing() const;
 };

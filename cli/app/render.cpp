@@ -69,7 +69,7 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
     for (int i = 0; i < pictures; ++i) {
         FinishedPicture picture{i, {}, {plan, seen, composed, run}};
         thread.run([&](Drawing& drawing) {
-            picture.picture = draw(plan, composed, seen, drawing, static_cast<double>(i) / pictures);
+            picture.picture = draw(plan, seen, drawing, static_cast<double>(i) / pictures);
             if (i + 1 == pictures) close(drawing);
         });
         run.stages.end("draw");
@@ -101,7 +101,7 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
         for (int i = 0; i < plan.products.pictures; ++i) {
             FinishedPicture picture{static_cast<int>(brick), {}, {plan, seen, composed, run}};
             thread.run([&](Drawing& drawing) {
-                picture.picture = draw(plan, composed, seen, drawing, phase_of(plan, brick, run.pictures));
+                picture.picture = draw(plan, seen, drawing, phase_of(plan, brick, run.pictures));
             });
             run.stages.end("draw");
             ++run.pictures;

@@ -111,9 +111,11 @@ class LivePictures {
         const RunContext& context = finished.context;
         const Observation& seen = context.seen;
         const image::Metadata record = record_of(context);
+        add_lettering(finished);
         if (is_page(plan_.job.output.path)) {
-            files_.add_page(page_text(context, std::move(finished.picture), record,
-                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(context)));
+            page_ = page_text(context, std::move(finished.picture), record,
+                              moments_.since(seen.begin.frame, seen.end().frame), state_of(context));
+            files_.add_page(page_);
         } else {
             files_.add(finished.number, std::move(finished.picture), record);
         }
@@ -125,6 +127,11 @@ class LivePictures {
             fmt::format("'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
                         finished.number,
                         labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
+    }
+
+    /// Call it after the stream's last picture: whoever looks at the page learns that there will be no other.
+    void end() {
+        if (!page_.empty()) files_.add_page(page::with_ended_stream(std::move(page_)));
     }
 
     std::int64_t count() const { return count_; }
@@ -163,6 +170,7 @@ class LivePictures {
     Observer& observer_;
     PictureOutput files_;
     Latency latency_;
+    std::string page_;  ///< the last one
     std::int64_t count_ = 0;
 };
 
@@ -209,6 +217,7 @@ std::int64_t StreamWatch::run() {
     LivePictures pictures(*plan_, *stream_, *fields_, observer_);
     const Outcome done = render_series(*plan_, *fields_, observer_,
                                        [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); });
+    pictures.end();
     observer_.info(pictures.summary(done.seen));
     return pictures.count();
 }

@@ -9,6 +9,7 @@
 
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
+#include "cli/app/overlay.h"
 #include "cli/app/report.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -63,9 +64,10 @@ void PictureOutput::add(int number, image::Picture picture, const image::Metadat
     image::write_picture(name_.at(number), std::move(picture), metadata);
 }
 
-void PictureOutput::add_thumbnail(const image::Picture& picture) {
+void PictureOutput::add_thumbnail(const image::Picture& picture, const glm::vec3& ground) {
     if (thumbnail_.empty()) return;
     image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side))};
+    for (image::Rgba& pixel : small.pixels.pixels()) pixel += image::Rgba(ground, 1) * (1 - pixel.a);
     const std::vector<std::byte> encoded = image::encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
     replace_file(thumbnail_, encoded);
@@ -162,25 +164,32 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.clock = plan.clock;
     if (seen.events) {
         content.events = seen.events->events;
+        for (const events::Event& event : *content.events) content.deeds.push_back(glance::deed_of(event));
         if (plan.products.series) content.numbers = seen.events->numbers;
         content.colours = composed.objects.colours;
         if (plan.products.portraits) content.portraits = glance::portraits_of(seen.events->events, seen.crops);
     }
     content.live = live;
     if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
-    for (const labels::Region& region : composed.lettering.regions)
-        content.regions.push_back({region.box, region.number});
+    content.overlay = overlay_of(plan, seen, composed);
     return page::make_page(content);
+}
+
+void add_lettering(FinishedPicture& finished) {
+    if (!finished.context.plan.products.only_page) labels::draw(finished.picture, finished.context.composed.lettering);
 }
 
 void Writer::write(FinishedPicture&& finished) {
     const Plan& plan = finished.context.plan;
     const OutputOptions& output = plan.job.output;
+    const bool also_page = !page_of(output).empty() && !plan.products.only_page;
+    image::Picture bare = also_page ? finished.picture : image::Picture{};
+    add_lettering(finished);
     image::Picture& picture = finished.picture;
     const image::Metadata record = record_of(finished.context);
     if (on_picture_) on_picture_(picture, record);
     if (!output.golden.path.empty()) last_ = {picture.pixels};
-    files_.add_thumbnail(picture);
+    files_.add_thumbnail(picture, plan.job.look.theme.background);
     page::Moments moments = watched_ == nullptr ? page::Moments{} : watched_->take();
     if (!moments.problem.empty()) {
         observer_.warn(fmt::format("the page has stills but no video preview, because FFmpeg could not encode one: {}",
@@ -199,8 +208,9 @@ void Writer::write(FinishedPicture&& finished) {
         files_.add(finished.number, std::move(picture), record);
         return;
     }
-    if (!is_page(output.path)) files_.add(finished.number, picture, record);
-    files_.add_page(page_text(finished.context, std::move(picture), record, std::move(moments)));
+    if (!also_page) bare = std::move(picture);
+    if (also_page && !is_page(output.path)) files_.add(finished.number, std::move(picture), record);
+    files_.add_page(page_text(finished.context, std::move(bare), record, std::move(moments)));
 }
 
 void Writer::finish(const RunContext& context, double seconds) {

@@ -35,7 +35,8 @@ class PictureOutput {
     void add(int number, image::Picture picture, const image::Metadata& metadata);
 
     /// Writes a small version of the picture, if requested.
-    void add_thumbnail(const image::Picture& picture);
+    /// \param ground behind a transparent picture
+    void add_thumbnail(const image::Picture& picture, const glm::vec3& ground);
 
     /// Writes a frame of the clip, if requested and available.
     void add_still(const std::optional<page::Still>& still);
@@ -61,7 +62,11 @@ class PictureOutput {
     std::optional<image::AnimationFile> animation_;
 };
 
+/// Draws the text over a picture, unless only a page shows it, which writes its own.
+void add_lettering(FinishedPicture& finished);
+
 /// The text of a page with one picture.
+/// \param picture without its text
 /// \param settings of the picture
 /// \param live for a stream
 std::string page_text(const RunContext& context, image::Picture picture, const image::Metadata& settings,

@@ -115,6 +115,10 @@ std::vector<std::string> activity_texts(const events::Event& event) {
             texts.back()};
 }
 
+std::string deed_of(const events::Event& event) {
+    return activities(event).front();
+}
+
 std::vector<events::Stay> stationary_times(const events::Event& event) {
     if (!row_of(event.kind).lies) return event.stays;
     const events::Stay* const stay = longest_stay(event);
@@ -208,7 +212,6 @@ void label_numbers(const Objects& objects, const std::set<std::size_t>& numbered
                                                            trails.pixel(event, at), size, objects.colour_of(k));
             if (!sheet.between.contains(badge.box) || !lettering.is_free(badge.box)) continue;
             lettering.badges.push_back(badge);
-            lettering.regions.push_back({badge.box, objects.numbers[k]});
             ++written;
             break;
         }

@@ -46,6 +46,9 @@ glm::dvec2 position_at(const events::Event& event, double seconds);
 /// known: "person · stood 14 s".
 std::vector<std::string> activity_texts(const events::Event& event);
 
+/// The longest of these texts, without what it is: "went ↗".
+std::string deed_of(const events::Event& event);
+
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
 std::vector<events::Stay> stationary_times(const events::Event& event);
 

@@ -193,11 +193,6 @@ std::vector<Anchor> anchors_of(const events::Event& event, double moment, const 
     return anchors;
 }
 
-struct Candidate {
-    std::size_t event;
-    const Crop* crop;
-};
-
 /// Marks the corners of the object's bounding box, because a still may show other objects too.
 void mark_object(const ObjectPicture& shown, const PixelBox& still, const image::Rgba& colour,
                  labels::Lettering& lettering) {
@@ -226,20 +221,20 @@ void mark_object(const ObjectPicture& shown, const PixelBox& still, const image:
 }
 
 /// Draws a still with the object's number, activity and time above it.
-void label_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still,
-                    const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
-                    labels::Lettering& lettering) {
-    const events::Event& event = objects.events[candidate.event];
+void label_portrait(const Objects& objects, const EventPortrait& portrait, const labels::Sheet& sheet,
+                    const image::Rgba& ink, const image::Rgba& pale, labels::Lettering& lettering) {
+    const events::Event& event = objects.events[portrait.event];
+    const PixelBox& still = portrait.still;
     const int size = sheet.small;
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
-    const image::Rgba colour = objects.colour_of(candidate.event);
-    ObjectPicture shown = candidate.crop->still();
+    const image::Rgba colour = objects.colour_of(portrait.event);
+    ObjectPicture shown = portrait.crop->still();
     mark_object(shown, still.inflated(-border, -border), colour, lettering);
     lettering.pictures.push_back({still.inflated(-border, -border), std::move(shown.picture), colour, border});
     const double middle = still.top - 1.5 * line + size * 0.1;
     labels::Badge badge =
-        labels::make_badge(fmt::format("{}", objects.numbers[candidate.event]), {still.left, middle}, size, colour);
+        labels::make_badge(fmt::format("{}", objects.numbers[portrait.event]), {still.left, middle}, size, colour);
     badge = labels::make_badge(badge.label.text, {still.left + badge.size / 2, middle}, size, colour);
     const int text_left = static_cast<int>(still.left + badge.size + size * 0.4);
     const int base = still.top - line - size / 4;
@@ -255,17 +250,14 @@ void label_portrait(const Objects& objects, const Candidate& candidate, const Pi
     write(activity_texts(event), text_left, base, ink);
     write(time_texts(event, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
-    lettering.regions.push_back(
-        {{still.left, still.top - 2 * line, still.right, still.bottom}, objects.numbers[candidate.event]});
 }
 
 }  // namespace
 
-std::vector<std::size_t> label_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
-                                         const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
-                                         const image::Rgba& ink, const image::Rgba& pale,
-                                         labels::Lettering& lettering) {
-    std::vector<Candidate> candidates;
+std::vector<EventPortrait> event_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
+                                           const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
+                                           std::span<const PixelBox> obstacles) {
+    std::vector<EventPortrait> candidates;
     std::vector<WantedPortrait> wanted;
     for (const std::size_t k : by_importance(objects.events)) {
         if (candidates.size() == max_candidates) break;
@@ -276,20 +268,27 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const std::set<
         wanted.push_back({objects.numbers[k], anchors_of(event, crop->at().seconds, trails)});
     }
     PixelBox row = sheet.portraits;
-    row.top += 2 * (sheet.small * 4 / 3);
-    std::vector<PixelBox> obstacles;
-    for (const labels::Label& label : lettering.labels) obstacles.push_back(label.box.inflated(2, 2));
-    std::vector<std::size_t> shown;
+    row.top += sheet.captions;
+    std::vector<EventPortrait> shown;
     for (const PlacedPortrait& placed : place_portraits(wanted, row, sheet.small, obstacles)) {
-        const Candidate& candidate = candidates[placed.wanted];
-        const image::Rgba colour = objects.colour_of(candidate.event);
-        const double width = std::max(1.0, sheet.small / 9.0);
-        lettering.strokes.push_back({placed.from, placed.to, width, colour});
-        lettering.strokes.push_back({placed.to, placed.to, 3.5 * width, colour});
-        label_portrait(objects, candidate, placed.still, sheet, ink, pale, lettering);
-        shown.push_back(candidate.event);
+        const EventPortrait& candidate = candidates[placed.wanted];
+        shown.push_back({candidate.event, candidate.crop, placed.still, placed.from, placed.to});
     }
     return shown;
+}
+
+void label_portraits(const Objects& objects, const std::set<std::size_t>& numbered, const Crops& crops,
+                     const Trails& trails, const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
+                     labels::Lettering& lettering) {
+    std::vector<PixelBox> obstacles;
+    for (const labels::Label& label : lettering.labels) obstacles.push_back(label.box.inflated(2, 2));
+    for (const EventPortrait& portrait : event_portraits(objects, numbered, crops, trails, sheet, obstacles)) {
+        const image::Rgba colour = objects.colour_of(portrait.event);
+        const double width = std::max(1.0, sheet.small / 9.0);
+        lettering.strokes.push_back({portrait.from, portrait.to, width, colour});
+        lettering.strokes.push_back({portrait.to, portrait.to, 3.5 * width, colour});
+        label_portrait(objects, portrait, sheet, ink, pale, lettering);
+    }
 }
 
 }  // namespace vvr::glance

@@ -49,12 +49,27 @@ std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> want
 /// Whether the segments a-b and c-d intersect.
 bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
-/// Places stills of the most important objects in the sheet's portrait band, with number, activity and time above each,
-/// and a leader line to the object's trail.
+/// An object's portrait in a picture, with its leader line.
+struct EventPortrait {
+    std::size_t event = 0;  ///< index in the list of events
+    const Crop* crop = nullptr;
+    PixelBox still{};
+    glm::dvec2 from{};
+    glm::dvec2 to{};  ///< on the object's trail
+};
+
+/// Places stills of the most important objects in the sheet's portrait band, below the captions.
+/// \param numbered indices of the events that may get one
+/// \param obstacles boxes that lines avoid if they can
+/// \returns from left to right
+std::vector<EventPortrait> event_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
+                                           const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
+                                           std::span<const PixelBox> obstacles);
+
+/// Draws the portraits, with number, activity and time above each, and a leader line to the object's trail.
 /// \param numbered indices of the events that may get one: those that the map or the time strip explains
-/// \returns the indices of the events shown, from left to right
-std::vector<std::size_t> label_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
-                                         const Crops& crops, const Trails& trails, const labels::Sheet& sheet,
-                                         const image::Rgba& ink, const image::Rgba& pale, labels::Lettering& lettering);
+void label_portraits(const Objects& objects, const std::set<std::size_t>& numbered, const Crops& crops,
+                     const Trails& trails, const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
+                     labels::Lettering& lettering);
 
 }  // namespace vvr::glance

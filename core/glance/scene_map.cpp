@@ -147,7 +147,6 @@ class Map {
                 lettering_.strokes.push_back({there, at, width, colour});
             }
             lettering_.badges.push_back(badge_at(there));
-            lettering_.regions.push_back({lettering_.badges.back().box, objects_.numbers[k]});
             return true;
         }
         return false;

@@ -119,9 +119,6 @@ class Strip {
         };
         add(event.first.seconds, event.last.seconds, low);
         for (const events::Stay& stay : stationary_times(event)) add(stay.first.seconds, stay.last.seconds, high);
-        lettering_.regions.push_back(
-            {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
-             objects_.numbers[bar.event]});
         return label_number(bar, middle);
     }
 

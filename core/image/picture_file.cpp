@@ -373,6 +373,17 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
     return picture_codec().encode(file);
 }
 
+std::vector<std::byte> encode_webp(const Plane<Rgba>& pixels, int quality) {
+    constexpr int channels = 4;
+    const std::vector<std::uint8_t> values = bytes_of({pixels}, channels);
+    PictureFile file{.format = "webp", .name = "picture.webp", .size = pixels.size(), .colours = channels};
+    // Method 2 of 0..6: a third of the time of the default, and 5 % more bytes.
+    file.options = {{"webp:method", 2}};
+    file.attributes = {{"Compression", fmt::format("webp:{}", quality)}};
+    file.values = std::as_bytes(std::span(values));
+    return picture_codec().encode(file);
+}
+
 void write_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata) {
     // Encoded in memory, so that our own checked write detects a full disk.
     replace_file(path, encode_picture(path, std::move(picture), metadata));

@@ -118,6 +118,11 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
 std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Plane<Bgr>& picture,
                                       int jpeg_quality = 95);
 
+/// Encodes a picture as WebP with transparency, for web pages.
+/// \param quality 1..100
+/// \throws Error io for a picture too large for WebP
+std::vector<std::byte> encode_webp(const Plane<Rgba>& pixels, int quality);
+
 /// Encodes a picture and replaces `path` atomically.
 /// \throws Error usage or io, as `check_picture_path`, and io if the disk is full
 void write_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata = {});

@@ -53,12 +53,6 @@ struct Badge {
     PixelBox box;
 };
 
-/// A part of the picture that belongs to an object: its portrait, its number, its bar.
-struct Region {
-    PixelBox box;
-    std::size_t number = 0;  ///< the object's number
-};
-
 /// Flat text and graphics over a picture, drawn in this order: pictures, bars, strokes, badges, texts. Everything is
 /// inside the picture, and no text overlaps another text, a bar, a picture or a badge.
 struct Lettering {
@@ -67,7 +61,6 @@ struct Lettering {
     std::vector<Stroke> strokes;
     std::vector<Badge> badges;
     std::vector<Label> labels;
-    std::vector<Region> regions;
     bool font_missing = false;  ///< text was requested, but there is no font
 
     /// Whether `box` intersects no label, bar, picture or badge.

@@ -29,10 +29,7 @@ Mark mark_at(const space::Layout& layout, const TimeEdge& edge, double t) {
 /// Writes a text at the outer end of the mark at `t`.
 void write_beside(const std::string& text, double t, const space::Layout& layout, const TimeEdge& edge,
                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
-    const Mark mark = mark_at(layout, edge, t);
-    const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
-    glm::dvec2 out = end - camera.pixel(mark.from, sheet.picture);
-    out = glm::length(out) > 1e-6 ? glm::normalize(out) : glm::dvec2(0, -1);
+    const auto& [end, out] = mark_in_picture(layout, edge, t, camera, sheet.picture);
     const Label size = make_label(text, sheet.text, 0, 0, colour);
     const double half = (std::abs(out.x) * size.box.width() + std::abs(out.y) * size.box.height()) / 2;
     const glm::dvec2 middle = end + out * (half + sheet.text / 3.0);
@@ -40,6 +37,14 @@ void write_beside(const std::string& text, double t, const space::Layout& layout
 }
 
 }  // namespace
+
+MarkInPicture mark_in_picture(const space::Layout& layout, const TimeEdge& edge, double t, const space::Camera& camera,
+                              Size picture) {
+    const Mark mark = mark_at(layout, edge, t);
+    const glm::dvec2 end = camera.pixel(mark.to, picture);
+    const glm::dvec2 out = end - camera.pixel(mark.from, picture);
+    return {end, glm::length(out) > 1e-6 ? glm::normalize(out) : glm::dvec2(0, -1)};
+}
 
 TimeEdge outer_edge(const space::Layout& layout, const space::Camera& camera, Size picture) {
     constexpr int samples = 32;

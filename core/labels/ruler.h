@@ -25,6 +25,16 @@ TimeEdge outer_edge(const space::Layout& layout, const space::Camera& camera, Si
 /// Outer ends of the ruler's marks along `edge`, in P-space; the camera must show them besides the volume.
 std::vector<glm::dvec3> ruler_reach(const space::Layout& layout, const TimeEdge& edge);
 
+/// A mark of the ruler in a picture: its outer end in pixels, and the direction away from the volume.
+struct MarkInPicture {
+    glm::dvec2 end{};
+    glm::dvec2 out{};
+};
+
+/// The mark at `t`, t_C.
+MarkInPicture mark_in_picture(const space::Layout& layout, const TimeEdge& edge, double t, const space::Camera& camera,
+                              Size picture);
+
 /// The ruler's tick marks, in P-space.
 std::vector<scene::LineSegment> ruler_marks(const bricks::Volume& volume, const space::Layout& layout,
                                             const TimeEdge& edge, const std::vector<TimeTick>& ticks,

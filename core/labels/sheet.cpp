@@ -75,7 +75,8 @@ void arrange_top(const PixelBox& inside, const SheetParts& parts, Sheet& sheet) 
     if (parts.portraits) {
         const int still = std::min(inside.height() * 4 / 25, inside.width() / 6);
         take(sheet.small / 2);
-        sheet.portraits = take(still + 2 * (sheet.small * 4 / 3));
+        sheet.captions = (parts.large_captions ? 4 : 2) * (sheet.small * 4 / 3);
+        sheet.portraits = take(still + sheet.captions);
     }
     sheet.between.top = top;
 }

@@ -18,6 +18,7 @@ struct SheetParts {
     bool portraits = false;
     bool ends = false;  ///< first and last frame
     bool strip = false;
+    bool large_captions = false;  ///< above portraits: for a picture that is shown smaller than it is
 };
 
 /// Layout of a picture. From the top: title and legend, explanation, portraits, volume. At the bottom: the first frame
@@ -30,8 +31,9 @@ struct Sheet {
     PixelBox title;  ///< bands; empty if not shown
     PixelBox explanation;
     PixelBox portraits;
-    PixelBox first;  ///< the first frame
-    PixelBox last;   ///< the last frame
+    int captions = 0;  ///< height of the portraits' text, in the upper part of `portraits`
+    PixelBox first;    ///< the first frame
+    PixelBox last;     ///< the last frame
     PixelBox strip;
     PixelBox legend;    ///< the title's band if they share it; then it doesn't overlap the title
     PixelBox map_area;  ///< where the map may be: above the strip, below the ruler's labels

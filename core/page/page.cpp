@@ -123,12 +123,52 @@ Json json_of_objects(const Plane<float>& objects, const Places& places) {
                           [&](float number) { return number > 0 ? places.of(static_cast<std::size_t>(number)) : 0; });
 }
 
-Json json_of_regions(const PageContent& content, const Places& places) {
-    Json json = Json::array();
-    for (const auto& [box, number] : content.regions) {
-        const std::int64_t place = places.of(number);
-        if (place > 0) json.push_back({box.left, box.top, box.right, box.bottom, place - 1});
+/// In tenths of a pixel at most.
+double tenths(double value) {
+    return std::round(value * 10) / 10;
+}
+
+Json json_of(const PixelBox& box) {
+    return {box.left, box.top, box.right, box.bottom};
+}
+
+Json json_of(const Overlay& overlay) {
+    Json json{{"sections", Json::array()},    {"notes", Json::array()},     {"portraits", Json::array()},
+              {"captions", overlay.captions}, {"numbers", overlay.numbers}, {"map", Json()}};
+    for (const Overlay::Section& section : overlay.sections) {
+        Json values{rounded(section.seconds)};
+        for (const glm::dvec2& corner : section.corners) {
+            values.push_back(tenths(corner.x));
+            values.push_back(tenths(corner.y));
+        }
+        json["sections"].push_back(values);
     }
+    for (const auto& [text, at, out] : overlay.notes) {
+        json["notes"].push_back({{"text", text},
+                                 {"at", {tenths(at.x), tenths(at.y)}},
+                                 {"out", {std::round(out.x * 1e3) / 1e3, std::round(out.y * 1e3) / 1e3}}});
+    }
+    for (const auto& [event, still, to] : overlay.portraits) {
+        json["portraits"].push_back({{"event", event}, {"box", json_of(still)}, {"to", {tenths(to.x), tenths(to.y)}}});
+    }
+    if (!overlay.map.empty() && !overlay.scene.empty()) {
+        json["map"] = {{"box", json_of(overlay.map)},
+                       {"src", data_url("image/jpeg", image::encode_picture("map.jpg", overlay.scene, still_quality))}};
+    }
+    return json;
+}
+
+/// The settings of the picture.
+Json json_of(const image::Metadata& settings) {
+    Json json = Json::object();
+    for (const auto& [name, value] : settings) json[name] = value;
+    return json;
+}
+
+/// The times at which an object stood still, in frames.
+Json json_of(const std::vector<events::Stay>& stays) {
+    Json json = Json::array();
+    for (const events::Stay& stay : stays) json.push_back({stay.first.frame, stay.last.frame});
     return json;
 }
 
@@ -175,6 +215,13 @@ Json json_of(const std::vector<events::PathPoint>& path, Size field) {
     return json;
 }
 
+/// A box in fractions of the picture's width and height.
+Json json_of_place(const PixelBox& box, Size field) {
+    const auto share = [](int place, int side) { return std::round(1e4 * place / side) / 1e4; };
+    return {share(box.left, field.width), share(box.top, field.height), share(box.right, field.width),
+            share(box.bottom, field.height)};
+}
+
 /// An object's path in the format of an archive's index.
 Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
     const glm::dvec2 size(shown.width, shown.height);
@@ -196,9 +243,11 @@ Json json_of(const events::Event& event, Size field, Size shown) {
             {"class", identity ? Json(identity->what->name) : Json()},
             {"group", identity ? Json(detector::name_of(identity->what->group)) : Json()},
             {"score", identity ? Json(std::round(identity->score * 100) / 100) : Json()},
+            {"box", json_of_place(event.box, field)},
             {"first", event.first.frame},
             {"last", event.last.frame},
             {"still", rounded(events::stationary_seconds(event))},
+            {"stays", json_of(event.stays)},
             {"from", number_of(event.from)},
             {"into", number_of(event.into)},
             {"by", number_of(event.by)},
@@ -232,9 +281,7 @@ Json json_of_events(const PageContent& content) {
     for (std::size_t k = 0; k < std::min(content.numbers.size(), json.size()); ++k) {
         json[k]["number"] = content.numbers[k];
     }
-    for (std::size_t k = 0; k < std::min(content.portraits.size(), json.size()); ++k) {
-        json[k]["portrait"] = json_of_portrait(content.portraits[k]);
-    }
+    for (std::size_t k = 0; k < std::min(content.deeds.size(), json.size()); ++k) json[k]["deed"] = content.deeds[k];
     return json;
 }
 
@@ -242,9 +289,9 @@ ClockSource source_of(const PageContent& content) {
     return content.clock ? content.clock->source : ClockSource::none;
 }
 
+/// What the page needs before anything can be done with it. The rest comes after its script.
 Json json_of(const PageContent& content) {
     const Moments& moments = content.moments;
-    const Places places(content);
     Json json{{"name", content.name},
               {"camera", content.camera.empty() ? Json() : Json(content.camera)},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
@@ -257,20 +304,36 @@ Json json_of(const PageContent& content) {
               {"kinds", json_of_kinds()},
               {"index", Json()},
               {"live", Json()},
-              {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
-              {"objects", json_of_objects(content.picture.pixel_data.object, places)},
               {"events", json_of_events(content)},
-              {"regions", json_of_regions(content, places)},
-              {"stills", Json::array()},
-              {"preview", moments.preview ? json_of(*moments.preview) : Json()}};
+              {"overlay", json_of(content.overlay)},
+              {"settings", json_of(content.settings)}};
     if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};
     if (const auto& live = content.live) {
-        json["live"] = {{"state", live->text}, {"written", live->written}, {"brick", std::ceil(live->brick_seconds)}};
+        json["live"] = {{"state", live->text},
+                        {"written", live->written},
+                        {"ended", false},
+                        {"brick", std::ceil(live->brick_seconds)}};
     }
     for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
-    const int side = moments.preview ? small_still_side : still_side;
-    for (const Still& still : moments.stills) json["stills"].push_back(json_of(still, side));
     return json;
+}
+
+Json json_of_pixel_data(const PageContent& content) {
+    return {{"pixels", json_of_frames(content.picture.pixel_data.frame, content.moments.times.front().first)},
+            {"objects", json_of_objects(content.picture.pixel_data.object, Places(content))}};
+}
+
+/// Of the clip and of its events.
+Json json_of_stills(const PageContent& content) {
+    Json json{{"stills", Json::array()}, {"portraits", Json::array()}};
+    const int side = content.moments.preview ? small_still_side : still_side;
+    for (const Still& still : content.moments.stills) json["stills"].push_back(json_of(still, side));
+    for (const Plane<Bgr>& portrait : content.portraits) json["portraits"].push_back(json_of_portrait(portrait));
+    return json;
+}
+
+Json json_of_preview(const PageContent& content) {
+    return {{"preview", content.moments.preview ? json_of(*content.moments.preview) : Json()}};
 }
 
 /// A time in the format of the page's script: "1:15.2", truncated to tenths.
@@ -296,13 +359,14 @@ std::string list_of(const PageContent& content) {
     return list;
 }
 
-/// The picture as a URL: the PNG that `-o FILE.png` writes, or a smaller file for a live page.
+/// The picture as a URL. WebP has transparency and is a sixth of a PNG.
 std::string url_of_picture(const PageContent& content) {
-    constexpr int live_quality = 88;
-    if (!content.live)
-        return data_url("image/png", image::encode_picture("page.png", content.picture, content.settings));
-    const image::Picture colours{content.picture.pixels};
-    return data_url("image/jpeg", image::encode_picture("page.jpg", colours, content.settings, live_quality));
+    constexpr int quality = 90;
+    constexpr int most_side = 16383;  // of WebP
+    const Size size = content.picture.pixels.size();
+    if (std::max(size.width, size.height) > most_side)
+        return data_url("image/png", image::encode_picture("page.png", content.picture));
+    return data_url("image/webp", image::encode_webp(content.picture.pixels, quality));
 }
 
 /// The end of the last frame, seconds.
@@ -335,10 +399,12 @@ std::string time_direction(const image::Metadata& settings) {
 }  // namespace
 
 std::string make_page(const PageContent& content) {
-    const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
     const std::string style = std::string(web::theme_css) + std::string(web::page_css);
     const std::string script(web::page_js);
+    const std::string arrival = "vvr.takeParts();";  // of the parts that follow the script
+    const std::string plain = ".scripted { display: none !important; }";
+    const auto json_text_of = [](const Json& json) { return script_json(json_text(json, -1, true)); };
     // Replaces bytes that are not UTF-8 by U+FFFD. The clip's URL is already escaped.
     const auto shown = [](const std::string& text) {
         return html_text(Json::parse(json_text(text)).get<std::string>());
@@ -348,8 +414,8 @@ std::string make_page(const PageContent& content) {
     return fill(
         web::page_html,
         {
-            {"script policy", policy_hash(script)},
-            {"style policy", policy_hash(style)},
+            {"script policy", policy_hash(script) + " " + policy_hash(arrival)},
+            {"style policy", policy_hash(style) + " " + policy_hash(plain)},
             {"connect", content.live ? "; connect-src 'self'" : ""},
             {"name", shown(content.name)},
             {"heading",
@@ -366,8 +432,20 @@ std::string make_page(const PageContent& content) {
             {"picture", url_of_picture(content)},
             {"width", fmt::to_string(size.width)},
             {"height", fmt::to_string(size.height)},
-            {"data", script_json(json_text(data, -1, true))},
+            {"plain", plain},
+            {"arrival", arrival},
+            {"data", json_text_of(json_of(content))},
+            {"pixel data", json_text_of(json_of_pixel_data(content))},
+            {"stills", json_text_of(json_of_stills(content))},
+            {"preview", json_text_of(json_of_preview(content))},
         });
+}
+
+std::string with_ended_stream(std::string page) {
+    constexpr std::string_view before = "\"ended\":false";
+    const std::size_t place = page.find(before);  // of the data: in texts, quotes are escaped
+    if (place != std::string::npos) page.replace(place, before.size(), "\"ended\":true");
+    return page;
 }
 
 std::string make_region_editor(const RegionEditorContent& content) {

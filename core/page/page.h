@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,6 +26,36 @@ struct LiveState {
 struct PageIndex {
     std::string url;   ///< of the index, relative to the page
     std::string clip;  ///< the clip's path in the index
+};
+
+/// What a page draws over its picture, in pixels of the picture.
+struct Overlay {
+    /// A cross-section of the volume: the frame at one time.
+    struct Section {
+        double seconds = 0;                   ///< of the clip
+        std::array<glm::dvec2, 4> corners{};  ///< of the frame: upper left, upper right, lower right, lower left
+    };
+    std::vector<Section> sections;  ///< in order of time
+
+    /// A text beside the time axis.
+    struct Note {
+        std::string text;
+        glm::dvec2 at{};
+        glm::dvec2 out{};  ///< unit vector away from the volume: the text is on that side
+    };
+    std::vector<Note> notes;  ///< the most important first
+
+    /// An event's portrait, with a line to its trail.
+    struct Portrait {
+        std::size_t event = 0;  ///< index in the list of events
+        PixelBox still;
+        glm::dvec2 to{};
+    };
+    std::vector<Portrait> portraits;
+    int captions = 0;      ///< height of the space above the portraits
+    bool numbers = false;  ///< trails have numbers
+    PixelBox map;          ///< empty = no map
+    Plane<Bgr> scene{};    ///< of the map
 };
 
 /// The content of a page.
@@ -52,20 +84,18 @@ struct PageContent {
     std::vector<std::size_t> numbers;                  ///< numbers of the events in the picture; empty = index plus 1
     std::vector<glm::vec3> colours;                    ///< of the events in the picture, sRGB; empty = no colours
     std::vector<Plane<Bgr>> portraits;                 ///< of the events; an empty plane = none
+    std::vector<std::string> deeds;                    ///< what each of them did: "went ↘"
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
-
-    /// A part of the picture that shows an event.
-    struct Region {
-        PixelBox box;
-        std::size_t number = 0;  ///< of the event
-    };
-    std::vector<Region> regions;
+    Overlay overlay;
 };
 
 /// Makes a self-contained HTML page: the picture, the time and event of each pixel, stills and a preview. It refers
 /// only to the clip's file. The page of a stream requests updates from its server. The output is deterministic.
 std::string make_page(const PageContent& content);
+
+/// The last page of a stream that has ended.
+std::string with_ended_stream(std::string page);
 
 /// The content of a page for drawing regions.
 struct RegionEditorContent {

@@ -164,8 +164,7 @@ class Page:
     def open(self, path):
         """A file's path, or an address."""
         self.driver.get(str(path) if str(path).startswith("http:") else pathlib.Path(path).as_uri())
-        self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined"
-                                       " && document.getElementById('source').textContent !== ''")
+        self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined && (film !== null || stills)")
 
     def run(self, script, *arguments):
         """Runs a script, which can use the names that the page's script exports (as `vvr`) and those of its state."""
@@ -186,6 +185,10 @@ class Page:
 
     def count(self, selector):
         return self.run("return document.querySelectorAll(arguments[0]).length", selector)
+
+    def open_menu(self, name):
+        """So that what is in it can be pressed."""
+        self.run("for (const menu of document.querySelectorAll('details.menu')) menu.open = menu.id === arguments[0]", name)
 
     def box(self, selector):
         """Where an element is in the window: left, top, right, bottom."""

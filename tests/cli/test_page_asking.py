@@ -76,8 +76,8 @@ def box_of(a, b):
 
 def listed(page):
     """Of each event in the list: its number, and what the list says of the place."""
-    numbers = page.run("return [...document.querySelectorAll('#events button')].map(b => Number(b.dataset.event))")
-    return {number: text.split(" · ")[-1] for number, text in zip(numbers, page.texts("#events small"))}
+    numbers = page.run("return [...document.querySelectorAll('#events .row')].map(b => Number(b.dataset.event))")
+    return {number: text.split(" · ")[-1] for number, text in zip(numbers, page.run("return [...document.querySelectorAll('#events .row')].map(e => e.querySelector('small')?.textContent ?? '')"))}
 
 
 def test_page_lists_what_was_in_a_rectangle(t):
@@ -142,6 +142,7 @@ def counts_once(xs):
 def copied(page, selector):
     """What a button puts into the clipboard."""
     page.cdp("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+    page.open_menu("share" if selector != "#copyroi" else "")
     page.press(selector)
     page.wait("it says so", "const told = document.getElementById('told'); return !told.hidden && told.textContent.startsWith('Copied')")
     page.run("window.copied = null; navigator.clipboard.readText().then(text => { window.copied = text; });")
@@ -223,7 +224,8 @@ def test_page_links_lead_to_moments_and_events(t):
             check(page.run("return isPlaying()") is False, "it plays at once")
         page.run("choose(null); show(123, false)")
         check(copied(page, "#copylink") == t.path("out.html").as_uri() + "#t=4.920", page.run("return window.copied"))
-        page.press("#events li:nth-child(2) button")
+        page.open_menu("")
+        page.press("#events li:nth-child(2) .row")
         check(copied(page, "#copylink") == t.path("out.html").as_uri() + "#event=2", page.run("return window.copied"))
         check(page.run("return location.hash") == "#event=2", "the address does not keep the event")
 
@@ -235,6 +237,7 @@ def saved(t, page, frame):
     page.cdp("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
     page.run("document.getElementById('told').textContent = ''; show(arguments[0], false)", frame)
     page.wait("it is there", "return !film || !video.seeking && video.readyState > 1")
+    page.open_menu("share")
     page.press("#savestill")
     page.wait("it says so", "return document.getElementById('told').textContent.startsWith('Saved')")
     told = page.text("told")
@@ -307,7 +310,7 @@ def test_page_and_index_tell_the_same_crossings(t):
     with Page(t, "out/gate/20261117T071500.avi.html") as page:
         for a, b in lines:
             page.run(ask, a, b, 1)
-            told.append({number + 1: text for number, text in listed(page).items()} if page.count("#events button") else {})
+            told.append({number + 1: text for number, text in listed(page).items()} if page.count("#events .row") else {})
         page.driver.get(t.path("out/index.html").as_uri())
         page.wait("the list", "return document.querySelector('#days .day') !== null")
         page.press("#views [value=scene]")

@@ -21,10 +21,14 @@ class Live(Page):
         self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined")
 
 
-def page_of(t, name, seconds, *options):
+def page_of(t, name, seconds, *options, ended=False):
     """What is on the disk when a stream of so many seconds has ended."""
     source(t, "cam.ts", seconds=seconds)
     Watch(t, "cam.ts", "-o", name, "--brick", "1s", "--window", "3", "--size", "480x300", "--backend", "software", *options).end()
+    if not ended:
+        text = t.path(name).read_text()
+        check('"ended":true' in text, "a page says that its stream has ended")
+        t.write(name, text.replace('"ended":true', '"ended":false'))
     return name
 
 
@@ -45,7 +49,7 @@ def test_live_page_fetches_when_there_is_news(t):
     page_of(t, "later.html", 12)
     size = t.path("live.html").stat().st_size
     with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
-        check(page.text("state").startswith("learning the empty scene · "), page.text("state"))
+        check(page.text("livestate") == "learning the empty scene", page.text("livestate"))
         begin = len(asked(served, "HEAD"))
         time.sleep(4)
         heads = len(asked(served, "HEAD")) - begin
@@ -61,8 +65,8 @@ def test_live_page_fetches_when_there_is_news(t):
         page.wait("the picture is read", "return pixels !== null")
         check(page.run("return window.same && document.getElementById('speed').value === '4'"), "it was loaded again as a whole")
         check(page.run("return picture.src") != old, "the picture is the old one")
-        check(page.text("state").startswith("watching · "), page.text("state"))
-        check(page.count("#events button") == page.run("return data.events.length"), "the list is the old one")
+        check(page.text("livestate") == "watching", page.text("livestate"))
+        check(page.count("#events .row") == page.run("return data.events.length"), "the list is the old one")
         check(re.fullmatch(r".*, \d+ frames.*", page.text("summary")), page.text("summary"))
         check(len(asked(served, "GET")) == 2, f"{len(asked(served, 'GET'))} pages were fetched for one piece of news")
         # It is a page to point at and to click on, as that of a clip.
@@ -83,10 +87,10 @@ def test_live_page_tells_its_age_by_the_clock_of_the_server(t, ahead):
         served.ahead = ahead
         written_at(t, "live.html", time.time() + ahead - 2)
         with Live(t, served.url("live.html")) as page:
-            page.wait("its age", "return / · updated \\d s ago$/.test(document.getElementById('state').textContent)", 5)
+            page.wait("its age", "return /^· updated \\d s ago$/.test(document.getElementById('age').textContent)", 5)
             check(page.run("return document.getElementById('state').className") == "", "it is said to be old")
             written_at(t, "live.html", time.time() + ahead - 300)
-            page.wait("it is old", "return / · no new picture for 30\\d s$/.test(document.getElementById('state').textContent)", 8)
+            page.wait("it is old", "return /^· no new picture for 30\\d s$/.test(document.getElementById('age').textContent)", 8)
             check(page.run("return document.getElementById('state').className") == "old", "old, and not marked")
 
 
@@ -97,3 +101,44 @@ def test_live_page_is_readable_and_says_what_it_shows(t):
         check(page.text_of("h1") == "a[U+202E]gpj <i>gate</i>" and page.count("h1 *") == 0, page.text_of("h1"))
         expect_readable(page, 10)
         expect_names(page)
+
+
+def test_live_page_follows_now_unless_one_looks_back(t):
+    page_of(t, "live.html", 6)
+    page_of(t, "later.html", 12)
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        check(page.run("return [now === time.lastFrame, follows, moved]") == [True, True, True], "it opens in the past")
+        check(page.hidden("tonow"), "a way to now, at now")
+        page.run("zoomStrip(0.3, 1)")
+        lasts = page.run("return stripLasts")
+        os.replace(t.path("later.html"), t.path("live.html"))
+        first = page.run("return time.firstFrame")
+        page.wait("the news", f"return time.firstFrame > {first}")
+        check(page.run("return now === time.lastFrame"), "it does not follow")
+        check(abs(page.run("return stripLasts") - lasts) < 1e-6, "the strip's zoom is lost")
+        page.run("show(time.firstFrame, true)")
+        check(not page.hidden("tonow"), "no way to now")
+        begin = page.run("return now")
+        page.wait("it plays", f"return now > {begin}")
+        page.press("#tonow")
+        check(page.run("return [now === time.lastFrame, isPlaying()]") == [True, False], "it does not go to now")
+
+
+def test_live_page_says_when_the_stream_has_ended(t):
+    page_of(t, "live.html", 4, ended=True)
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        check([page.text("livestate"), page.text("age")] == ["the stream has ended", ""], page.text("state"))
+        begin = len(asked(served, "HEAD"))
+        time.sleep(2.5)
+        check(len(asked(served, "HEAD")) - begin <= 1, "it still asks for news")
+
+
+def test_live_page_of_a_file_keeps_what_one_did(t):
+    """It opens itself again for each brick, and no more often."""
+    page_of(t, "live.html", 6)
+    with Live(t, "live.html") as page:
+        page.run("window.old = true; set({leastSeconds: 2, follows: false, now: time.firstFrame + 3, scale: 2})")
+        page.wait("it opened itself again", "return window.old === undefined && document.documentElement.dataset.ready !== undefined")
+        kept = page.run("return [leastSeconds, follows, now - time.firstFrame, scale]")
+        check(kept == [2, False, 3, 2], f"{kept}")
+        check(page.complaints() == [], str(page.complaints()))

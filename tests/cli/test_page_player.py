@@ -22,12 +22,14 @@ def bag(t, *arguments):
 def with_events(t, name, paths, kind_of=lambda _: "moved"):
     """The page out.html with other events, of these paths of [frame, x, y], and ways by them."""
     events = [{"kind": kind_of(k), "first": path[0][0], "last": path[-1][0], "still": 0, "from": None, "into": None, "by": None,
-               "path": path, "way": [value for frame, x, y in path for value in (frame / RATE * 10, 1000 * x, 1000 * y)],
-               "number": k + 1} for k, path in enumerate(paths)]
+               "path": path, "stays": [], "box": [0.1, 0.1, 0.3, 0.3], "way": [value for frame, x, y in path for value in (frame / RATE * 10, 1000 * x, 1000 * y)],
+               "deed": {"left": "left behind"}.get(kind_of(k), kind_of(k)), "number": k + 1} for k, path in enumerate(paths)]
     text = t.path("out.html").read_text()
-    text, count = re.subn(r'"objects":.*?,"events":\[.*?\],"regions":\[.*?\],"stills"',
-                          f'"objects":null,"events":{json.dumps(events)},"regions":[],"stills"', text, count=1)
-    check(count == 1, "the page's data have another form")
+    overlay = {"sections": [], "notes": [], "portraits": [], "captions": 0, "numbers": False, "map": None}
+    for old, new in ((r'"events":\[.*?\],"overlay":.*?,"settings"', f'"events":{json.dumps(events)},"overlay":{json.dumps(overlay)},"settings"'),
+                     (r'"objects":\{[^}]*\}', '"objects":null'), (r'"portraits":\["data.*?\]\}', '"portraits":[]}')):
+        text, count = re.subn(old, lambda _, to=new: to, text, count=1)
+        check(count == 1, f"the page's data have another form: {old}")
     return t.write(name, text)
 
 
@@ -55,7 +57,8 @@ def test_page_from_a_server(t, ranges):
 
 def test_page_space_is_play_and_pause_whatever_was_clicked(t):
     with Page(t, bag(t)) as page:
-        for selector in ("#events button", "#next", "#previous", "#forward", "#loop", "#askbox", "#copylink", "#strip"):
+        for selector in ("#events .row", "#next", "#previous", "#forward", "#loop", "#askbox", "#copylink", "#strip"):
+            page.open_menu("share" if selector in ("#loop", "#copylink") else "")
             page.press(selector)
             chosen = page.run("return chosen")
             looped = page.run("return document.getElementById('loop').checked")
@@ -81,12 +84,14 @@ def test_page_stops_at_the_end_of_an_event_or_loops(t):
         check(page.run("return video.playbackRate") == 4, "the speed is not that of the player")
         first, last = page.run("return [data.events[0].first, data.events[0].last]")
         check(last < 390, f"the event ends with the clip: {last}")
-        page.press("#events button")
+        page.press("#events .row")
         page.wait("it plays", f"return isPlaying() && now > {first}")
         page.wait("it stops", "return !isPlaying() && video.paused")
         check(page.run("return now") == last, f"it stops at {page.run('return now')}, the event ends at {last}")
+        page.open_menu("share")
         page.press("#loop")
-        page.press("#events button")
+        page.open_menu("")
+        page.press("#events .row")
         page.run("""window.turns = 0; let before = now;
             setInterval(() => { if (now < before - 5) ++turns; before = now; }, 20);""")
         page.wait("it begins again", "return window.turns >= 2")
@@ -116,8 +121,8 @@ def test_page_strip_scrubs_zooms_and_has_keys(t):
         check(page.run("return [isPlaying(), chosen]") == [False, None], "a drag plays or chooses")
         page.wait("the player is there", "return Math.abs(video.currentTime * 25 - now) < 2")
         # A bar chooses its event.
-        number = page.run("return Number(document.querySelector('#bars i:last-child').dataset.event)")
-        page.drag("#bars i:last-child", (0.5, 0.5))
+        number = page.run("return Number(document.querySelector('#bars i:nth-last-child(2)').dataset.event)")
+        page.drag("#bars i:nth-last-child(2)", (0.5, 0.5))
         check(page.run("return chosen") == number, f"a click on its bar chooses {page.run('return chosen')}, not {number}")
         check(page.count("#bars i.chosen") == 1, "no bar is marked")
         # It is a slider, with keys.
@@ -129,7 +134,9 @@ def test_page_strip_scrubs_zooms_and_has_keys(t):
         role, most, now, text = page.run("return ['role', 'aria-valuemax', 'aria-valuenow', 'aria-valuetext'].map(n => strip.getAttribute(n))")
         check(role == "slider" and 15 < float(most) <= 16 and [now, text] == ["0.0", "0:00.0"], f"{role}, {now} of {most}, {text}")
         labels = page.texts("#ticks span")
+        check(page.hidden("stripwhole"), "nothing is to be reset")
         page.key("+", "+", "+")
+        check(not page.hidden("stripwhole"), "no way back is to be seen")
         check(page.run("return stripLasts") < 5 and labels != page.texts("#ticks span"), "+ does not zoom")
         page.key("-", "-", "-", "-")
         check(abs(page.run("return stripLasts - time.lasts")) < 1e-6, "- does not show all again")
@@ -151,7 +158,7 @@ def test_page_of_hundreds_of_events(t):
         kinds = page.texts("#events .kind")
         check(kinds[:8] == ["left behind"] * 8 and kinds[8] == "moved" and len(kinds) == 800, str(kinds[:10]))
         high = page.run("return document.querySelector('#events li').getBoundingClientRect().height")
-        check(high <= 48, f"a row is {high} pixels high")
+        check(64 <= high <= 72, f"a row is {high} pixels high")
 
 
 def test_page_has_one_clock(t):
@@ -161,8 +168,8 @@ def test_page_has_one_clock(t):
         page.run("show(100, false)")
         clocks = [page.text("clock"), page.text("cliptime")]
         check(clocks == ["07:12:04.0", "0:04.0 of the clip"], f"{clocks}")
-        rows = page.texts("#events b")
-        check(len(rows) == 3 and all(re.fullmatch(r"\d\.  07:12:\d\d\.\d – 07:12:\d\d\.\d", row) for row in rows), f"{rows}")
+        rows = page.texts("#events .words > b")
+        check(len(rows) == 3 and all(re.fullmatch(r"\d 07:12:\d\d · \d+ s", row) for row in rows), f"{rows}")
         ticks = page.texts("#ticks span")
         check(len(ticks) > 4 and all(tick.startswith("07:12:") for tick in ticks), f"{ticks}")
         check(page.run("return strip.getAttribute('aria-valuetext')") == "07:12:04.0 (0:04.0 of the clip)", "the slider's text")
@@ -170,10 +177,11 @@ def test_page_has_one_clock(t):
 
 def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
     with Page(t, bag(t)) as page:
-        left, top, right, bottom, number = page.run("return data.regions[0]")
+        left, top, right, bottom = page.run("return data.overlay.portraits[0].box")
+        number = page.run("return data.overlay.portraits[0].event")
         page.point((left + right) / 2, (top + bottom) / 2)
         page.wait("a tip", "return !document.getElementById('tip').hidden")
-        kind = page.run("return data.events[arguments[0]].kind", number)
+        kind = page.run("return data.events[arguments[0]].deed", number)
         check(page.text("when").endswith(f" · {number + 1} {kind}"), page.text("when"))
         check(not page.hidden("peekring"), "no ring in the tip")
         check(page.count("#events .lit") == 1, "its row is not lit")
@@ -181,7 +189,7 @@ def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
         page.wait("it plays", "return isPlaying()")
         check(page.hidden("tip") and page.run("return chosen") == number, "the tip stays, or another is chosen")
         # What came out of what leads there.
-        page.run("setPlaying(false); data.events[2].from = 0; drawList()")
-        page.press("#events .relation")
+        page.run("setPlaying(false); choose(null); set({events: events.map((event, k) => k === 2 ? {...event, from: 0} : event)})")
+        page.run("document.querySelector('#events li:nth-child(3) .relation').click()")
         page.wait("the other", "return chosen === 0")
-        check(page.text_of("#events .relation") == "came out of 1", page.text_of("#events .relation"))
+        check(page.text_of("#events li:nth-child(3) .relation") == "came out of 1", page.text_of("#events .relation"))

@@ -21,7 +21,8 @@ def checkerboard_clip(t, name="board.mp4"):
 
 
 def portraits(t, page):
-    found = re.findall(r'"portrait":"data:image/jpeg;base64,([^"]+)"', t.path(page).read_text(encoding="utf-8"))
+    listed = re.search(r'"portraits":\[([^\]]*)\]', t.path(page).read_text(encoding="utf-8").split('id="stilldata"')[1])[1]
+    found = re.findall(r'"data:image/jpeg;base64,([^"]+)"', listed)
     return [base64.b64decode(portrait) for portrait in found]
 
 

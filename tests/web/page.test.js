@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {addressOfClip, addressOfEvent, addressOfHit, addressOfMoment, addressWith, readAddress} from '../../core/web/page/address.js';
-import {cutCommand, filesOf, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
+import {cutCommand, filesOf, maskOption, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
 import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
         sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
 import {pageAction, stripAction} from '../../core/web/page/key_table.js';
-import {contentsOf, footOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
+import {contentsOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
 import {Timeline} from '../../core/web/page/timeline.js';
 import {placed, zoomedAbout} from '../../core/web/page/zoom.js';
 
@@ -128,8 +128,8 @@ test('counts of kinds and of classes', () => {
 });
 
 test('an event in words', () => {
-    assert.deepEqual(factsOf(events[1], steady(), kindOf('stood'), 'here 1.0 s'), ['1.0 s', 'person (87 %)', 'stood behind 3 s', 'here 1.0 s']);
-    assert.deepEqual(factsOf(events[0], steady(), kindOf('moved'), ''), ['4.0 s']);
+    assert.deepEqual(factsOf(events[1], steady(), kindOf('stood'), 'here 1.0 s'), ['1 s', 'person (87 %)', 'stood behind 3 s', 'here 1.0 s']);
+    assert.deepEqual(factsOf(events[0], steady(), kindOf('moved'), ''), ['4 s']);
     assert.deepEqual(relationsOf(events[2], kindOf('left')), [{place: 0, words: 'came out of'}, {place: 1, words: 'put down by'}]);
     assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'went into'}]);
 });
@@ -198,13 +198,10 @@ test('what a point of the picture shows', () => {
         const corner = pixels(rows.map((_, y) => rows.map((__, x) => x === column && y === row ? 3 : -1)));
         for (const [x, y] of [[column, row], [column ? 9 : 2, row ? 9 : 2]]) assert.equal(pixelNear(corner, x, y), row * 12 + column);
     }
-    const regions = [[0, 0, 4, 4, 0], [2, 2, 4, 4, 1]];
-    const two = [{first: 3}, {first: 9}];
-    assert.deepEqual(shownAt(picture, regions, two, 1, 1), {frame: 3, event: 0});
-    assert.deepEqual(shownAt(picture, regions, two, 3, 3), {frame: 9, event: 1});  // the last is on top
-    assert.deepEqual(shownAt(picture, regions, two, 5, 5), {frame: 40, event: null});
-    assert.deepEqual(shownAt(picture, regions, two, 7, 5), {frame: 60, event: 1});
-    assert.deepEqual(shownAt(null, regions, two, 7, 5), {frame: null, event: null});
+    assert.deepEqual(shownAt(picture, 5, 5), {frame: 40, event: null});
+    assert.deepEqual(shownAt(picture, 7, 5), {frame: 60, event: 1});
+    assert.deepEqual(shownAt(picture, 0, 0), {frame: null, event: null});
+    assert.deepEqual(shownAt(null, 7, 5), {frame: null, event: null});
 });
 
 test('what is veiled', () => {
@@ -217,16 +214,6 @@ test('what is veiled', () => {
     assert.deepEqual(veiled([], [[-1, 0, -1, 1]]), [0, 1, 2, 3]);
     // An event's first and last frame belong to it.
     assert.deepEqual([0, 1, 2, 3].filter(othersThan(pixels([[9, 10, 20, 21]]), [0], spans)), [0, 3]);
-});
-
-test('the foot of a frame in the picture', () => {
-    assert.deepEqual(footOf(pixels([[5, -1, 5, -1], [-1, 5, -1, -1], [9, -1, -1, -1]]), 5), [0.25, 1 / 3]);
-    assert.equal(footOf(pixels([[5, -1]]), 6), null);
-    assert.deepEqual(footOf(pixels([[-1, -1, 5, 5]]), 5), [0.625, 0]);
-    // One of 1000 pixels is enough, one of 1001 is not.
-    const row = new Array(1000).fill(-1);
-    assert.deepEqual(footOf(pixels([[...row.slice(1), 5]]), 5), [0.999, 0]);
-    assert.equal(footOf(pixels([[...row, 5]]), 5), null);
 });
 
 test('zoom keeps a point where it is, and no border comes into the view', () => {
@@ -251,12 +238,13 @@ test('zoom keeps a point where it is, and no border comes into the view', () => 
 test('keys', () => {
     const keys = [['ArrowRight', 'step', 1], ['ArrowDown', 'step', 1], ['ArrowLeft', 'step', -1], ['ArrowUp', 'step', -1], [' ', 'togglePlaying'],
                   ['k', 'togglePlaying'], ['K', 'togglePlaying'], ['j', 'goBy', -5], ['L', 'goBy', 5], [',', 'stepFrame', -1], ['.', 'stepFrame', 1],
-                  ['0', 'showWhole'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
+                  ['0', 'showWhole'], ['<', 'changeSpeed', -1], ['>', 'changeSpeed', 1], ['e', 'toggleTour'], ['g', 'askTime'], ['f', 'toggleFullScreen'],
+                  ['x', 'swapPlaces'], ['a', 'searchByArea'], ['?', 'showHelp'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
     for (const [key, ...action] of keys) assert.deepEqual(pageAction({key}), action, key);
     assert.deepEqual(pageAction({key: 'ArrowRight', shiftKey: true}), ['pan', -80, 0]);
     assert.deepEqual(pageAction({key: 'ArrowUp', shiftKey: true}), ['pan', 0, 80]);
     assert.deepEqual(pageAction({key: '+', shiftKey: true}), ['zoom', 1.5]);
-    for (const key of ['x', 'Tab', 'Enter', 'constructor', 'toString']) assert.equal(pageAction({key}), null, key);
+    for (const key of ['y', 'Tab', 'Enter', 'constructor', 'toString']) assert.equal(pageAction({key}), null, key);
     for (const modifier of ['ctrlKey', 'altKey', 'metaKey']) assert.equal(pageAction({key: 'k', [modifier]: true}), null, modifier);
 });
 
@@ -337,4 +325,13 @@ test('stills', () => {
 
 test('a rectangle as --roi', () => {
     assert.equal(roiOption({from: [0.75, 0.5], to: [0.25, 0.25]}, [192, 144]), "--roi '48,36 144,36 144,72 48,72'");
+});
+
+test('a box as --mask, with a border', () => {
+    assert.equal(maskOption([0.25, 0.25, 0.75, 0.5], [200, 100]), "--mask '48,24 152,24 152,51 48,51'");
+    assert.equal(maskOption([0, 0, 1, 1], [200, 100]), "--mask '0,0 200,0 200,100 0,100'");
+});
+
+test('a still that has not come', () => {
+    assert.equal(stillNear([], 5), undefined);
 });

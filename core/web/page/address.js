@@ -19,7 +19,7 @@ import {shapeOfText, shapeText} from '../shared/shapes.js';
 export function readAddress(hash) {
     const parts = new URLSearchParams(hash.replace(/^#/, ''));
     const numberIn = (/** @type {string} */ name) => {
-        const number = Number(parts.get(name) ?? NaN);
+        const number = Number(parts.get(name) || NaN);
         return Number.isFinite(number) ? number : null;
     };
     return {

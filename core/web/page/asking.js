@@ -23,6 +23,15 @@ const keyHint = 'Arrow keys move an end, Tab goes to the other one, Enter search
 export const askBy = kind => set({asking: state.asking === kind ? null : kind});
 
 /**
+ * Searches a place without a pointer: a shape is there at once, whose ends arrows move.
+ * @param {Shape['kind']} kind
+ */
+export function askByKeys(kind) {
+    askBy(kind);
+    if (state.asking) beginByKeys(drawing, 1, kind, shape => set({drawn: shape}));
+}
+
+/**
  * Lists what has to do with a place; null = everything.
  * @param {Shape | null} shape in shares of the clip's picture
  */
@@ -31,11 +40,22 @@ export function askPlace(shape) {
     say(shape ? at('heading').textContent ?? '' : 'All events again');
 }
 
+/** Of the place, for who reads it on paper. */
+function askedWords() {
+    const {asked, data: {size}} = state;
+    if (!asked) return '';
+    const [from, to] = [asked.from, asked.to].map(point => point.map((share, k) => Math.round(share * size[k])).join(','));
+    return asked.kind === 'box' ? `Searched: area ${from} to ${to}.` : `Searched: line ${from} to ${to}.`;
+}
+
 export function drawTools() {
     const {asking, drawn} = state;
     drawing.classList.toggle('active', asking !== null);
     for (const [id, kind] of tools) press(at(id), asking === kind);
-    at('hint').textContent = drawn ? keyHint : asking ? hints[asking] : '';
+    at('hint').textContent = drawn ? keyHint : asking ? hints[asking] : askedWords();
+    at('asks').hidden = at('hint').textContent === '';
+    at('filmnow').hidden = !at('asks').hidden;  // in its place, so that the list does not move
+    at('asks').toggleAttribute('data-asked', state.asked !== null);
 }
 
 export function drawAsked() {
@@ -47,10 +67,7 @@ export function drawAsked() {
 
 export function listenToTools() {
     for (const [id, kind] of tools) {
-        at(id).addEventListener('click', event => {
-            askBy(kind);
-            if (state.asking && isByKeyboard(event)) beginByKeys(drawing, 1, kind, shape => set({drawn: shape}));
-        });
+        at(id).addEventListener('click', event => isByKeyboard(event) ? askByKeys(kind) : askBy(kind));
     }
     at('askall').addEventListener('click', () => askPlace(null));
     drawing.removeAttribute('aria-hidden');  // its ends can be moved by keys

@@ -3,24 +3,29 @@
 import {at} from '../shared/dom.js';
 import {addressWith, readAddress} from './address.js';
 import {endOfHit} from './around.js';
-import {factsOf, numberOf, placeBeside, placeOfNumber} from './events.js';
-import {answerOf, wantedEvents} from './filters.js';
-import {say} from './messages.js';
-import {bringIntoSight, show} from './player.js';
+import {deedOf, factsOf, numberOf, placeBeside, placeOfNumber} from './events.js';
+import {answerOf, listedEvents, wantedEvents} from './filters.js';
+import {say, tell} from './messages.js';
+import {bringIntoSight, isPlaying, show} from './player.js';
 import {kindOf, set, state} from './state.js';
 import {clamp} from '../shared/text.js';
 
 /** @param {number | null} place */
-export const rowOf = place => place === null ? null : /** @type {HTMLButtonElement | null} */ (at('events').querySelector(`button[data-event="${place}"]`));
+export const rowOf = place => place === null ? null : /** @type {HTMLButtonElement | null} */ (at('events').querySelector(`.row[data-event="${place}"]`));
 
 /**
  * Lights up one event, or all of them for null.
  * @param {number | null} place
  */
 export function choose(place) {
-    set({chosen: place, until: null});
+    set({chosen: place, until: null, touring: false});
     rowOf(place)?.scrollIntoView({block: 'nearest'});
     keepInAddress();
+}
+
+/** What is chosen is among what is found: else nothing would be lit. */
+export function leaveUnfound() {
+    if (state.chosen !== null && !wantedEvents().includes(state.chosen)) choose(null);
 }
 
 /** So that going back, and a reload, find the event again. */
@@ -36,6 +41,7 @@ export function followAddress() {
     const place = number === null ? null : placeOfNumber(events, number);
     const frame = seconds === null ? null : time.frameAt(clamp(seconds, time.begins, time.secondsOf(time.lastFrame)));
     if (place !== null) choose(place);
+    else if (number !== null) tell(`This page has no event ${number}.`);
     const until = place === null ? null : endOfHit(place);
     const first = frame ?? (place === null ? null : events[place].first);
     if (first !== null) show(first, plays, {until});
@@ -57,13 +63,16 @@ export function playEvent(place) {
  */
 export function step(by) {
     const {events, time} = state;
-    const place = placeBeside(events, wantedEvents(), state.chosen, state.now, by);
+    const isListed = state.chosen !== null && wantedEvents().includes(state.chosen);
+    const place = placeBeside(events, isListed ? listedEvents() : wantedEvents(), state.chosen, state.now, by);
     if (place === null) return;
+    const plays = isPlaying();
+    const {touring} = state;
     choose(place);
     const event = events[place];
-    show(event.first, false, {until: event.last});
+    show(event.first, plays, {until: event.last, touring: touring && plays});
     if (document.activeElement?.closest('#events')) rowOf(place)?.focus();
     const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame));
-    const facts = [event.kind, ...factsOf(event, time, kindOf(event.kind), answerOf(event))].join(' · ');
+    const facts = [deedOf(event), ...factsOf(event, time, kindOf(event.kind), answerOf(event))].join(' · ');
     say(`Event ${numberOf(events, place)} of ${events.length}, from ${clock(event.first)} to ${clock(event.last)}, ${facts}`);
 }

@@ -30,7 +30,7 @@ export function filesOf(data, time, frames) {
     const files = segments.length ? segments.filter(([, begin, length]) => begin < end - 1e-6 && begin + length > first + 1e-6)
         : [/** @type {import('./data.js').Segment} */ ([data.clip ?? '', 0, Infinity])];
     try {
-        const paths = files.map(([address, begin, length]) => /** @type {File} */ ([decodeURIComponent(address), begin, begin + length]));
+        const paths = files.map(([address, begin, length]) => /** @type {File} */ ([decodeURIComponent(address).replace(/^\.\/(?=\.\.\/)/, ''), begin, begin + length]));
         return paths.length && paths.every(([path]) => path !== '' && !/[\u0000-\u001f\u007f]/.test(path)) ? paths : null;
     } catch {
         return null;
@@ -86,12 +86,24 @@ export function stillCommand(data, time, frame) {
     return `ffmpeg -ss ${seconds.toFixed(3)} -i ${input} -frames:v 1 ${quoted(stillName(data, time, frame, '.png'))}`;
 }
 
+/** @param {number[]} sides left, top, right, bottom in pixels */
+const polygonOf = ([left, top, right, bottom]) => `'${left},${top} ${right},${top} ${right},${bottom} ${left},${bottom}'`;
+
+/**
+ * The option --mask that keeps out what happens in a box, with a border of a hundredth.
+ * @param {number[]} box in shares of the picture
+ * @param {number[]} size of the clip
+ */
+export function maskOption([left, top, right, bottom], size) {
+    const sides = [left - 0.01, top - 0.01, right + 0.01, bottom + 0.01].map((share, k) => Math.round(Math.min(1, Math.max(0, share)) * size[k % 2]));
+    return `--mask ${polygonOf(sides)}`;
+}
+
 /**
  * A rectangle as the option --roi: its corners in pixels of the clip.
  * @param {{from: number[], to: number[]}} shape in shares of the picture
  * @param {number[]} size of the clip
  */
 export function roiOption(shape, size) {
-    const [x, y, toX, toY] = sidesOf(shape).map((share, k) => Math.round(share * size[k % 2]));
-    return `--roi '${x},${y} ${toX},${y} ${toX},${toY} ${x},${toY}'`;
+    return `--roi ${polygonOf(sidesOf(shape).map((share, k) => Math.round(share * size[k % 2])))}`;
 }

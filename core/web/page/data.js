@@ -15,7 +15,10 @@
  * @property {number | null} into
  * @property {number | null} by
  * @property {number[][]} path frame, x, y each
+ * @property {number[][]} stays first and last frame of each
+ * @property {number[]} box all its places: left, top, right, bottom in shares of the picture
  * @property {number[]} way
+ * @property {string} [deed] what it did: "went ↘"
  * @property {string} [colour]
  * @property {number} [number] that the picture shows
  * @property {string | null} [portrait] URL
@@ -25,6 +28,15 @@
  * @typedef {[url: string, begin: number, length: number]} Segment a file of a recording
  * @typedef {{frame: number, src: string}} Still
  * @typedef {{src: string, sum: number}} PixelData a number per pixel, in three bytes
+ *
+ * What lies over the picture, in its pixels; an event is meant by its place.
+ * @typedef {object} Overlay
+ * @property {number[][]} sections see arc.js
+ * @property {{text: string, at: number[], out: number[]}[]} notes along the time axis, the most important first
+ * @property {{event: number, box: number[], to: number[]}[]} portraits
+ * @property {number} captions height of the space above the portraits
+ * @property {boolean} numbers whether trails have numbers
+ * @property {{box: number[], src: string} | null} map
  *
  * @typedef {object} PageData
  * @property {string} name
@@ -38,12 +50,17 @@
  * @property {string} told the source of the time of day
  * @property {import('../shared/kinds.js').KindRow[]} kinds
  * @property {{url: string, clip: string} | null} index
- * @property {{state: string, written: number, brick: number} | null} live
- * @property {PixelData & {first: number}} pixels
- * @property {PixelData | null} objects
+ * @property {{state: string, written: number, ended: boolean, brick: number} | null} live
  * @property {PageEvent[] | null} events null = not detected
- * @property {number[][]} regions left, top, right, bottom, place of the event
+ * @property {Overlay} overlay
+ * @property {Record<string, string>} settings
+ *
+ * What comes after the script.
+ * @typedef {object} Parts
+ * @property {PixelData & {first: number} | null} pixels
+ * @property {PixelData | null} objects
  * @property {Still[]} stills
+ * @property {(string | null)[]} portraits
  * @property {{type: string, begin: number, step: number, base64: string} | null} preview
  */
 

@@ -1,7 +1,7 @@
 // Lists of events: which are wanted, in which order, and what is said of them. An event is meant by its place in the list
 // of all; the number that people see is another.
 
-import {durationOf, spanOf} from '../shared/durations.js';
+import {durationOf} from '../shared/durations.js';
 import {clamp} from '../shared/text.js';
 
 /**
@@ -29,6 +29,12 @@ export function placeOfNumber(events, number) {
     const place = events.findIndex((_, k) => numberOf(events, k) === number);
     return place < 0 ? null : place;
 }
+
+/**
+ * What it did, in the words of the picture.
+ * @param {PageEvent} event
+ */
+export const deedOf = event => event.deed ?? event.kind;
 
 /** @type {(event: PageEvent, time: Timeline) => number} */
 export const secondsFor = (event, time) => time.secondsOf(event.last) - time.secondsOf(event.first);
@@ -135,9 +141,9 @@ export function countsOfClasses(events) {
  * @param {string | null} answer what it has to do with the place that is asked for
  */
 export function factsOf(event, time, kind, answer) {
-    const facts = [spanOf(secondsFor(event, time))];
+    const facts = [durationOf(secondsFor(event, time))];
     if (event.class) facts.push(`${event.class} (${Math.round((event.score ?? 0) * 100)} %)`);
-    if (kind.tally === 'still') facts.push(kind.words + ' ' + durationOf(event.still));
+    if (kind.tally === 'still' && !event.deed) facts.push(kind.words + ' ' + durationOf(event.still));
     if (answer) facts.push(answer);
     return facts;
 }
@@ -173,8 +179,10 @@ export function pointAt(event, frame) {
  * The still nearest to a frame.
  * @param {import('./data.js').Still[]} stills
  * @param {number} frame
+ * @returns {import('./data.js').Still | undefined} undefined = none has come yet
  */
-export const stillNear = (stills, frame) => stills.reduce((a, b) => Math.abs(b.frame - frame) < Math.abs(a.frame - frame) ? b : a);
+export const stillNear = (stills, frame) => stills.length
+    ? stills.reduce((a, b) => Math.abs(b.frame - frame) < Math.abs(a.frame - frame) ? b : a) : undefined;
 
 /**
  * The row of each of these events on the strip, the first that is free for it; null = they need more than `most`.

@@ -2,11 +2,13 @@
 
 import {copyText} from '../shared/clipboard.js';
 import {at, element} from '../shared/dom.js';
+import {upright} from '../shared/text.js';
 import {addressOfEvent, addressOfMoment} from './address.js';
 import {cutCommand, roiOption, stillCommand, stillName} from './commands.js';
 import {numberOf, stillNear} from './events.js';
 import {tell} from './messages.js';
 import {previewUrl, video} from './player.js';
+import {savedMarks} from './marks.js';
 import {state} from './state.js';
 
 /**
@@ -18,9 +20,10 @@ import {state} from './state.js';
  * @param {string | null} text null = nothing to copy
  * @param {string} what it is
  */
-async function copy(text, what) {
+export async function copy(text, what) {
     if (text === null) return;
-    tell(await copyText(text) ? `Copied ${what}: ${text}` : `This browser copies nothing. Copy ${what} by hand: ${text}`);
+    const shown = upright(text);
+    tell(await copyText(text) ? `Copied ${what}: ${shown}` : `This browser copies nothing. Copy ${what} by hand: ${shown}`);
 }
 
 function linkHere() {
@@ -33,7 +36,7 @@ function linkHere() {
  * The frame that the preview shows: it has every second, third, ... alone.
  * @param {number} frame
  */
-const frameOfPreview = frame => frame - (frame - state.time.firstFrame) % (state.data.preview?.step ?? 1);
+const frameOfPreview = frame => frame - (frame - state.time.firstFrame) % (state.parts.preview?.step ?? 1);
 
 /** @returns {Shot | null} */
 function playerNow() {
@@ -47,8 +50,8 @@ function playerNow() {
  * @returns {Promise<Shot | null>}
  */
 async function previewNow() {
-    const {data, time, now} = state;
-    if (!data.preview) return null;
+    const {parts: {preview}, time, now} = state;
+    if (!preview) return null;
     const small = document.createElement('video');
     small.muted = true;
     small.src = previewUrl();
@@ -57,15 +60,15 @@ async function previewNow() {
         small.addEventListener('error', () => fail(new Error('the preview does not open')), {once: true});
     });
     await happens('loadeddata');
-    small.currentTime = Math.max(0, time.timeWithin(now) - data.preview.begin);
+    small.currentTime = Math.max(0, time.timeWithin(now) - preview.begin);
     await happens('seeked');
-    setTimeout(() => URL.revokeObjectURL(small.src), 10_000);
     return {image: small, frame: frameOfPreview(now), from: 'the preview in this page'};
 }
 
 /** @returns {Promise<Shot>} */
 async function stillNow() {
-    const nearest = stillNear(state.data.stills, state.now);
+    const nearest = stillNear(state.parts.stills, state.now);
+    if (!nearest) throw new Error('the stills of this page have not come yet');
     const image = new Image();
     image.src = nearest.src;
     await image.decode();
@@ -108,21 +111,40 @@ function save(blob, {image, frame, from}) {
     const {data, time, now} = state;
     const size = sizeOf(image);
     const whole = from === '' && size.every((side, k) => Math.abs(side - data.size[k]) <= 1);
-    const link = element('a');
-    link.download = stillName(data, time, frame, whole ? '.png' : '.preview.png');
-    link.href = URL.createObjectURL(blob);
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    const name = stillName(data, time, frame, whole ? '.png' : '.preview.png');
+    download(blob, name);
     const fullSize = at('copystill', HTMLButtonElement).disabled ? '' : ' “Copy still command” gives the clip’s own frame.';
     const other = frame === now ? '' : ` It is the frame at ${time.clockOf(time.secondsOf(frame))}.`;
-    tell(whole ? `Saved ${link.download}, ${size.join('×')}, as in the clip`
-        : `Saved ${link.download}: ${size.join('×')} of the clip’s ${data.size.join('×')}, from ${from || 'the player'}.${other}${fullSize}`);
+    tell(whole ? `Saved ${name}, ${size.join('×')}, as in the clip`
+        : `Saved ${name}: ${size.join('×')} of the clip’s ${data.size.join('×')}, from ${from || 'the player'}.${other}${fullSize}`);
 }
 
 const cutOfChosen = () => state.chosen === null ? null : cutCommand(state.data, state.time, state.chosen);
 const stillOf = (/** @type {number} */ frame) => stillCommand(state.data, state.time, frame);
 
+/**
+ * @param {Blob} blob
+ * @param {string} name
+ */
+function download(blob, name) {
+    const link = element('a');
+    link.download = name;
+    link.href = URL.createObjectURL(blob);
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+function saveNotes() {
+    const {data, events, marks, time} = state;
+    const name = stillName(data, time, time.firstFrame, '.notes.json');
+    download(new Blob([savedMarks(data, events, marks, time)], {type: 'application/json'}), name);
+    tell(`Saved ${name}`);
+}
+
 export function drawCommands() {
+    const clip = state.data.clip ?? state.data.segments?.[0]?.[0] ?? null;
+    at('openclip').hidden = clip === null;
+    if (clip !== null) at('openclip', HTMLAnchorElement).href = clip;
     at('copycut', HTMLButtonElement).disabled = cutOfChosen() === null;
     at('copystill', HTMLButtonElement).disabled = stillOf(state.time.firstFrame) === null;
 }
@@ -132,5 +154,6 @@ export function listenToExport() {
     at('copycut').addEventListener('click', () => copy(cutOfChosen(), 'the command'));
     at('copystill').addEventListener('click', () => copy(stillOf(state.now), 'the command for this frame in full size'));
     at('copyroi').addEventListener('click', () => copy(state.asked && roiOption(state.asked, state.data.size), 'the option for the next run'));
+    at('savenotes').addEventListener('click', saveNotes);
     at('savestill').addEventListener('click', () => saveStill().catch(error => tell(`The still can’t be saved: ${error.message}`)));
 }

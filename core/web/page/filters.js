@@ -4,8 +4,9 @@ import {spanOf} from '../shared/durations.js';
 import {scaled, sidesOf} from '../shared/shapes.js';
 import {derived} from '../shared/state.js';
 import {crossingWords, crossingsOf, stayOf} from '../shared/ways.js';
-import {isSet, wantedPlaces} from './events.js';
-import {state} from './state.js';
+import {isSet, sortedPlaces, wantedPlaces} from './events.js';
+import {keyOf} from './marks.js';
+import {kindOf, state} from './state.js';
 
 /**
  * What an event has to do with the place that is asked for, in words; null = nothing.
@@ -17,14 +18,25 @@ export function answerOf(event) {
     const place = scaled(asked, 1000);
     if (asked.kind === 'box') {
         const stay = stayOf(event.way, sidesOf(place));
-        return stay && `here ${spanOf(stay.lasts / 10)}`;
+        return stay && (stay.lasts < 0.5 ? 'came past here' : `here ${spanOf(stay.lasts / 10)}`);
     }
     const crossings = crossingsOf(event.way, place.from, place.to);
     return crossings.length ? crossingWords(crossings, asked, data.size, seconds => time.clockOf(seconds, false)) : null;
 }
 
-export const asksForSome = () => isSet(state) || state.asked !== null;
+/** @param {import('./data.js').PageEvent} event */
+const isNothing = event => state.marks[keyOf(event)]?.nothing === true;
+
+export const hiddenCount = () => state.events.filter(isNothing).length;
+
+export const asksForSome = () => isSet(state) || state.asked !== null || state.onlyStarred || (!state.showsHidden && hiddenCount() > 0);
+
+/** @param {import('./data.js').PageEvent} event */
+const isMarkedRight = event => (state.showsHidden || !isNothing(event)) && (!state.onlyStarred || state.marks[keyOf(event)]?.star === true);
 
 /** The places of the wanted events, in the order of time. */
-export const wantedEvents = derived(() => [state.events, state.kind, state.what, state.leastSeconds, state.asked],
-                                    () => wantedPlaces(state.events, state, state.time, answerOf));
+export const wantedEvents = derived(() => [state.events, state.kind, state.what, state.leastSeconds, state.asked, state.marks, state.onlyStarred, state.showsHidden],
+                                    () => wantedPlaces(state.events, state, state.time, answerOf).filter(place => isMarkedRight(state.events[place])));
+
+/** The same, in the order of the list. */
+export const listedEvents = derived(() => [wantedEvents(), state.order], () => sortedPlaces(state.events, wantedEvents(), state.order, state.time, kindOf));

@@ -1,21 +1,27 @@
 // Keys of the page.
 
-import {askBy, askPlace} from './asking.js';
+import {askBy, askByKeys, askPlace} from './asking.js';
 import {choose, step} from './choice.js';
 import {pageAction} from './key_table.js';
-import {goBy, stepFrame, togglePlaying} from './player.js';
+import {askTime, changeSpeed, goBy, stepFrame, togglePlaying, toggleTour} from './player.js';
+import {endFilling, swapPlaces, toggleFullScreen} from './layout.js';
+import {at} from '../shared/dom.js';
 import {state} from './state.js';
 import {pan, showWhole, zoom} from './view.js';
 
 /** Ends what was begun last. */
 function leave() {
-    if (state.asking) askBy(state.asking);
+    const open = document.querySelector('details.menu[open]');
+    if (open) open.removeAttribute('open');
+    else if (endFilling()) return;
+    else if (state.asking) askBy(state.asking);
     else if (state.chosen !== null) choose(null);
     else askPlace(null);
 }
 
 /** @type {Record<string, (...values: number[]) => void>} */
-const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, stepFrame, leave, step, pan};
+const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, stepFrame, leave, step, pan,
+    changeSpeed, toggleTour, askTime, toggleFullScreen, swapPlaces, searchByArea: () => askByKeys('box'), showHelp: () => at('help').toggleAttribute('open')};
 
 /**
  * @param {EventTarget | null} target
@@ -31,11 +37,18 @@ export function listenToKeys() {
     document.addEventListener('change', event => { if (!byKeyboard && event.target instanceof HTMLElement) event.target.blur(); });
     document.addEventListener('keydown', event => {
         const action = pageAction(event);
-        if (!action || isIn(event.target, 'select, input')) return;
-        if (byKeyboard && event.key === ' ' && isIn(event.target, 'button, a')) return;
+        if (isIn(event.target, 'select, input:not([type="checkbox"])')) return;
+        if (!action) return;
+        if (byKeyboard && event.key === ' ' && isIn(event.target, 'button, a, summary, input')) return;
         const [name, ...values] = action;
         actions[name](...values);
         event.preventDefault();
+    });
+    // A menu closes when one presses elsewhere.
+    addEventListener('pointerdown', event => {
+        for (const menu of document.querySelectorAll('details.menu[open]')) {
+            if (event.target instanceof Node && !menu.contains(event.target)) menu.removeAttribute('open');
+        }
     });
     // Space presses a focused button when it comes up again.
     document.addEventListener('keyup', event => {

@@ -1,9 +1,13 @@
-// A stream's page asks whether there is a newer one, and takes over what is new in it.
+// A stream's page asks whether there is a newer one, and takes over what is new in it. It shows the newest frame unless one
+// looks back.
 
 import {at} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
+import {within} from '../shared/time_axis.js';
 import {numberOf, placeOfNumber} from './events.js';
+import {withPortraits} from './parts.js';
 import {readPicture} from './picture.js';
+import {isPlaying} from './player.js';
 import {set, state} from './state.js';
 import {Timeline} from './timeline.js';
 
@@ -13,8 +17,17 @@ let stamp = '';  // what the server says of the page that is shown
  * @type {number | null}
  */
 let serverAhead = null;
+/** A page that was opened as a file may fetch nothing: it opens itself again. */
+const isFile = location.protocol === 'file:';
+const kept = 'vvr-live ' + location.pathname;
 
 async function lookForNews() {
+    if (state.data.live?.ended) return;
+    if (isFile) {
+        if (document.visibilityState !== 'visible' || document.activeElement?.matches('input')) return;
+        keepState();
+        return location.reload();
+    }
     try {
         const head = await fetch(location.href, {method: 'HEAD', cache: 'no-store'});
         const date = Date.parse(head.headers.get('Date') ?? '');
@@ -26,29 +39,63 @@ async function lookForNews() {
         if (isFirst) return;  // it is what the browser has just opened
         takeOver(await (await fetch(location.href, {cache: 'no-store'})).text());
     } catch {
-        // A page that was opened as a file may fetch nothing: it opens itself again.
-        if (location.protocol === 'file:' && document.visibilityState === 'visible') location.reload();
+        // The server does not answer: the page says how old the picture is.
     }
+}
+
+/**
+ * The strip of time as it is zoomed, in what the page has now.
+ * @param {Timeline} time
+ */
+function stripIn(time) {
+    const isWhole = state.stripLasts >= state.time.lasts * 0.999;
+    const all = {from: time.begins, lasts: time.lasts};
+    const {from, lasts} = isWhole ? all : within({from: state.stripFrom, lasts: Math.min(state.stripLasts, time.lasts)}, all);
+    return {stripFrom: from, stripLasts: lasts};
 }
 
 /** @param {string} text a newer page */
 function takeOver(text) {
     const fresh = new DOMParser().parseFromString(text, 'text/html');
-    const node = fresh.getElementById('data');
     const picture = fresh.getElementById('picture');
-    if (!node || !(picture instanceof HTMLImageElement)) return;
-    /** @type {import('./data.js').PageData} */
-    const data = JSON.parse(node.textContent ?? '');
+    const json = (/** @type {string} */ id) => JSON.parse(fresh.getElementById(id)?.textContent ?? 'null');
+    const [data, pixels, stills] = ['data', 'pixeldata', 'stilldata'].map(json);
+    if (!data || !(picture instanceof HTMLImageElement)) return;
     const time = new Timeline(data.times, data.clock);
-    const events = data.events ?? [];
+    const parts = {...state.parts, ...pixels, ...stills};
+    const events = withPortraits(data.events ?? [], parts.portraits);
     const number = state.chosen === null ? null : numberOf(state.events, state.chosen);
     at('picture', HTMLImageElement).src = picture.src;
     document.title = fresh.title;
     const heading = document.querySelector('h1');
     if (heading) heading.textContent = fresh.querySelector('h1')?.textContent ?? '';
-    set({data, time, events, pixels: null, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
-         now: time.clamped(state.now), stripFrom: time.begins, stripLasts: time.lasts});
+    const now = state.follows && !isPlaying() ? time.lastFrame : time.clamped(state.now);
+    set({data, parts, time, events, pixels: null, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
+         now, stillClock: Math.max(state.stillClock, time.secondsOf(now)), ...stripIn(time)});
     readPicture().catch(() => {});  // the next page brings another picture
+}
+
+/** Before the page opens itself again. */
+function keepState() {
+    const {now, follows, scale, middle, kind, what, leastSeconds, order, asked, speed, chosen, events, stripFrom, stripLasts, time} = state;
+    const strip = stripLasts < time.lasts * 0.999 ? {stripFrom, stripLasts} : {};
+    sessionStorage.setItem(kept, JSON.stringify({
+        state: {now, follows, scale, middle, kind, what, leastSeconds, order, asked, speed, ...strip}, plays: isPlaying(),
+        number: chosen === null ? null : numberOf(events, chosen)}));
+}
+
+/** After it has. */
+export function takeKeptState() {
+    if (!state.data.live) return;
+    set({now: state.time.lastFrame, moved: true});
+    const text = isFile ? sessionStorage.getItem(kept) : null;
+    if (text === null) return;
+    sessionStorage.removeItem(kept);
+    const {state: old, plays, number} = JSON.parse(text);
+    const place = number === null ? null : placeOfNumber(state.events, number);
+    Object.assign(state, old);
+    const now = old.follows ? state.time.lastFrame : state.time.clamped(old.now);
+    set({now, chosen: place, wantsPlay: plays, stillClock: state.time.secondsOf(now), ...stripIn(state.time)});
 }
 
 /** Says what the stream does, and how old the picture is by the clock of the machine that serves it. */
@@ -57,15 +104,23 @@ export function drawAge() {
     at('state').hidden = !live;
     if (!live) return;
     const seconds = Math.max(0, Math.round(Date.now() / 1000 + (serverAhead ?? 0) - live.written));
-    const old = seconds > 2 * live.brick + 5;
+    const old = !live.ended && seconds > 2 * live.brick + 5;
     at('state').className = old ? 'old' : '';
-    at('state').textContent = [live.state, old ? `no new picture for ${seconds} s` : `updated ${seconds} s ago`].join(' · ');
+    const words = live.ended ? 'the stream has ended' : live.state;
+    // A screen reader is told when it changes, not each second.
+    if (at('livestate').textContent !== words) at('livestate').textContent = words;
+    at('age').textContent = live.ended ? '' : old ? `· no new picture for ${seconds} s` : `· updated ${seconds} s ago`;
+}
+
+export function drawFollowing() {
+    at('tonow').hidden = !state.data.live || state.follows;
 }
 
 export function followStream() {
-    if (!state.data.live) return;
+    const {live} = state.data;
+    if (!live) return;
+    at('tonow').addEventListener('click', () => set({follows: true, now: state.time.lastFrame, wantsPlay: false, until: null}));
     setInterval(drawAge, 1000);
-    const every = clamp(state.data.live.brick / 2, 1, 30) * 1000;
-    if (location.protocol !== 'file:') lookForNews();
-    setInterval(lookForNews, location.protocol === 'file:' ? 2 * every : every);
+    if (!isFile) lookForNews();
+    setInterval(lookForNews, isFile ? Math.max(2, live.brick) * 1000 : clamp(live.brick / 2, 1, 30) * 1000);
 }

@@ -5,18 +5,21 @@ import {spanOf} from '../shared/durations.js';
 import {upright} from '../shared/text.js';
 import {linkIndex, listenToNeighbours, playOn, takeArrival} from './around.js';
 import {askPlace, drawAsked, drawTools, listenToTools} from './asking.js';
-import {choose, followAddress} from './choice.js';
+import {choose, followAddress, leaveUnfound} from './choice.js';
 import {drawCommands, listenToExport} from './export.js';
 import {wantedEvents} from './filters.js';
 import {listenToKeys} from './keys.js';
-import {drawChips, drawChosen, drawClasses, drawList, drawLit, listenToList} from './list.js';
-import {drawAge, followStream} from './live.js';
-import {drawEnds, drawGround, drawVeil, readPicture} from './picture.js';
-import {drawClocks, drawPlayButton, drawPlayer, drawStill, followPlayer, isPlaying, listenToPlayer, openFilm} from './player.js';
+import {drawPlaces, drawReel, drawSide, listenToLayout} from './layout.js';
+import {drawLetters, drawLit, drawRib} from './letters.js';
+import {drawChips, drawChosen, drawClasses, drawFilters, drawList, drawLitRow, listenToList} from './list.js';
+import {drawAge, drawFollowing, followStream, takeKeptState} from './live.js';
+import {takeArrived} from './parts.js';
+import {drawGround, drawVeil, readPicture} from './picture.js';
+import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, drawTour, followPlayer, isPlaying, listenToPlayer, openFilm, openWaiting} from './player.js';
 import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
-import {drawBars, drawCursor, drawGaps, drawRange, drawTicks, listenToStrip, markChosen, strip} from './strip.js';
+import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {drawStage, listenToView, view} from './view.js';
 
 /** Characters that change the direction of writing are shown as code points. */
@@ -50,27 +53,40 @@ const parts = [
     {draw: drawSummary, from: () => [state.data]},
     {draw: drawShapes, from: () => [...state.data.size]},
     {draw: drawAge, from: () => [state.data]},
+    {draw: drawFollowing, from: () => [state.data, state.follows]},
+    {draw: drawPlaces, from: () => [state.large]},
+    {draw: drawSide, from: () => [state.side]},
+    {draw: leaveUnfound, from: () => [wantedEvents()]},
     {draw: drawChips, from: () => [state.events, state.kind]},
     {draw: drawClasses, from: () => [state.events, state.what]},
-    {draw: drawList, from: () => [state.data, wantedEvents(), state.order]},
+    {draw: drawFilters, from: () => [state.leastSeconds, state.onlyStarred, state.showsHidden]},
+    {draw: drawList, from: () => [state.data, state.events, wantedEvents(), state.order, state.marks]},
     {draw: drawChosen, from: () => [state.chosen]},
-    {draw: drawLit, from: () => [state.lightened]},
-    {draw: drawTools, from: () => [state.asking, state.drawn]},
+    {draw: drawLitRow, from: () => [state.lightened]},
+    {draw: drawTools, from: () => [state.asking, state.asked, state.drawn]},
     {draw: drawAsked, from: () => [state.asked, state.drawn]},
     {draw: drawRange, from: () => [state.time]},
+    {draw: followNow, from: () => [state.now, state.chosen, state.moved]},
+    {draw: drawPart, from: () => [state.time, state.stripFrom, state.stripLasts]},
     {draw: drawTicks, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
     {draw: drawGaps, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
-    {draw: drawBars, from: () => [state.time, state.stripFrom, state.stripLasts, wantedEvents()]},
+    {draw: drawBars, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth, wantedEvents()]},
     {draw: markChosen, from: () => [state.chosen]},
     {draw: drawCursor, from: () => [state.time, state.stripFrom, state.stripLasts, state.now]},
     {draw: drawGround, from: () => [state.ground]},
     {draw: drawStage, from: () => [state.scale, ...state.middle, ...state.contents, ...state.room]},
     {draw: drawPlayer, from: () => [state.source, state.stills]},
-    {draw: drawClocks, from: () => [state.data, state.now]},
-    {draw: drawStill, from: () => [state.data, state.now, state.stills]},
+    {draw: drawSpeed, from: () => [state.speed, state.film]},
+    {draw: drawReel, from: () => [state.filmScale, ...state.filmMiddle]},
+    {draw: drawTour, from: () => [state.touring]},
+    {draw: drawJump, from: () => [state.jumping]},
+    {draw: drawClocks, from: () => [state.data, state.now, isPlaying()]},
+    {draw: drawStill, from: () => [state.parts, state.now, state.stills]},
     {draw: drawPlayButton, from: () => [isPlaying()]},
-    {draw: drawVeil, from: () => [state.pixels, state.now, state.moved, state.chosen, state.lightened, wantedEvents()]},
-    {draw: drawEnds, from: () => [state.pixels]},
+    {draw: drawVeil, from: () => [state.pixels, state.chosen, state.lightened, wantedEvents(), state.dark, state.ground]},
+    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.asked]},
+    {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
+    {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, state.stills]},
     {draw: drawCommands, from: () => [state.data, state.chosen]},
     {draw: openPeeker, from: () => [state.film]},
@@ -79,24 +95,40 @@ const parts = [
     {draw: playOn, from: () => [isPlaying()]},
 ];
 
-document.documentElement.dataset.script = '';  // shows what needs a script
+/** The picture can tell times once its pixels have come. */
+function readPixels() {
+    readPicture().then(() => {
+        if (state.pixels) document.documentElement.dataset.ready = '';
+    }).catch(error => {
+        at('notice').textContent = `The picture can’t tell times here: ${error.message}. The strip of time and the events can.`;
+        at('notice').hidden = false;
+    });
+}
+
+/** The page calls it when a part of its data has come. */
+export function takeParts() {
+    const had = state.parts.pixels;
+    takeArrived();
+    if (state.parts.pixels !== had) readPixels();
+    openWaiting();
+}
+
+document.documentElement.dataset.script = '';
 state.room = [view.clientWidth, view.clientHeight];
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
-for (const listen of [listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
+for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
 linkIndex();
 takeArrival();
 addEventListener('hashchange', followAddress);
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', ({matches}) => set({dark: matches}));
+takeKeptState();
 followStream();
+performance.mark('usable');
 openFilm(0);
 followPlayer();
 followAddress();
-readPicture().then(() => {
-    document.documentElement.dataset.ready = '';
-}).catch(error => {
-    at('notice').textContent = `The picture can’t tell times here: ${error.message}. The strip of time and the events can.`;
-    at('notice').hidden = false;
-});
+readPixels();
 
 // The names that tests, and whoever debugs a page, find as `vvr.NAME`.
 export {arrowAcross} from '../shared/ways.js';

@@ -2,8 +2,8 @@
 
 import {at} from '../shared/dom.js';
 import {asksForSome, wantedEvents} from './filters.js';
-import {contentsOf, footOf, numbersIn, othersThan} from './pixels.js';
-import {bytesOf} from './player.js';
+import {contentsOf, numbersIn, othersThan} from './pixels.js';
+import {bytesOf} from './base64.js';
 import {pictureSize, set, state} from './state.js';
 
 export const picture = at('picture', HTMLImageElement);
@@ -37,16 +37,32 @@ async function readNumbers(source) {
 
 /** @returns {Promise<void>} */
 export async function readPicture() {
-    const {data} = state;
+    const {data, parts} = state;
     await picture.decode();
     const bytes = bytesOfImage(picture, width, height);
-    // The colour behind everything is that of the corner.
+    // The colour behind everything is that of the corner, or the page's own.
     const [red, green, blue, alpha] = bytes;
-    set({ground: alpha > 0 ? [red, green, blue] : [255, 255, 255],
-         contents: contentsOf(new Uint32Array(bytes.buffer), width, height)});
-    const frames = (await readNumbers(data.pixels)).map(value => value < 0 ? -1 : value + data.pixels.first);
-    const objects = data.objects ? await readNumbers(data.objects) : null;
+    set({ground: alpha > 0 ? [red, green, blue] : null, contents: joined(contentsOf(new Uint32Array(bytes.buffer), width, height))});
+    if (!parts.pixels) return;
+    const first = parts.pixels.first;
+    const frames = (await readNumbers(parts.pixels)).map(value => value < 0 ? -1 : value + first);
+    const objects = parts.objects ? await readNumbers(parts.objects) : null;
     if (data === state.data) set({pixels: {width, height, frames, objects}});
+}
+
+/**
+ * The part of the picture that has anything, with what lies over it.
+ * @param {number[]} contents
+ */
+function joined([left, top, right, bottom]) {
+    const {portraits, captions, map, notes} = state.data.overlay;
+    const boxes = [...portraits.map(({box}) => [box[0], box[1] - captions, box[2], box[3]]), ...map ? [map.box] : [],
+                   ...notes.map(({at: [x, y]}) => [x - 40, y - 16, x + 40, y + 16])];
+    for (const box of boxes) {
+        [left, top] = [Math.min(left, box[0] - 8), Math.min(top, box[1] - 4)];
+        [right, bottom] = [Math.max(right, box[2] + 8), Math.max(bottom, box[3] + 8)];
+    }
+    return [Math.max(0, left), Math.max(0, top), Math.min(width, right), Math.min(height, bottom)];
 }
 
 const veil = contextOf(at('veil', HTMLCanvasElement));
@@ -55,50 +71,33 @@ export const veilWords = new Uint32Array(veilPixels.data.buffer);
 
 /** @type {(red: number, green: number, blue: number, alpha: number) => number} */
 const colour = (red, green, blue, alpha) => new Uint32Array(new Uint8Array([red, green, blue, alpha]).buffer)[0];
-const glow = colour(217, 72, 15, 215);
+/** The colour behind the picture. */
+const groundOf = () => state.ground ?? (state.dark ? [30, 34, 39] : [255, 255, 255]);
 
-export const paleOf = ([red, green, blue] = state.ground) => colour(red, green, blue, 205);
+export const paleOf = ([red, green, blue] = groundOf()) => colour(red, green, blue, 215);
 
 export function drawGround() {
-    at('view').style.backgroundColor = `rgb(${state.ground})`;
+    at('view').classList.toggle('clear', state.ground === null);
+    at('view').style.backgroundColor = state.ground ? `rgb(${state.ground})` : '';
 }
 
 /** The events that are lit; null = all, and what is of no event. */
-function litEvents() {
+export function litEvents() {
     const one = state.lightened ?? state.chosen;
     if (one !== null) return [one];
     return asksForSome() ? wantedEvents() : null;
 }
 
-/** Pales what is not of the chosen event or the place that is asked for, and marks the moment that the player shows. */
+/** Pales what is not of the chosen event or the place that is asked for, lines and shadows too. */
 export function drawVeil() {
-    const {pixels, time, now, moved, events} = state;
+    const {pixels, events} = state;
     if (!pixels) return;
-    const {frames} = pixels;
-    const reach = Math.max(1, Math.round((time.lastFrame - time.firstFrame) * 0.003));
-    const isOther = othersThan(pixels, litEvents(), events);
+    const lit = litEvents();
+    const isOther = othersThan(pixels, lit, events);
     const pale = paleOf();
-    for (let k = 0; k < frames.length; ++k) {
-        const frame = frames[k];
-        if (frame < 0) veilWords[k] = 0;  // lines and text
-        else if (moved && Math.abs(frame - now) <= reach && frame !== time.firstFrame && frame !== time.lastFrame) veilWords[k] = glow;
-        else veilWords[k] = isOther(k) ? pale : 0;
-    }
+    const [red, green, blue] = groundOf();
+    const paleLine = lit === null ? 0 : colour(red, green, blue, 110);
+    const {frames} = pixels;
+    for (let k = 0; k < frames.length; ++k) veilWords[k] = frames[k] < 0 ? paleLine : isOther(k) ? pale : 0;
     veil.putImageData(veilPixels, 0, 0);
-}
-
-/** Says at the arc's ends which is which, if there are enough pixels of the first and the last frame; a picture with
- * regions of events says it itself. */
-export function drawEnds() {
-    const {pixels, time, data} = state;
-    if (!pixels || data.regions.length) return;
-    for (const {label, frame, words} of [{label: at('begins'), frame: time.firstFrame, words: 'begins ' + time.clockOf(time.begins, false)},
-                                         {label: at('ends'), frame: time.lastFrame, words: 'ends ' + time.clockOf(time.ends, false)}]) {
-        const foot = footOf(pixels, frame);
-        label.hidden = !foot;
-        label.textContent = words;
-        if (!foot) continue;
-        label.style.left = foot[0] * 100 + '%';
-        label.style.top = foot[1] * 100 + '%';
-    }
 }

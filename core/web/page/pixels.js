@@ -72,16 +72,11 @@ export function pixelNear({width, height, frames}, x, y) {
 /**
  * What a point of the picture shows; null where there is none.
  * @param {Pixels | null} pixels
- * @param {number[][]} regions that stand for an event: left, top, right, bottom, place of the event
- * @param {{first: number}[]} events
  * @param {number} x
  * @param {number} y
  * @returns {{frame: number | null, event: number | null}}
  */
-export function shownAt(pixels, regions, events, x, y) {
-    // The last drawn is on top.
-    const region = regions.findLast(([left, top, right, bottom]) => x >= left && x < right && y >= top && y < bottom);
-    if (region) return {frame: events[region[4]].first, event: region[4]};
+export function shownAt(pixels, x, y) {
     const pixel = pixels && pixelNear(pixels, x, y);
     if (!pixels || pixel === null) return {frame: null, event: null};
     const event = pixels.objects ? pixels.objects[pixel] : -1;
@@ -104,22 +99,4 @@ export function othersThan({frames, objects}, lit, events) {
     }
     const spans = lit.map(place => [events[place].first, events[place].last]);
     return k => !spans.some(([first, last]) => frames[k] >= first && frames[k] <= last);
-}
-
-/**
- * Where a frame is to be seen: the middle across, and the lowest row, in shares of the picture; null = in fewer than one
- * of 1000 pixels.
- * @param {Pixels} pixels
- * @param {number} frame
- */
-export function footOf({width, height, frames}, frame) {
-    let [count, left, right, bottom] = [0, width, 0, 0];
-    frames.forEach((seen, k) => {
-        if (seen !== frame) return;
-        ++count;
-        left = Math.min(left, k % width);
-        right = Math.max(right, k % width);
-        bottom = Math.max(bottom, Math.floor(k / width));
-    });
-    return count < width * height / 1000 ? null : [(left + right) / 2 / width, bottom / height];
 }

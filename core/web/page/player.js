@@ -3,7 +3,13 @@
 import {at} from '../shared/dom.js';
 import {clipTime} from '../shared/durations.js';
 import {clamp} from '../shared/text.js';
+import {bytesOf} from './base64.js';
+import {busyStretches, newestAt, stretchFrom} from './busy.js';
 import {stillNear} from './events.js';
+import {wantedEvents} from './filters.js';
+import {wasDrag} from './layout.js';
+import {momentOf} from './moments.js';
+import {tell} from './messages.js';
 import {render, set, state} from './state.js';
 
 /**
@@ -23,17 +29,18 @@ const still = at('still', HTMLImageElement);
 const speed = at('speed', HTMLSelectElement);
 const loop = at('loop', HTMLInputElement);
 
-/** @param {string} base64 */
-export const bytesOf = base64 => Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
+let previewAddress = '';  // it has up to 8 MB: one copy is enough
 
 export function previewUrl() {
-    const {preview} = state.data;
-    return preview ? URL.createObjectURL(new Blob([bytesOf(preview.base64)], {type: preview.type})) : '';
+    const {preview} = state.parts;
+    if (preview && !previewAddress) previewAddress = URL.createObjectURL(new Blob([bytesOf(preview.base64)], {type: preview.type}));
+    return previewAddress;
 }
 
 /** @returns {Film[]} */
 function filmsOf() {
-    const {clip, segments, preview} = state.data;
+    const {clip, segments} = state.data;
+    const {preview} = state.parts;
     const films = [];
     if (clip) films.push({url: () => clip, begin: 0, says: 'the clip itself'});
     // The player opens the file of a recording that it needs.
@@ -44,7 +51,6 @@ function filmsOf() {
     }
     return films;
 }
-const films = filmsOf();
 const segments = state.data.segments ?? [];
 
 /** What the player does, or will do once a film is open. */
@@ -65,13 +71,35 @@ function isTheClip(candidate) {
 const canSeek = () => video.seekable.length > 0 && video.seekable.end(0) > 0;
 
 /**
+ * The film that was asked for before the page had come as a whole.
+ * @type {{place: number, why: string} | null}
+ */
+let waiting = null;
+
+export function openWaiting() {
+    if (waiting) openFilm(waiting.place, waiting.why);
+}
+
+/** Browsers don't tell a missing file from one that they can't play. */
+function whyNot() {
+    const name = state.data.clip ?? state.data.segments?.[0]?.[0] ?? '';
+    return /\.(mp4|m4v|webm|mov)$/i.test(name) ? 'the clip is missing or can’t be played here' : 'browsers don’t play this kind of file';
+}
+
+/**
  * @param {number} place among the films
  * @param {string} [why] the one before can't be played
  */
 export function openFilm(place, why = '') {
     set({film: null, wantsPlay: isPlaying()});
     const because = why ? `${why}, so this is ` : '';
-    if (place === films.length) {
+    const films = filmsOf();
+    if (place >= films.length && !state.allArrived) {
+        waiting = {place, why};
+        return set({source: (why && why + ', ') + 'loading the preview…'});
+    }
+    waiting = null;
+    if (place >= films.length) {
         video.onerror = null;
         video.removeAttribute('src');
         set({stills: true, source: because ? `${because}a still` : 'a still, as there is no film to be played'});
@@ -88,9 +116,9 @@ export function openFilm(place, why = '') {
         set({film, source: because + film.says});
         if (state.moved) show(state.now, plays);
     };
-    video.onerror = () => next('the clip can’t be played here');
+    video.onerror = () => next(whyNot());
     video.onloadedmetadata = () => {
-        if (!isTheClip(film)) next('the clip can’t be played here');
+        if (!isTheClip(film)) next('the file of that name is another clip');
     };
     video.onloadeddata = () => {
         if (!video.requestVideoFrameCallback) return ready();
@@ -148,7 +176,7 @@ export function goToFrame(player, frame) {
  * Goes to the middle of a frame, and plays on from there.
  * @param {number} frame
  * @param {boolean} play
- * @param {{until?: number | null}} [change] of the state besides
+ * @param {Partial<typeof state>} [change] of the state besides
  */
 export function show(frame, play, change = {}) {
     const now = state.time.clamped(frame);
@@ -156,7 +184,7 @@ export function show(frame, play, change = {}) {
         goToFrame(video, now);
         playFilm(play);
     }
-    set({now, moved: true, wantsPlay: play, stillClock: state.time.secondsOf(now), ...change});
+    set({now, moved: true, wantsPlay: play, stillClock: state.time.secondsOf(now), follows: false, ...change});
 }
 
 /** @param {boolean} play */
@@ -170,13 +198,82 @@ export function setPlaying(play) {
     if (state.film) playFilm(play);
     set({moved: true, wantsPlay: play});
 }
-export const togglePlaying = () => setPlaying(!isPlaying());
+
+/** After the last moment of what was to play, playing begins it again. */
+export function togglePlaying() {
+    if (isPlaying() || state.now !== state.time.lastFrame) return setPlaying(!isPlaying());
+    show(state.time.firstFrame, true);
+}
+
+const speeds = [0.25, 0.5, 1, 2, 4, 8];
+
+/** @param {number} by 1 = the next faster one */
+export const changeSpeed = by => set({speed: speeds[clamp(speeds.indexOf(state.speed) + by, 0, speeds.length - 1)]});
+
+export function drawSpeed() {
+    speed.value = String(state.speed);
+    video.playbackRate = video.defaultPlaybackRate = state.speed;
+}
+
+// ---- The events one after another
+
+const stretches = () => busyStretches(wantedEvents().map(place => state.events[place]), 1 + Math.round(state.time.frames / Math.max(1, state.time.lasts)));
+
+/** Plays the wanted events from here on, without what is between them; again it ends that. */
+export function toggleTour() {
+    if (state.touring) {
+        set({touring: false});
+        return setPlaying(false);
+    }
+    const next = stretchFrom(stretches(), state.moved ? state.now : -1) ?? stretchFrom(stretches(), -1);
+    if (!next) return tell('There are no events to play.');
+    show(next.from, true, {until: next.last, touring: true});
+}
+
+/** Chooses the event that came last, and leaps over what is between events. */
+function followTour() {
+    const {events, now, until} = state;
+    const newest = newestAt(events, wantedEvents(), until === null ? now : Math.min(now, until));  // the film may have gone past it
+    if (newest >= 0 && newest !== state.chosen) set({chosen: newest});
+    if (until === null || now < until) return;
+    const next = stretchFrom(stretches(), now);
+    if (next) return show(next.from, true, {until: next.last});
+    show(until, false, {until: null, touring: false});
+    tell('All events have been played.');
+}
+
+export function drawTour() {
+    at('playall').textContent = state.touring ? 'Stop playing' : 'Play events';
+    at('playall').setAttribute('aria-pressed', String(state.touring));
+}
+
+// ---- A time that is typed
+
+export function askTime() {
+    set({jumping: true});
+    jump.value = '';
+    jump.focus();
+}
+
+const jump = at('jump', HTMLInputElement);
+
+export function drawJump() {
+    jump.hidden = !state.jumping;
+    at('clock').hidden = state.jumping;
+}
+
+function jumpToTyped() {
+    const seconds = momentOf(jump.value, state.time);
+    if (seconds === null) return tell(`“${jump.value}” is no time of this clip. It has ${state.time.clockOf(state.time.begins, false)} to ${state.time.clockOf(state.time.ends, false)}.`);
+    set({jumping: false});
+    goTo(state.time.frameAt(Math.min(seconds, state.time.secondsOf(state.time.lastFrame))));
+}
 
 /**
  * To another frame, from which it plays on if it plays.
  * @param {number} frame
  */
-export const goTo = frame => show(frame, isPlaying(), {until: null});
+export const goTo = frame => show(frame, isPlaying(), {until: null, touring: false});
 
 /** @param {number} seconds */
 export function goBy(seconds) {
@@ -184,11 +281,14 @@ export function goBy(seconds) {
     goTo(time.frameAt(clamp(time.secondsOf(now) + seconds, time.begins, time.secondsOf(time.lastFrame))));
 }
 
+/** The preview of a long clip has only every second, third, ... frame: a step goes to the next picture. */
+const frameStep = () => state.film?.isPreview ? state.parts.preview?.step ?? 1 : 1;
+
 /**
  * To a frame beside the one that is shown, and stays there.
  * @param {number} by
  */
-export const stepFrame = by => show(state.time.frameBeside(state.now, by), false, {until: null});
+export const stepFrame = by => show(state.time.frameBeside(state.now, by * frameStep()), false, {until: null, touring: false});
 
 /** On a small window the player is below the picture: what plays is to be seen. */
 export function bringIntoSight() {
@@ -207,12 +307,13 @@ export function followPlayer() {
         set({now: time.clamped(time.frameAt(video.currentTime - (film.offset ?? 0) + film.begin))});
     } else if (state.stills && state.wantsPlay) {
         // A stream's page may have lost the moment that was shown.
-        const stillClock = Math.max(state.stillClock, time.begins) + passed * Number(speed.value);
+        const stillClock = Math.max(state.stillClock, time.begins) + passed * state.speed;
         const now = time.clamped(time.frameAt(stillClock));
         set({now, stillClock});
         if (now === time.lastFrame) setPlaying(false);
     }
-    if (isPlaying() && until !== null && state.now >= until) endOfEvent(until);
+    if (isPlaying() && state.touring) followTour();
+    else if (isPlaying() && until !== null && state.now >= until) endOfEvent(until);
     setTimeout(() => requestAnimationFrame(followPlayer), 60);
 }
 
@@ -233,13 +334,15 @@ export function drawPlayer() {
 
 export function drawClocks() {
     const {time, now} = state;
-    at('clock').textContent = time.clockOf(time.secondsOf(now));
+    // Tenths where one steps; they are of no use while it runs.
+    at('clock').textContent = time.clockOf(time.secondsOf(now), !isPlaying());
     at('cliptime').textContent = time.clock === null || state.data.live ? '' : clipTime(time.secondsOf(now)) + ' of the clip';
 }
 
 export function drawStill() {
     if (!state.stills) return;
-    const nearest = stillNear(state.data.stills, state.now);
+    const nearest = stillNear(state.parts.stills, state.now);
+    if (!nearest) return;
     still.src = nearest.src;
     still.alt = 'The clip at ' + state.time.clockOf(state.time.secondsOf(nearest.frame));
 }
@@ -254,16 +357,25 @@ export function listenToPlayer() {
     video.addEventListener('pause', render);
     video.addEventListener('ended', () => {
         const next = state.film?.segment ? segments[segments.indexOf(state.film.segment) + 1] : undefined;
-        if (next) show(state.time.frameAt(next[1]), true);
+        if (next) show(state.time.frameAt(next[1]), true, {touring: state.touring, until: state.until});
+        else if (state.touring) set({touring: false});
         else if (state.until !== null) endOfEvent(state.until);
     });
     video.addEventListener('click', event => {
-        if (state.asking) return;
+        if (state.asking || wasDrag()) return;
         event.preventDefault();
         togglePlaying();
     });
     at('play').addEventListener('click', togglePlaying);
     at('back').addEventListener('click', () => stepFrame(-1));
     at('forward').addEventListener('click', () => stepFrame(1));
-    speed.addEventListener('change', () => { video.playbackRate = video.defaultPlaybackRate = Number(speed.value); });
+    speed.addEventListener('change', () => set({speed: Number(speed.value)}));
+    at('playall').addEventListener('click', toggleTour);
+    at('clock').addEventListener('click', askTime);
+    jump.addEventListener('keydown', event => {
+        if (event.key === 'Enter') jumpToTyped();
+        if (event.key === 'Escape') set({jumping: false});
+        event.stopPropagation();
+    });
+    jump.addEventListener('blur', () => set({jumping: false}));
 }

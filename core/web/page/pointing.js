@@ -2,7 +2,7 @@
 
 import {at} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
-import {numberOf, stillNear} from './events.js';
+import {deedOf, numberOf, stillNear} from './events.js';
 import {goToFrame} from './player.js';
 import {putRing} from './ring.js';
 import {set, state} from './state.js';
@@ -23,9 +23,10 @@ export function point(frame, x = 0, y = 0, event = null, note = '') {
 
 /** A still is there at once; the frame itself comes from the film. */
 export function drawPeek() {
-    const {pointed, time, film, data} = state;
+    const {pointed, time, film, parts} = state;
     if (!pointed) return;
-    const nearest = stillNear(data.stills, pointed.frame);
+    const nearest = stillNear(parts.stills, pointed.frame);
+    if (!nearest) return peekAt(pointed.frame);
     const apart = Math.abs(time.secondsOf(nearest.frame) - time.secondsOf(pointed.frame));
     at('about').textContent = film || apart < 0.5 ? '' : 'picture of ' + time.clockOf(time.secondsOf(nearest.frame));
     at('peek', HTMLImageElement).src = nearest.src;
@@ -34,11 +35,11 @@ export function drawPeek() {
 }
 
 export function drawTip() {
-    const {pointed, lightened, time, film, data, events} = state;
+    const {pointed, lightened, time, film, parts, events} = state;
     tip.hidden = !pointed;
     if (!pointed) return;
-    putRing(at('peekring'), lightened, film ? pointed.frame : stillNear(data.stills, pointed.frame).frame);
-    const named = lightened === null ? '' : ` · ${numberOf(events, lightened)} ${events[lightened].kind}`;
+    putRing(at('peekring'), lightened, film ? pointed.frame : stillNear(parts.stills, pointed.frame)?.frame ?? pointed.frame);
+    const named = lightened === null ? '' : ` · ${numberOf(events, lightened)} ${deedOf(events[lightened])}`;
     at('when').textContent = pointed.note + time.clockOf(time.secondsOf(pointed.frame)) + named;
     placeTip(pointed.x, pointed.y);
 }

@@ -2,6 +2,7 @@
 
 import {at} from '../shared/dom.js';
 import {pointAt, stillNear} from './events.js';
+import {ofEvent} from './looks.js';
 import {state} from './state.js';
 
 /**
@@ -12,13 +13,14 @@ import {state} from './state.js';
 export function putRing(ring, event, frame) {
     const point = event === null ? null : pointAt(state.events[event], frame);
     ring.hidden = !point;
-    if (!point) return;
+    if (!point || event === null) return;
+    ofEvent(ring, event);
     ring.style.left = point[0] * 100 + '%';
     ring.style.top = point[1] * 100 + '%';
 }
 
 /** A ring in the player about the chosen event. */
 export function drawRing() {
-    const {now, stills, chosen, data} = state;
-    putRing(at('ring'), chosen, stills ? stillNear(data.stills, now).frame : now);
+    const {now, stills, chosen, parts} = state;
+    putRing(at('ring'), chosen, stills ? stillNear(parts.stills, now)?.frame ?? now : now);
 }

@@ -7,6 +7,8 @@ import {Timeline} from './timeline.js';
 
 /** @type {import('./data.js').PageData} */
 const data = dataOfPage();
+/** @type {import('./data.js').Parts} */
+const nothing = {pixels: null, objects: null, stills: [], portraits: [], preview: null};
 const time = new Timeline(data.times, data.clock);
 
 const picture = at('picture', HTMLImageElement);
@@ -19,15 +21,26 @@ export const {state, set, render, drawAll} = store({
     data,  // that of a stream is replaced
     time,
     events: data.events ?? [],
+    parts: nothing,      // that have arrived
+    allArrived: false,
+    dark: matchMedia('(prefers-color-scheme: dark)').matches,
 
     // the player
-    now: time.firstFrame,  // the frame that is shown
+    now: data.live ? time.lastFrame : time.firstFrame,  // the frame that is shown
     moved: false,          // whether anybody has asked for a moment yet
     film: /** @type {import('./player.js').Film | null} */ (null),  // what the player has open
     source: '',            // what the player shows, in words
     stills: false,         // whether there is no film, only stills
     wantsPlay: false,      // whether stills play, or the film is to play once it is open
     stillClock: time.begins,  // of playing stills, seconds
+    touring: false,        // whether the events play one after another
+    speed: 1,
+    jumping: false,        // whether a time is to be typed
+    filmScale: 1,          // 1 = the whole film
+    filmMiddle: [0.5, 0.5],
+    large: /** @type {'picture' | 'film'} */ ('picture'),
+    side: /** @type {number | null} */ (null),  // width of the player in pixels; null = by the window
+    follows: data.live !== null,  // whether a stream's page shows the newest frame
     until: /** @type {number | null} */ (null),  // the frame at which playing ends; null = none
 
     // events, each as its place in the list
@@ -36,6 +49,9 @@ export const {state, set, render, drawAll} = store({
     kind: 'all',
     what: '',  // a class or a group of classes; '' = all, '?' = unknown
     leastSeconds: 0,
+    onlyStarred: false,
+    showsHidden: false,
+    marks: /** @type {Record<string, import('./marks.js').Mark>} */ ({}),  // by the event's key
     order: 'time',
 
     // the place that is asked for
@@ -45,11 +61,12 @@ export const {state, set, render, drawAll} = store({
 
     // the picture
     pixels: /** @type {import('./pixels.js').Pixels | null} */ (null),  // null = not read yet
-    ground: [255, 255, 255],  // the colour behind everything
+    ground: /** @type {number[] | null} */ (null),  // the colour behind everything; null = the page's
     contents: [0, 0, ...pictureSize],  // the part that is not empty: left, top, right, bottom
     scale: 1,                 // 1 = all contents fit
     middle: [0.5, 0.5],       // the point in the middle of the view, in shares of the picture
     room: [0, 0],             // width and height of the view
+    stageWidth: 0,            // of the picture on the screen
 
     // the strip of time, in seconds
     stripFrom: time.begins,

@@ -4,8 +4,9 @@ import {at, element, sharesWithin} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {ticksOf, within, zoomed} from '../shared/time_axis.js';
 import {choose} from './choice.js';
-import {densityOf, rowsOf} from './events.js';
+import {densityOf, numberOf, rowsOf} from './events.js';
 import {wantedEvents} from './filters.js';
+import {ofEvent} from './looks.js';
 import {stripAction} from './key_table.js';
 import {goBy, goTo, show} from './player.js';
 import {point} from './pointing.js';
@@ -45,6 +46,23 @@ const eventOf = target => target instanceof HTMLElement && target.dataset.event 
  */
 const barAt = event => eventOf(document.elementsFromPoint(event.clientX, event.clientY).find(found => eventOf(found) !== null && strip.contains(found)) ?? null);
 
+/** Zoomed in, the strip follows what is chosen and what plays, and says which part of the time it shows. */
+export function followNow() {
+    const {time, now, stripFrom, stripLasts, chosen, moved, events} = state;
+    if (!moved || stripLasts >= time.lasts * 0.999) return;
+    const seconds = time.secondsOf(chosen !== null && now === events[chosen].first ? events[chosen].first : now);
+    if (seconds >= stripFrom && seconds <= stripFrom + stripLasts) return;
+    showPart(within({from: seconds - stripLasts * 0.2, lasts: stripLasts}, whole()));
+}
+
+export function drawPart() {
+    const {time, stripFrom, stripLasts} = state;
+    const isWhole = stripLasts >= time.lasts * 0.999;
+    at('stripwhole').hidden = at('part').hidden = isWhole;
+    at('part').style.left = (stripFrom - time.begins) / time.lasts * 100 + '%';
+    at('part').style.width = stripLasts / time.lasts * 100 + '%';
+}
+
 export function drawCursor() {
     const {time, now} = state;
     const share = shareOnStrip(time.secondsOf(now));
@@ -80,6 +98,7 @@ export function drawGaps() {
 }
 
 const mostRows = 10;
+const rowHeight = 12;  // pixels
 const mostBars = 400;
 
 export function drawBars() {
@@ -87,28 +106,44 @@ export function drawBars() {
     const inside = wantedEvents().filter(place => time.secondsOf(events[place].last) >= stripFrom &&
                                                   time.secondsOf(events[place].first) <= stripFrom + stripLasts);
     inside.sort((a, b) => events[a].first - events[b].first || a - b);
-    const rows = inside.length <= mostBars ? rowsOf(inside.map(place => events[place]), mostRows) : null;
-    at('bars').replaceChildren(...rows ? barsOf(inside, rows) : columnsOf(inside));
+    // Between two bars of a row there is space for a number.
+    const space = state.stripLasts * 26 / Math.max(200, state.stripWidth);
+    const rowsWith = (/** @type {number} */ after) => rowsOf(inside.map(place => ({
+        first: time.secondsOf(events[place].first), last: time.secondsOf(events[place].last) + after})), mostRows);
+    const numbered = inside.length <= mostBars ? rowsWith(space) : null;
+    const rows = numbered ?? (inside.length <= mostBars ? rowsWith(0) : null);
+    strip.style.setProperty('--strip', 26 + rowHeight * Math.max(3, rows?.count ?? mostRows / 2) + 'px');
+    at('bars').replaceChildren(...rows ? barsOf(inside, rows, numbered !== null) : columnsOf(inside));
     markChosen();
 }
 
 /**
  * @param {number[]} places
  * @param {{rows: number[], count: number}} rows
+ * @param {boolean} isNumbered
  */
-function barsOf(places, {rows, count}) {
-    const share = 100 / Math.max(count, 4);
-    return places.map((place, k) => {
-        const event = state.events[place];
-        const bar = element('i');
-        const [left, right] = [shareOfFrame(event.first), shareOfFrame(event.last)];
-        if (event.colour) bar.style.background = event.colour;
+function barsOf(places, {rows, count}, isNumbered) {
+    const share = 100 / Math.max(count, 3);
+    const placed = (/** @type {HTMLElement} */ bar, /** @type {number} */ first, /** @type {number} */ last, /** @type {number} */ row) => {
+        const [left, right] = [shareOfFrame(first), shareOfFrame(last)];
         bar.style.left = left * 100 + '%';
         bar.style.width = (right - left) * 100 + '%';
-        bar.style.top = rows[k] * share + '%';
-        bar.style.height = `max(2px, ${share * 0.75}%)`;
-        bar.dataset.event = String(place);
+        bar.style.top = row * share + '%';
+        bar.style.height = share * 0.86 + '%';
         return bar;
+    };
+    return places.flatMap((place, k) => {
+        const event = state.events[place];
+        const number = element('b', '', String(numberOf(state.events, place)));
+        const left = shareOfFrame(event.first);
+        number.className = left * state.stripWidth > 20 ? 'before' : 'inside';
+        number.style.left = left * 100 + '%';
+        number.style.top = (rows[k] + 0.43) * share + '%';
+        const bar = ofEvent(placed(element('i'), event.first, event.last, rows[k]), place);
+        const isThere = ([from, to] = [0, 0]) => shareOfFrame(to) > 0 && shareOfFrame(from) < 1;
+        const stays = (event.stays ?? []).filter(stay => isThere(/** @type {[number, number]} */ (stay)))
+            .map(([from, to]) => ofEvent(placed(element('i', 'stay'), from, to, rows[k]), place));
+        return isNumbered ? [bar, ...stays, number] : [bar, ...stays];
     });
 }
 
@@ -138,7 +173,10 @@ function columnsOf(places) {
 }
 
 export function markChosen() {
-    for (const bar of at('bars').children) bar.classList.toggle('chosen', state.chosen !== null && eventOf(bar) === state.chosen);
+    for (const bar of at('bars').children) {
+        bar.classList.toggle('chosen', state.chosen !== null && eventOf(bar) === state.chosen && !bar.classList.contains('stay'));
+        bar.classList.toggle('pale', state.chosen !== null && eventOf(bar) !== null && eventOf(bar) !== state.chosen);
+    }
 }
 
 export function drawRange() {
@@ -176,7 +214,7 @@ export function listenToStrip() {
     strip.addEventListener('click', event => {
         if (rubbing?.far) return;  // it was a drag
         const place = barAt(event);
-        choose(place);
+        choose(place);  // nothing is there: all again
         show(state.time.frameAt(secondsOnStrip(event)), true, {until: place === null ? null : state.events[place].last});
     });
     strip.addEventListener('wheel', event => {
@@ -188,7 +226,9 @@ export function listenToStrip() {
             zoomStrip(Math.exp(event.deltaY * 0.0016), clamp(sharesWithin(strip, event)[0], 0, 1));
         }
     }, {passive: false});
-    strip.addEventListener('dblclick', () => showPart(whole()));
+    for (const [target, name] of /** @type {[HTMLElement, string][]} */ ([[strip, 'dblclick'], [at('stripwhole'), 'click']])) {
+        target.addEventListener(name, () => showPart(whole()));
+    }
     strip.addEventListener('keydown', event => {
         const action = stripAction(event);
         if (!action) return;

@@ -23,6 +23,9 @@ export function drawStage() {
     stage.style.width = size[0] + 'px';
     stage.style.height = size[1] + 'px';
     stage.style.transform = `translate(${corner[0]}px, ${corner[1]}px)`;
+    const {contents: [left, top, right, bottom]} = state;
+    view.style.setProperty('--contents', String((right - left) / (bottom - top)));
+    set({stageWidth: size[0]});
 }
 
 /**
@@ -47,10 +50,26 @@ export function pan(x, y) {
 
 export const showWhole = () => set({scale: 1});
 
+/**
+ * The event whose portrait or number is there; the last drawn is on top.
+ * @param {MouseEvent} event
+ */
+function overlaidAt({clientX, clientY}) {
+    for (const element of [...at('letters').querySelectorAll(':scope > [data-event]')].reverse()) {
+        for (const part of [element, element.querySelector('.caption')]) {
+            const box = part?.getBoundingClientRect();
+            if (box && clientX >= box.left && clientX < box.right && clientY >= box.top && clientY < box.bottom) return Number(element.getAttribute('data-event'));
+        }
+    }
+    return null;
+}
+
 /** @param {MouseEvent} event */
 function shownUnder(event) {
+    const place = overlaidAt(event);
+    if (place !== null) return {frame: state.events[place].first, event: place};
     const [x, y] = sharesWithin(picture, event).map((share, k) => share * pictureSize[k]);
-    return shownAt(state.pixels, state.data.regions, state.events, x, y);
+    return shownAt(state.pixels, x, y);
 }
 
 /**
@@ -102,15 +121,20 @@ function move(event) {
 function lift(event) {
     fingers.delete(event.pointerId);
     view.classList.remove('dragging');
-    const clicked = press && !press.drag && event.type === 'pointerup';
-    if (fingers.size === 0) press = null;
-    return clicked;
+    if (fingers.size === 0 && event.type === 'pointercancel') press = null;
 }
 
-/** @param {PointerEvent} event */
+/**
+ * A click comes last, after all that a finger sends for a mouse: the page may scroll now.
+ * @param {MouseEvent} event
+ */
 function playUnder(event) {
     const {frame, event: place} = shownUnder(event);
-    if (frame === null) return;
+    if (frame === null) {
+        choose(null);  // a tap on nothing shows all again
+        return;
+    }
+    set({touring: false});
     choose(place);
     show(frame, true, {until: place === null ? null : state.events[place].last});
     bringIntoSight();
@@ -126,8 +150,12 @@ export function listenToView() {
         view.setPointerCapture(event.pointerId);
     });
     view.addEventListener('pointermove', move);
-    view.addEventListener('pointerup', event => { if (lift(event)) playUnder(event); });
+    view.addEventListener('pointerup', lift);
     view.addEventListener('pointercancel', lift);
+    view.addEventListener('click', event => {
+        if (press && !press.drag && !isOnButton(event)) playUnder(event);
+        press = null;
+    });
     view.addEventListener('pointerleave', () => point(null));
     view.addEventListener('wheel', event => {
         event.preventDefault();

@@ -1,0 +1,196 @@
+// What lies over the picture: times, numbers, portraits, the map, and the paths of what is lit. It is text of the page, so it
+// is sharp and of one size however large the picture is.
+
+import {appendShape, at, element} from '../shared/dom.js';
+import {clamp} from '../shared/text.js';
+import {pointIn, roomFor, sectionAt, trailOf} from './arc.js';
+import {numberOf, pointAt} from './events.js';
+import {litEvents} from './picture.js';
+import {pictureSize, state} from './state.js';
+import {ofEvent} from './looks.js';
+
+const letters = at('letters');
+const [width, height] = pictureSize;
+/** @type {SVGSVGElement} */
+const lines = at('lines', SVGSVGElement);
+/** @type {SVGSVGElement} */
+const lit = at('lit', SVGSVGElement);
+
+const mostLit = 24;  // more paths at a time tell nothing
+const smallest = 56;  // pixels: below, a portrait has no room for text
+
+/** @param {[number, number][]} points */
+const pointsText = points => points.map(point => point.map(value => value.toFixed(1)).join(',')).join(' ');
+
+/**
+ * @param {string} className
+ * @param {number[]} box left, top, right, bottom in the picture
+ */
+function boxAt(className, [left, top, right, bottom]) {
+    const made = element('div', className);
+    made.style.left = left / width * 100 + '%';
+    made.style.top = top / height * 100 + '%';
+    made.style.width = (right - left) / width * 100 + '%';
+    made.style.height = (bottom - top) / height * 100 + '%';
+    return made;
+}
+
+/**
+ * A text at a point: its middle, in shares of the picture.
+ * @param {string} className
+ * @param {string} text
+ * @param {number[]} middle
+ */
+function textAt(className, text, [x, y]) {
+    const made = element('span', className, text);
+    made.style.left = x * 100 + '%';
+    made.style.top = y * 100 + '%';
+    return made;
+}
+
+/** Pixels of the screen per pixel of the picture. */
+const scaleNow = () => state.stageWidth / width;
+
+/** @param {import('./data.js').Overlay['portraits'][number]} portrait */
+function portraitOf({event: place, box, to}) {
+    const {events, time, data} = state;
+    const event = events[place];
+    const [left, , right] = box;
+    const made = ofEvent(boxAt('portrait', box), place);
+    const image = element('img');
+    image.alt = '';
+    if (event.portrait) image.src = event.portrait;
+    const wide = (right - left) * scaleNow();
+    const number = element('b', 'number', String(numberOf(events, place)));
+    if (wide >= smallest) {
+        const caption = element('span', 'caption');
+        caption.style.maxWidth = wide + 10 + 'px';
+        const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame), false);
+        caption.append(number, element('span', 'deed', ' ' + (event.deed ?? event.kind)));
+        if (data.overlay.captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', clock(event.first)));
+        made.append(caption);
+    } else {
+        made.append(number);
+        made.classList.add('small');
+    }
+    made.append(image);
+    ofEvent(appendShape('line', {x1: (left + right) / 2, y1: box[3], x2: to[0], y2: to[1]}, lines), place);
+    return made;
+}
+
+/** The empty scene with the path of each object. */
+function drawMap() {
+    const {map} = state.data.overlay;
+    at('map').replaceChildren();
+    if (!map) return;
+    const [left, top, right, bottom] = map.box;
+    const made = boxAt('', map.box);
+    const image = element('img');
+    image.alt = '';
+    image.src = map.src;
+    made.append(image);
+    state.events.forEach((event, place) => {
+        /** @type {[number, number][]} */
+        const points = event.path.map(([, x, y]) => [left + x * (right - left), top + y * (bottom - top)]);
+        ofEvent(appendShape('polyline', {points: pointsText(points), class: 'path'}, lines), place);
+    });
+    at('map').replaceChildren(made);
+    drawAskedOnMap(map.box);
+}
+
+/**
+ * The place that is asked for, on the map too: it is printed.
+ * @param {number[]} box of the map
+ */
+function drawAskedOnMap([left, top, right, bottom]) {
+    const {asked} = state;
+    if (!asked) return;
+    const [[x, y], [toX, toY]] = [asked.from, asked.to].map(([u, v]) => [left + u * (right - left), top + v * (bottom - top)]);
+    if (asked.kind === 'line') appendShape('line', {x1: x, y1: y, x2: toX, y2: toY, class: 'asked'}, lines);
+    else appendShape('rect', {x: Math.min(x, toX), y: Math.min(y, toY), width: Math.abs(toX - x), height: Math.abs(toY - y), class: 'asked'}, lines);
+}
+
+/** Where a note's text has its middle, beside the axis, in pixels of the screen. */
+function noteBox(/** @type {{text: string, at: number[], out: number[]}} */ {text, at: point, out}) {
+    const scale = scaleNow();
+    const [wide, high] = [text.length * 6.8 + 4, 15];
+    const half = (Math.abs(out[0]) * wide + Math.abs(out[1]) * high) / 2 + 4;
+    const [x, y] = [point[0] * scale + out[0] * half, point[1] * scale + out[1] * half];
+    return {left: x - wide / 2, right: x + wide / 2, top: y - high / 2, bottom: y + high / 2, x, y};
+}
+
+function notes() {
+    const all = state.data.overlay.notes;
+    const boxes = all.map(noteBox);
+    const kept = roomFor(boxes);
+    const scale = scaleNow();
+    return all.filter((_, k) => kept[k]).map(({text}, k) => {
+        const {x, y} = boxes.filter((_, other) => kept[other])[k];
+        return textAt('note', text, [x / scale / width, y / scale / height]);
+    });
+}
+
+/** The numbers of the events where their trails begin, as many as have room. */
+function numbers() {
+    const {events, data, time} = state;
+    if (!data.overlay.numbers) return [];
+    const scale = scaleNow();
+    const starts = events.map(event => trailOf(data.overlay.sections, {path: event.path.slice(0, 1)}, time)[0]);
+    const order = [...events.keys()].filter(place => starts[place])
+        .sort((a, b) => events[b].last - events[b].first - (events[a].last - events[a].first));
+    const boxes = order.map(place => {
+        const [x, y] = starts[place].map(value => value * scale);
+        return {left: x - 10, right: x + 10, top: y - 10, bottom: y + 10};
+    });
+    const kept = roomFor(boxes);
+    return order.filter((_, k) => kept[k]).map(place => {
+        const [x, y] = starts[place];
+        return ofEvent(textAt('number badge', String(numberOf(events, place)), [x / width, y / height]), place);
+    });
+}
+
+export function drawLetters() {
+    lines.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    lines.replaceChildren();
+    const {overlay} = state.data;
+    const shown = overlay.portraits.filter(({event}) => event < state.events.length);
+    drawMap();
+    letters.replaceChildren(...shown.map(portraitOf), ...notes(), ...numbers());
+    drawLit();
+}
+
+/** The paths of what is lit lie above all others; the rest is paled. */
+export function drawLit() {
+    const {data, events, time} = state;
+    const places = litEvents();
+    for (const root of [letters, lines]) {
+        for (const child of root.querySelectorAll('[data-event]')) {
+            child.classList.toggle('pale', places !== null && !places.includes(Number(child.getAttribute('data-event'))));
+        }
+        for (const child of root.querySelectorAll('.lit')) child.classList.remove('lit');
+    }
+    lit.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    lit.replaceChildren();
+    if (places === null || places.length > mostLit) return drawRib();
+    for (const place of places) {
+        const points = pointsText(trailOf(data.overlay.sections, events[place], time));
+        for (const name of ['casing', 'trail']) ofEvent(appendShape('polyline', {points, class: name}, lit), place);
+        for (const same of lines.querySelectorAll(`[data-event="${place}"]`)) same.classList.add('lit');
+    }
+    drawRib();
+}
+
+/** The cross-section at the moment that the player shows, and where the chosen object is in it. */
+export function drawRib() {
+    const {data, time, now, moved, chosen, events} = state;
+    for (const old of lit.querySelectorAll('.rib, .here')) old.remove();
+    const corners = moved ? sectionAt(data.overlay.sections, time.secondsOf(now)) : null;
+    if (!corners) return;
+    /** @type {[number, number][]} */
+    const points = [0, 2, 4, 6].map(k => [corners[k], corners[k + 1]]);
+    appendShape('polygon', {points: pointsText(points), class: 'rib'}, lit);
+    const place = chosen === null ? null : pointAt(events[chosen], now);
+    if (!place || chosen === null) return;
+    const [cx, cy] = pointIn(corners, place[0], place[1]);
+    ofEvent(appendShape('circle', {cx, cy, r: clamp(6 / scaleNow(), 4, 40), class: 'here'}, lit), chosen);
+}

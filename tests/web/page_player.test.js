@@ -1,0 +1,88 @@
+// The logic of the page's player and of what lies over its picture: typed times, busy stretches, marks, cross-sections.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
+import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
+import {changed, clipKey, keyOf, readMarks, savedMarks} from '../../core/web/page/marks.js';
+import {momentOf} from '../../core/web/page/moments.js';
+import {Timeline} from '../../core/web/page/timeline.js';
+
+const steady = clock => new Timeline([[0, 2500, 0, 0.04]], clock ?? null);  // 100 s
+
+test('typed times of a clip without a clock', () => {
+    const of = text => momentOf(text, steady());
+    assert.deepEqual(['75', '1:15', '1:15.5', '0:05', '75s', ' 12,5 '].map(of), [75, 75, 75.5, 5, 75, 12.5]);
+    for (const text of ['', 'noon', '1:75', '101', '2:00', '-4', '1:2:3:4']) assert.equal(of(text), null, text);
+});
+
+test('typed times of the day', () => {
+    const begin = Date.UTC(2026, 10, 21, 23, 59, 30) / 1000;
+    const of = text => momentOf(text, steady({begin, leaps: [], zone: null, by: ''}));
+    assert.deepEqual(['23:59:40', '00:00:05', '0:00', '23:59', '00:01'].map(of), [10, 35, 30, 0, 90]);
+    assert.equal(of('75'), 75);
+    assert.equal(of('1:15'), 75);  // no time of its day, but of the clip
+    assert.equal(of('14:20'), null);
+});
+
+test('busy stretches, and what plays after a frame', () => {
+    const events = [{first: 50, last: 90}, {first: 10, last: 30}, {first: 25, last: 40}, {first: 92, last: 95}];
+    const stretches = busyStretches(events, 3);
+    assert.deepEqual(stretches, [{first: 10, last: 40}, {first: 50, last: 95}]);
+    assert.deepEqual([-1, 10, 35, 40, 45, 94].map(frame => stretchFrom(stretches, frame)),
+                     [{from: 10, last: 40}, {from: 10, last: 40}, {from: 35, last: 40}, {from: 50, last: 95}, {from: 50, last: 95}, {from: 94, last: 95}]);
+    assert.equal(stretchFrom(stretches, 95), null);
+    assert.deepEqual(busyStretches([], 3), []);
+    assert.deepEqual([20, 27, 35, 45].map(frame => newestAt(events, [0, 1, 2, 3], frame)), [1, 2, 2, -1]);
+    assert.equal(newestAt(events, [1], 27), 1);
+});
+
+test('marks are kept by the event, and what is damaged is as nothing', () => {
+    const event = {first: 3, last: 9};
+    assert.equal(keyOf(event), '3-9');
+    let marks = changed({}, '3-9', {star: true});
+    marks = changed(marks, '3-9', {note: 'who?'});
+    assert.deepEqual(marks, {'3-9': {star: true, note: 'who?'}});
+    assert.deepEqual(changed(marks, '3-9', {star: false, note: ''}), {});
+    assert.deepEqual(readMarks(JSON.stringify(marks)), {'3-9': {star: true, note: 'who?', nothing: false}});
+    for (const text of [null, '', '{', '5', 'null', '{"x": 1}', '{"3-9": 7}']) assert.deepEqual(readMarks(text), {}, String(text));
+});
+
+const pageData = more => ({name: 'clip.mp4', camera: null, clip: './clip.mp4', size: [640, 360], times: [[0, 2500, 0, 0.04]], clock: null, ...more});
+
+test('a clip has its own marks, and the same ones when its page is made again', () => {
+    assert.match(clipKey(pageData()), /^vvr-marks-[0-9a-f]{8}$/);
+    assert.equal(clipKey(pageData()), clipKey(pageData({kinds: []})));
+    for (const other of [{name: 'other.mp4'}, {camera: 'gate'}, {times: [[0, 2501, 0, 0.04]]}]) assert.notEqual(clipKey(pageData()), clipKey(pageData(other)));
+});
+
+test('marks as a file', () => {
+    const events = [{first: 0, last: 25, kind: 'moved'}, {first: 50, last: 100, kind: 'stood', deed: 'stood 2 s', class: 'person', number: 7}];
+    const saved = JSON.parse(savedMarks(pageData(), events, {'50-100': {star: true, note: 'blue coat'}}, steady()));
+    assert.deepEqual(saved, {clip: 'clip.mp4', camera: null, file: './clip.mp4', events: [
+        {event: 7, from: '0:02.0', to: '0:04.0', frames: [50, 100], deed: 'stood 2 s', class: 'person', star: true, nothing: false, note: 'blue coat'}]});
+});
+
+const square = [0, 0, 10, 0, 10, 10, 0, 10];
+
+test('cross-sections, and places in them', () => {
+    const sections = [[0, ...square], [10, ...square.map(value => value + 100)]];
+    assert.deepEqual(sectionAt(sections, 5), square.map(value => value + 50));
+    assert.deepEqual(sectionAt(sections, -3), square);
+    assert.deepEqual(sectionAt(sections, 99), square.map(value => value + 100));
+    assert.equal(sectionAt([], 5), null);
+    assert.deepEqual([pointIn(square, 0, 0), pointIn(square, 1, 0), pointIn(square, 1, 1), pointIn(square, 0.5, 0.25)], [[0, 0], [10, 0], [10, 10], [5, 2.5]]);
+    // A trapezium: corners stay corners, and the diagonals cross where they cross in the frame.
+    const slanted = [2, 0, 8, 0, 10, 10, 0, 10];
+    const near = (point, x, y) => assert.ok(Math.hypot(point[0] - x, point[1] - y) < 1e-9, String(point));
+    near(pointIn(slanted, 0, 0), 2, 0);
+    near(pointIn(slanted, 1, 1), 10, 10);
+    near(pointIn(slanted, 0.5, 0.5), 5, 3.75);
+    const trail = trailOf(sections, {path: [[0, 0.5, 0.5], [125, 0, 0]]}, steady());
+    assert.deepEqual(trail.map(point => point.map(Math.round)), [[5, 5], [50, 50]]);
+});
+
+test('texts have room, the first ones first', () => {
+    const box = (left, top) => ({left, top, right: left + 10, bottom: top + 10});
+    assert.deepEqual(roomFor([box(0, 0), box(5, 5), box(10, 0), box(0, 10)]), [true, false, true, true]);
+});
