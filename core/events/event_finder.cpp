@@ -20,6 +20,14 @@ bool touches(const Patch& a, const Patch& b, int reach) {
     return false;
 }
 
+/// Data files have pictures in colour only.
+Plane<std::uint8_t> brightness_of(const Plane<Bgr>& colour) {
+    Plane<std::uint8_t> grey(colour.size());
+    std::ranges::transform(colour.pixels(), grey.pixels().begin(),
+                           [](const Bgr& pixel) { return static_cast<std::uint8_t>(fields::brightness_of(pixel)); });
+    return grey;
+}
+
 }  // namespace
 
 EventFinder::EventFinder(Size field, const EventOptions& options)
@@ -36,7 +44,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     }
     last_ = stretches_.back().last = now;
     record_share(sight.field, now);
-    clocks_.add(sight.grey, now);
+    clocks_.add(sight.grey.empty() ? brightness_of(sight.colour) : sight.grey, now);
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
     Blobs blobs = find_blobs(without_stationary(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);

@@ -65,8 +65,8 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
     os.utime(t.path("dated.mp4"), (1795300012, 1795300012))  # 2026-11-21 22:26:52
     t.zone("UTC")
-    for output in ("out.png", "out.html"):
-        t.vvr("render", "dated.mp4", "-o", output, "--size", "640x480", "--report", "report.json", "--quiet").expect(0)
+    t.vvr("render", "dated.mp4", "-o", "out.html", "--size", "640x480", "--quiet").expect(0)
+    t.vvr("render", "dated.mp4", "-o", "out.png", "--size", "640x480", "--report", "report.json", "--quiet").expect(0)
     report = json.loads(t.path("report.json").read_text())
     texts = texts_of(report["labels"])
     check("120 frames, 0.0 s to 11.9 s" in texts, str(texts))

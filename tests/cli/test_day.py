@@ -56,7 +56,7 @@ def test_pixels_of_busy_time_tell_their_frames(t):
     recording(t)
     t.render("day.mkv", "--time", "busy", "--filter", "difference", "--report", "r.json", output="busy.html").expect(0)
     text = t.path("busy.html").read_text(encoding="utf-8")
-    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    data = json.loads(text.split('id="pixeldata">')[1].split("</script>")[0])
     pixels = data["pixels"]["src"].split(",")[1]
     t.write("pixels.png", base64.b64decode(pixels))
     raw = subprocess.run(["ffmpeg", "-v", "error", "-i", t.path("pixels.png"), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
