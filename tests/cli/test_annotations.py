@@ -85,7 +85,8 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     check(told["recorded"] is None and told["recorded_by"] is None and told["written"] == "2026-11-21 07:30:00", str(told))
 
     for asked, first, words in [("container", "07:30:00", "when the container was written"), ("modified", "22:26:40", "by when the file was last written")]:
-        t.vvr("render", "dated.mp4", "-o", "out.html", "--size", "640x480", "--report", "report.json", "--quiet", "--start-time", asked).expect(0)
+        t.vvr("render", "dated.mp4", "-o", "out.png", "--page", "out.html", "--size", "640x480", "--report", "report.json", "--quiet",
+              "--start-time", asked).expect(0)
         report = json.loads(t.path("report.json").read_text())
         texts = texts_of(report["labels"])
         check(any(text.startswith(f"120 frames, 2026-11-21 {first}") and text.endswith(f"(UTC; {words})") for text in texts), str(texts))

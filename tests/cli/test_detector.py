@@ -168,9 +168,9 @@ def test_page_is_filtered_by_class(t):
         check(page.run("return [...document.getElementById('class').options].map(o => [o.value, o.text])") ==
               [["", "everything"], ["person", "person 3"]], "the choice of classes")
         check("person (90 %)" in page.text("events"), page.text("events"))
-        page.run("Object.assign(data.events[1], {class: 'dog', group: 'animal'}); Object.assign(data.events[2], {class: null, group: null}); drawClasses();")
+        page.run("Object.assign(state.events[1], {class: 'dog', group: 'animal'}); Object.assign(state.events[2], {class: null, group: null}); drawClasses();")
         words = page.run("return [...document.getElementById('class').options].map(o => o.text)")
         check(words == ["everything", "person 1", "animal 1", "– dog 1", "unknown 1"], str(words))
         for name, count in (("animal", 1), ("dog", 1), ("?", 1), ("person", 1), ("", 3)):
             page.set("class", name)
-            check(page.count("#events button") == count, f"{name}: {page.count('#events button')} events")
+            check(page.count("#events li") == count, f"{name}: {page.count('#events li')} events")
