@@ -4,6 +4,8 @@ pkg_check_modules(libav REQUIRED IMPORTED_TARGET libavformat libavcodec libavuti
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
+pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)
+
 # Regular expressions in time that the text's length bounds, for names that anybody may have written.
 pkg_check_modules(re2 REQUIRED IMPORTED_TARGET re2)
 
