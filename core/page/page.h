@@ -88,6 +88,8 @@ struct PageContent {
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
     Overlay overlay;
+
+    ClockSource clock_source() const { return clock ? clock->source : ClockSource::none; }
 };
 
 /// Makes a self-contained HTML page: the picture, the time and event of each pixel, stills and a preview. It refers

@@ -1,0 +1,288 @@
+#include "core/page/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "core/events/path.h"
+#include "core/image/picture_file.h"
+#include "core/page/html.h"
+
+namespace vvr::page {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int still_quality = 66;
+constexpr int still_side = 240;
+constexpr int small_still_side = 200;  // with a preview, a still is shown only until the preview has loaded
+
+/// Rounds a time or rate to six decimals, the precision of containers.
+double rounded(double value) {
+    return std::round(value * 1e6) / 1e6;
+}
+
+/// A PNG with one number per pixel in three bytes. All browsers decode PNG, and no other format is as small without our
+/// own decoder.
+template <class ValueOf>
+Json json_of_pixels(const Plane<float>& pixels, const ValueOf& value_of) {
+    Plane<Bgr> picture(pixels.size());
+    std::int64_t sum = 0;
+    std::ranges::transform(pixels.pixels(), picture.pixels().begin(), [&](float pixel) {
+        const std::int64_t value = std::clamp<std::int64_t>(value_of(pixel), 0, 0xFF'FF'FF);
+        sum += value;
+        const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
+        return Bgr{byte(0), byte(8), byte(16)};
+    });
+    return {{"src", data_url("image/png", image::encode_picture("pixels.png", picture))}, {"sum", sum}};
+}
+
+/// The frame of each pixel: 0 = none, else frame - first + 1.
+Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
+    Json json = json_of_pixels(frames, [first](float frame) {
+        return frame < 0 ? 0 : std::max<std::int64_t>(std::llround(frame) - first + 1, 1);
+    });
+    json["first"] = first;
+    return json;
+}
+
+/// Maps an event's number in the picture to its index in the list plus 1; 0 = not in the list.
+class Places {
+  public:
+    explicit Places(const PageContent& content) {
+        const std::size_t count = content.events ? content.events->size() : 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            places_[k < content.numbers.size() ? content.numbers[k] : k + 1] = static_cast<std::int64_t>(k) + 1;
+        }
+    }
+
+    std::int64_t of(std::size_t number) const {
+        const auto found = places_.find(number);
+        return found == places_.end() ? 0 : found->second;
+    }
+
+  private:
+    std::unordered_map<std::size_t, std::int64_t> places_;
+};
+
+/// The event that each pixel shows, as index plus 1; 0 = none.
+Json json_of_objects(const Plane<float>& objects, const Places& places) {
+    if (objects.empty()) return {};
+    return json_of_pixels(objects,
+                          [&](float number) { return number > 0 ? places.of(static_cast<std::size_t>(number)) : 0; });
+}
+
+/// In tenths of a pixel at most.
+double tenths(double value) {
+    return std::round(value * 10) / 10;
+}
+
+Json json_of(const PixelBox& box) {
+    return {box.left, box.top, box.right, box.bottom};
+}
+
+Json json_of(const Overlay& overlay) {
+    Json json{{"sections", Json::array()},    {"notes", Json::array()},     {"portraits", Json::array()},
+              {"captions", overlay.captions}, {"numbers", overlay.numbers}, {"map", Json()}};
+    for (const Overlay::Section& section : overlay.sections) {
+        Json values{rounded(section.seconds)};
+        for (const glm::dvec2& corner : section.corners) {
+            values.push_back(tenths(corner.x));
+            values.push_back(tenths(corner.y));
+        }
+        json["sections"].push_back(values);
+    }
+    for (const auto& [text, at, out] : overlay.notes) {
+        json["notes"].push_back({{"text", text},
+                                 {"at", {tenths(at.x), tenths(at.y)}},
+                                 {"out", {std::round(out.x * 1e3) / 1e3, std::round(out.y * 1e3) / 1e3}}});
+    }
+    for (const auto& [event, still, to] : overlay.portraits) {
+        json["portraits"].push_back({{"event", event}, {"box", json_of(still)}, {"to", {tenths(to.x), tenths(to.y)}}});
+    }
+    if (!overlay.map.empty() && !overlay.scene.empty()) {
+        json["map"] = {{"box", json_of(overlay.map)},
+                       {"src", data_url("image/jpeg", image::encode_picture("map.jpg", overlay.scene, still_quality))}};
+    }
+    return json;
+}
+
+/// The settings of the picture.
+Json json_of(const image::Metadata& settings) {
+    Json json = Json::object();
+    for (const auto& [name, value] : settings) json[name] = value;
+    return json;
+}
+
+/// The times at which an object stood still, in frames.
+Json json_of(const std::vector<events::Stay>& stays) {
+    Json json = Json::array();
+    for (const events::Stay& stay : stays) json.push_back({stay.first.frame, stay.last.frame});
+    return json;
+}
+
+Json json_of(const PageContent::Segment& segment) {
+    return {segment.url, rounded(segment.begin), rounded(segment.length)};
+}
+
+/// The wall clock: its time at second 0 (seconds since 1970-01-01 00:00 on that clock), its jumps, its time zone and
+/// its source.
+Json json_of(const WallClock& clock) {
+    if (!clock) return {};
+    Json leaps = Json::array();
+    for (const Clock::ClockChange& leap : clock->changes) leaps.push_back({leap.seconds, leap.by});
+    return {{"begin", clock->begin},
+            {"leaps", leaps},
+            {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
+            {"by", row_of(clock->source).words}};
+}
+
+std::string css_of(const glm::vec3& colour) {
+    const auto byte = [](float channel) { return static_cast<int>(std::lround(channel * 255)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
+}
+
+Json json_of(const std::vector<ConstantRateFrames>& times) {
+    Json json = Json::array();
+    for (const ConstantRateFrames& steady : times) {
+        json.push_back({steady.first, steady.count, rounded(steady.begin), steady.step});
+    }
+    return json;
+}
+
+Json number_of(const std::optional<std::size_t>& place) {
+    return place ? Json(*place) : Json();
+}
+
+/// An object's path in fractions of the picture's width and height, so the page needs no field size.
+Json json_of(const std::vector<events::PathPoint>& path, Size field) {
+    const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
+    Json json = Json::array();
+    for (const events::PathPoint& point : path) {
+        json.push_back({point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)});
+    }
+    return json;
+}
+
+/// A box in fractions of the picture's width and height.
+Json json_of_place(const PixelBox& box, Size field) {
+    const auto share = [](int place, int side) { return std::round(1e4 * place / side) / 1e4; };
+    return {share(box.left, field.width), share(box.top, field.height), share(box.right, field.width),
+            share(box.bottom, field.height)};
+}
+
+/// An object's path in the format of an archive's index.
+Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
+    const glm::dvec2 size(shown.width, shown.height);
+    const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
+    std::vector<events::Waypoint> way;
+    for (const events::PathPoint& point : path) {
+        way.push_back(events::waypoint(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
+    }
+    Json json = Json::array();
+    for (const events::Waypoint& point : events::simplified(way)) {
+        for (const int value : {point.time, point.x, point.y}) json.push_back(value);
+    }
+    return json;
+}
+
+Json json_of(const events::Event& event, Size field, Size shown) {
+    const auto& identity = event.identity;
+    return {{"kind", events::name_of(event.kind)},
+            {"class", identity ? Json(identity->what->name) : Json()},
+            {"group", identity ? Json(detector::name_of(identity->what->group)) : Json()},
+            {"score", identity ? Json(std::round(identity->score * 100) / 100) : Json()},
+            {"box", json_of_place(event.box, field)},
+            {"first", event.first.frame},
+            {"last", event.last.frame},
+            {"still", rounded(events::stationary_seconds(event))},
+            {"stays", json_of(event.stays)},
+            {"from", number_of(event.from)},
+            {"into", number_of(event.into)},
+            {"by", number_of(event.by)},
+            {"path", json_of(event.path, field)},
+            {"way", way_of(event.path, field, shown)}};
+}
+
+Json json_of_portrait(const Plane<Bgr>& portrait) {
+    if (portrait.empty()) return {};
+    return data_url("image/jpeg", image::encode_picture("portrait.jpg", portrait, still_quality));
+}
+
+/// \param side of the picture, pixels
+Json json_of(const Still& still, int side) {
+    const Plane<Bgr> small = image::resized(still.picture, fit_into(still.picture.size(), side));
+    return {{"frame", still.frame},
+            {"src", data_url("image/jpeg", image::encode_picture("still.jpg", small, still_quality))}};
+}
+
+Json json_of(const EncodedVideo& film) {
+    return {{"type", film.type}, {"begin", rounded(film.begin)}, {"step", film.step}, {"base64", base64(film.bytes)}};
+}
+
+Json json_of_events(const PageContent& content) {
+    if (!content.events) return {};
+    Json json = Json::array();
+    for (const events::Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
+    for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
+        json[k]["colour"] = css_of(content.colours[k]);
+    }
+    for (std::size_t k = 0; k < std::min(content.numbers.size(), json.size()); ++k) {
+        json[k]["number"] = content.numbers[k];
+    }
+    for (std::size_t k = 0; k < std::min(content.deeds.size(), json.size()); ++k) json[k]["deed"] = content.deeds[k];
+    return json;
+}
+
+}  // namespace
+
+Json page_data(const PageContent& content) {
+    const Moments& moments = content.moments;
+    Json json{{"name", content.name},
+              {"camera", content.camera.empty() ? Json() : Json(content.camera)},
+              {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
+              {"segments", Json::array()},
+              {"cut", {{"ending", content.piece_extension}, {"names", content.names}}},
+              {"size", {content.shown.width, content.shown.height}},
+              {"times", json_of(moments.times)},
+              {"clock", json_of(content.clock)},
+              {"told", row_of(content.clock_source()).words},
+              {"kinds", json_of_kinds()},
+              {"index", Json()},
+              {"live", Json()},
+              {"events", json_of_events(content)},
+              {"overlay", json_of(content.overlay)},
+              {"settings", json_of(content.settings)}};
+    if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};
+    if (const auto& live = content.live) {
+        json["live"] = {{"state", live->text},
+                        {"written", live->written},
+                        {"ended", false},
+                        {"brick", std::ceil(live->brick_seconds)}};
+    }
+    for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
+    return json;
+}
+
+Json pixel_data(const PageContent& content) {
+    return {{"pixels", json_of_frames(content.picture.pixel_data.frame, content.moments.times.front().first)},
+            {"objects", json_of_objects(content.picture.pixel_data.object, Places(content))}};
+}
+
+Json still_data(const PageContent& content) {
+    Json json{{"stills", Json::array()}, {"portraits", Json::array()}};
+    const int side = content.moments.preview ? small_still_side : still_side;
+    for (const Still& still : content.moments.stills) json["stills"].push_back(json_of(still, side));
+    for (const Plane<Bgr>& portrait : content.portraits) json["portraits"].push_back(json_of_portrait(portrait));
+    return json;
+}
+
+Json preview_data(const PageContent& content) {
+    return {{"preview", content.moments.preview ? json_of(*content.moments.preview) : Json()}};
+}
+
+}  // namespace vvr::page
