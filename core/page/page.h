@@ -1,96 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "core/base/plane.h"
-#include "core/base/wall_clock.h"
-#include "core/events/event.h"
-#include "core/image/picture.h"
-#include "core/page/moments.h"
+#include "core/page/page_content.h"
 
 namespace vvr::page {
-
-/// The state of a live stream, for its page.
-struct LiveState {
-    std::string text;           ///< state of the connection, one line
-    std::int64_t written = 0;   ///< seconds since 1970
-    double brick_seconds = 10;  ///< seconds per picture
-};
-
-/// A page's place in an archive.
-struct PageIndex {
-    std::string url;   ///< of the index, relative to the page
-    std::string clip;  ///< the clip's path in the index
-};
-
-/// What a page draws over its picture, in pixels of the picture.
-struct Overlay {
-    /// A cross-section of the volume: the frame at one time.
-    struct Section {
-        double seconds = 0;                   ///< of the clip
-        std::array<glm::dvec2, 4> corners{};  ///< of the frame: upper left, upper right, lower right, lower left
-    };
-    std::vector<Section> sections;  ///< in order of time
-
-    /// A text beside the time axis.
-    struct Note {
-        std::string text;
-        glm::dvec2 at{};
-        glm::dvec2 out{};  ///< unit vector away from the volume: the text is on that side
-    };
-    std::vector<Note> notes;  ///< the most important first
-
-    /// An event's portrait, with a line to its trail.
-    struct Portrait {
-        std::size_t event = 0;  ///< index in the list of events
-        PixelBox still;
-        glm::dvec2 to{};
-    };
-    std::vector<Portrait> portraits;
-    int captions = 0;      ///< height of the space above the portraits
-    bool numbers = false;  ///< trails have numbers
-    PixelBox map;          ///< empty = no map
-    Plane<Bgr> scene{};    ///< of the map
-};
-
-/// The content of a page.
-struct PageContent {
-    std::string name;      ///< display name of the clip
-    std::string camera;    ///< empty = unknown
-    std::string file;      ///< the clip's file name if it differs from `name` and `camera`; else empty
-    std::string clip_url;  ///< relative to the page; empty = no file to play
-
-    /// A file of a recording.
-    struct Segment {
-        std::string url;   ///< relative to the page
-        double begin = 0;  ///< seconds of the recording
-        double length = 0;
-    };
-    std::vector<Segment> segments;   ///< of a recording, in order, instead of a clip
-    std::string piece_extension;     ///< extension for parts cut from the clip; empty = `vvr cut` chooses
-    std::vector<std::string> names;  ///< the user's patterns of file names
-    WallClock clock;                 ///< wall clock of the picture
-    Size shown;                      ///< display size of the clip
-    Size field;                      ///< field size; events are in field pixels
-    image::Picture picture;          ///< includes pixel data
-    image::Metadata settings;        ///< of the picture
-    Moments moments;
-    std::optional<std::vector<events::Event>> events;  ///< none = not detected
-    std::vector<std::size_t> numbers;                  ///< numbers of the events in the picture; empty = index plus 1
-    std::vector<glm::vec3> colours;                    ///< of the events in the picture, sRGB; empty = no colours
-    std::vector<Plane<Bgr>> portraits;                 ///< of the events; an empty plane = none
-    std::vector<std::string> deeds;                    ///< what each of them did: "went ↘"
-    std::optional<PageIndex> index;
-    std::optional<LiveState> live;  ///< of a stream
-    Overlay overlay;
-
-    ClockSource clock_source() const { return clock ? clock->source : ClockSource::none; }
-};
 
 /// Makes a self-contained HTML page: the picture, the time and event of each pixel, stills and a preview. It refers
 /// only to the clip's file. The page of a stream requests updates from its server. The output is deterministic.

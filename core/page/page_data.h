@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/page/page.h"
+#include "core/page/page_content.h"
 
 // The data of a clip's page, in the order in which the page needs them.
 namespace vvr::page {
