@@ -36,6 +36,12 @@ constexpr Setting match{
     "pattern of the clips: *.avi, or with folders cam?/*.avi; may be repeated; default: files that end in "};
 constexpr Setting exclude{"exclude", "GLOB", "pattern of files to leave out; may be repeated"};
 constexpr Setting per{"per", "NAME", "what one picture shows"};
+constexpr Setting day_begins{
+    "day-begins",
+    "HH:MM",
+    "when days begin; days that begin at 12:00 or later are nights, with the date of their evening",
+    {},
+    "00:00; night: 12:00"};
 constexpr Setting redraw{"redraw", "TIME", "minimum new footage, or idle time, before a day is redrawn"};
 constexpr Setting part{"part", "I/N", "draw only part I of N of the clips, 1/N to N/N"};
 constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; draw nothing"};
@@ -59,6 +65,7 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
     add(text::exclude, archive.exclude);
     add(text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
+    add(text::day_begins, archive.day);
     add(text::redraw, archive.redraw);
     add(text::part, part);
     add(text::dry_run, archive.dry_run);
@@ -78,6 +85,16 @@ void check(const workers::ArchiveOptions& options) {
     if (!options.draws() && (options.prune || options.dry_run)) {
         throw Error(ErrorCode::options_conflict, fmt::format("--write index writes only the index; drop {}",
                                                              options.prune ? "--prune" : "--dry-run"));
+    }
+    if (options.day && !options.grouping().days) {
+        throw Error(ErrorCode::options_conflict,
+                    "--per clip has no days; drop --day-begins, or choose --per day, night or both",
+                    {text::day_begins.name});
+    }
+    if (options.per == workers::Grouping::night && !options.day_rule().is_night()) {
+        throw Error(ErrorCode::options_conflict,
+                    "a night begins at 12:00 or later; give a later --day-begins, or choose --per day",
+                    {text::day_begins.name});
     }
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
     if (options.max_memory && *options.max_memory < least_memory) {
@@ -125,7 +142,8 @@ class Archive final : public Command {
         line.examples({{"vvr archive clips -o pictures --dry-run", "what a run would do, and why"},
                        {"vvr archive clips -o pictures --prune --quiet",
                         "for cron: draw new clips, remove pictures of deleted ones, print failures"},
-                       {"vvr archive recordings -o days --per day", "one picture per camera and day"}});
+                       {"vvr archive recordings -o days --per day", "one picture per camera and day"},
+                       {"vvr archive recordings -o nights --per night", "one picture per camera and night"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {

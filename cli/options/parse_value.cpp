@@ -239,6 +239,12 @@ std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text)
     return parse_time(text);
 }
 
+std::chrono::minutes parse_minute_of_day(std::string_view text) {
+    const auto seconds = time_of_day(text);
+    if (!seconds || *seconds % 60 != 0) refuse(text, "a time of day like 12:00");
+    return std::chrono::minutes(*seconds / 60);
+}
+
 video::DayPart parse_day_part(std::string_view text) {
     const auto ends = split(text, '-');
     const auto begin = time_of_day(ends.front());

@@ -54,6 +54,9 @@ std::optional<std::int64_t> parse_date_time(std::string_view text);
 /// two minutes from the beginning.
 std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text);
 
+/// `12:00`, `6:30`.
+std::chrono::minutes parse_minute_of_day(std::string_view text);
+
 /// `02:00-05:00`: a part of each day.
 video::DayPart parse_day_part(std::string_view text);
 

@@ -142,6 +142,14 @@ std::string value_text(const Setting& /*setting*/, const video::DayPart& value) 
     return value.text;
 }
 
+void set_value(const Setting& /*setting*/, const std::string& text, archive::DayRule& value) {
+    value.begins = parse_minute_of_day(text);
+}
+
+std::string value_text(const Setting& /*setting*/, const archive::DayRule& value) {
+    return fmt::format("{:02}:{:02}", value.begins.count() / 60, value.begins.count() % 60);
+}
+
 void set_value(const Setting& /*setting*/, const std::string& text, const app::SpanStart<video::FrameSpan>& value) {
     const auto place = parse_place(text);
     video::FrameSpan& span = value.span;

@@ -11,6 +11,7 @@
 
 #include "cli/app/settings.h"
 #include "cli/options/command_line.h"
+#include "core/archive/camera_days.h"
 #include "core/base/setting.h"
 #include "core/events/event.h"
 #include "core/image/comparison.h"
@@ -42,6 +43,7 @@ void set_value(const Setting& setting, const std::string& text, std::optional<ap
 void set_value(const Setting& setting, const std::string& text, fields::SeedSelection& value);
 void set_value(const Setting& setting, const std::string& text, fields::SeedFlags& value);
 void set_value(const Setting& setting, const std::string& text, video::DayPart& value);
+void set_value(const Setting& setting, const std::string& text, archive::DayRule& value);
 void set_value(const Setting& setting, const std::string& text, events::EventChoice& value);
 void set_value(const Setting& setting, const std::string& text, const app::FieldSize<Size>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanStart<video::FrameSpan>& value);
@@ -88,6 +90,7 @@ std::string value_text(const Setting& setting, const app::NamedTransfer& value);
 std::string value_text(const Setting& setting, const fields::SeedSelection& value);
 std::string value_text(const Setting& setting, const fields::SeedFlags& value);
 std::string value_text(const Setting& setting, const video::DayPart& value);
+std::string value_text(const Setting& setting, const archive::DayRule& value);
 std::string value_text(const Setting& setting, const events::EventChoice& value);
 std::string value_text(const Setting& setting, const app::FieldSize<const Size>& value);
 std::string value_text(const Setting& setting, const app::SpanStart<const video::FrameSpan>& value);

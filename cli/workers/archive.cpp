@@ -79,6 +79,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.rules.version = version();
     job.rules.settle = settling_time;
     job.rules.redraw = options.redraw;
+    job.rules.day = options.day_rule();
     job.settings = options.worker_settings;
     job.drawn_with = options.drawn_with;
     return job;
@@ -175,8 +176,8 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
-    if (options.per != Grouping::clip) {
-        archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling);
+    if (options.grouping().days) {
+        archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling, job.rules.day);
         for (archive::CameraDay& day : grouped.days) {
             if (!options.shard.contains(day.clip.path)) continue;
             std::string path = day.clip.path;
@@ -184,15 +185,15 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
         }
         days = plan_days(job);
         scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
-        if (options.per == Grouping::day) survey.waiting = grouped.waiting;
+        if (!options.grouping().clips) survey.waiting = grouped.waiting;
     }
-    if (options.per != Grouping::clip) warn_of_undated(scan.clips, job, log);
+    if (options.grouping().days) warn_of_undated(scan.clips, job, log);
     for (const archive::ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
     survey.unreadable = scan.problems.size();
     std::erase_if(scan.clips, [&](const archive::Clip& clip) { return !options.shard.contains(clip.path); });
-    if (options.per != Grouping::day) survey.planned = plan_archive(scan.clips, job);
+    if (options.grouping().clips) survey.planned = plan_archive(scan.clips, job);
     survey.planned.insert(survey.planned.end(), days.begin(), days.end());
     return survey;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -14,23 +15,28 @@
 #include "cli/exit_status.h"
 #include "cli/workers/sandbox.h"
 #include "cli/workers/worker_message.h"
+#include "core/archive/camera_days.h"
 #include "core/archive/clips.h"
 
 namespace vvr::workers {
 
 /// What one picture shows.
-enum class Grouping { clip, day, both };
+enum class Grouping { clip, day, night, both };
 
 struct GroupingRow {
     Grouping grouping;
     std::string_view name;
     std::string_view help;
+    bool clips;                     ///< one for each clip
+    bool days;                      ///< one for each day or night of a camera
+    std::chrono::minutes begins{};  ///< when days begin by default, after midnight
 };
 
 inline constexpr std::array groupings{
-    GroupingRow{Grouping::clip, "clip", "each clip"},
-    GroupingRow{Grouping::day, "day", "all clips of a camera that begin on a day, as one recording"},
-    GroupingRow{Grouping::both, "both", "each clip, and each day of a camera"},
+    GroupingRow{Grouping::clip, "clip", "each clip", true, false},
+    GroupingRow{Grouping::day, "day", "all clips of a camera that begin on a day, as one recording", false, true},
+    GroupingRow{Grouping::night, "night", "the same from noon to noon", false, true, archive::DayRule::noon},
+    GroupingRow{Grouping::both, "both", "each clip, and each day of a camera", true, true},
 };
 
 /// What a run writes.
@@ -57,11 +63,14 @@ struct ArchiveOptions {
     archive::Shard shard;
     std::vector<std::string> exclude;  ///< patterns of files to skip
     Grouping per = Grouping::clip;
-    std::chrono::seconds redraw{900};  ///< least time between two drawings of a day that still gets clips
+    std::optional<archive::DayRule> day{};  ///< when days begin; none = as `per` has it
+    std::chrono::seconds redraw{900};       ///< least time between two drawings of a day that still gets clips
     bool dry_run = false;
     bool prune = false;
     std::set<Written> write{Written::pictures, Written::pages, Written::index};
 
+    const GroupingRow& grouping() const { return *std::ranges::find(groupings, per, &GroupingRow::grouping); }
+    archive::DayRule day_rule() const { return day.value_or(archive::DayRule{grouping().begins}); }
     bool writes(Written kind) const { return write.contains(kind); }
     bool draws() const { return writes(Written::pictures) || writes(Written::pages); }
 

@@ -247,6 +247,13 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     return task;
 }
 
+/// "gate", "gate, night of 2026-11-21". The clock of a picture has the date of a day.
+static std::string title_of(const archive::CameraDay& day) {
+    const std::string camera = archive::text_of_path(day.camera);
+    if (!day.rule.is_night()) return camera;
+    return fmt::format("{}{}{}", camera, camera.empty() ? "" : ", ", archive::words_of_day(day.date, day.rule));
+}
+
 std::unique_ptr<Worker> ClipTask::start() const {
     static constexpr std::array outputs{
         std::pair{archive::OutputKind::picture, "output"},      std::pair{archive::OutputKind::page, "page"},
@@ -262,7 +269,7 @@ std::unique_ptr<Worker> ClipTask::start() const {
         plan.inputs.push_back(read.emplace_back(job_->in / file).string());
     if (day() != nullptr) {
         set("join", "true");  // the scan has already grouped the files by camera
-        set("title", archive::text_of_path(day()->camera));
+        set("title", title_of(*day()));
     }
     for (const auto& [kind, name] : outputs) {
         if (std::ranges::count(job_->rules.files, kind) > 0) set(name, staged(kind).string());
@@ -282,7 +289,8 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     archive::Sidecar sidecar;
     sidecar.clip = clip_;
     if (day() != nullptr) {
-        sidecar.day = archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files};
+        sidecar.day =
+            archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files, day()->rule};
     }
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();
@@ -326,8 +334,8 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
         // The day is gone only when all clips are gone that its picture shows or should show.
         std::set<std::string> files(day()->files.begin(), day()->files.end());
         if (sidecar.shows && sidecar.day) files.insert(sidecar.day->files.begin(), sidecar.day->files.end());
-        sidecar.day =
-            archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}};
+        sidecar.day = archive::Sidecar::Day{
+            day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}, day()->rule};
     }
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();

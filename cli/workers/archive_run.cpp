@@ -273,7 +273,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
     std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
     std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.contains(sidecar.clip.path); });
     if (sidecars.empty()) return 0;
-    const archive::Present present = archive::find_present(job.in, job.out, clips, job.names);
+    const archive::Present present = archive::find_present(job.in, job.out, clips, job.names, sidecars);
     archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;

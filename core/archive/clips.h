@@ -6,9 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include "core/video/recorder_names.h"
 
 namespace vvr::archive {
 
@@ -84,27 +83,5 @@ struct Shard {
 
     bool contains(std::string_view clip) const;
 };
-
-/// The local date, such as "2026-11-21", in this machine's time zone.
-/// \param utc seconds since 1970
-std::string date_of(std::int64_t utc);
-
-/// All clips of a camera that begin on one day.
-struct CameraDay {
-    std::string camera;              ///< empty = unknown
-    std::string date;                ///< "2026-11-21", in this machine's time zone
-    Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
-    std::vector<std::string> files;  ///< below the archive's folder
-};
-
-/// Clips by camera and day.
-struct CameraDays {
-    std::vector<CameraDay> days;
-    std::vector<ScanProblem> problems;  ///< cameras whose names can't be folder names
-    std::size_t waiting = 0;            ///< clips still being written, which are left out
-};
-
-/// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
-CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling);
 
 }  // namespace vvr::archive

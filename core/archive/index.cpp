@@ -208,6 +208,10 @@ Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     return {written, ClockSource::modified};
 }
 
+std::string listed_date_of(const Sidecar& sidecar, const video::RecorderNames& names) {
+    return sidecar.day ? sidecar.day->date : date_of(begin_of(sidecar, names).utc);
+}
+
 DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
     // If a camera's clips are listed singly, a picture of the whole day would repeat them.
     std::set<std::string> one_by_one;
@@ -219,7 +223,7 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::Recor
         if (sidecar.found.empty() || (sidecar.day && one_by_one.contains(sidecar.day->camera))) continue;
         Json events = Json::array();
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
-        Json& day = days[date_of(begin_of(sidecar, names).utc)];
+        Json& day = days[listed_date_of(sidecar, names)];
         day.push_back({page::url_of_path(sidecar.clip.path), std::move(events)});
         if (!sidecar.stills.empty()) day.back().push_back(sidecar.stills);
     }
@@ -232,12 +236,9 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::Recor
 }
 
 bool is_day_file(std::string_view name) {
-    constexpr std::string_view date = "dddd-dd-dd";
     if (!name.starts_with(day_file_begin) || !name.ends_with(day_file_end)) return false;
     name.remove_prefix(day_file_begin.size());
-    if (name.size() != date.size() + day_file_end.size()) return false;
-    return std::ranges::equal(name.substr(0, date.size()), date,
-                              [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
+    return is_date_text(name.substr(0, name.size() - day_file_end.size()));
 }
 
 std::string make_index(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names,
@@ -258,14 +259,15 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Json row = row_of(sidecars[i], places[i], cameras, gone.contains(sidecars[i].clip.path));
         if (const auto& day = sidecars[i].day) {
-            json["recordings"].push_back({{"date", day->date}, {"clips", day->clips}, {"row", row}});
+            json["recordings"].push_back(
+                {{"date", day->date}, {"night", day->rule.is_night()}, {"clips", day->clips}, {"row", row}});
         } else {
             json["clips"].push_back(row);
         }
     }
     std::set<std::string> days;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!sidecars[i].found.empty()) days.insert(date_of(places[i].begin.utc));
+        if (!sidecars[i].found.empty()) days.insert(listed_date_of(sidecars[i], names));
     }
     json["days"] = days;
     const std::string style = std::string(web::theme_css) + std::string(web::index_css);

@@ -35,6 +35,9 @@ struct Begin {
     ClockSource source = ClockSource::none;
 };
 
+/// The date under which the index lists a clip: that of its day or night, or the day of its beginning.
+std::string listed_date_of(const Sidecar& sidecar, const video::RecorderNames& names = video::RecorderNames());
+
 /// The beginning from the clip's name, else from its container, else from its file's time minus its duration.
 Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names = video::RecorderNames());
 

@@ -58,6 +58,8 @@ Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std:
 Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_of(day, sidecar, out, rules, now);
+    const bool begins_elsewhere = sidecar && sidecar->day && sidecar->day->rule != rules.day;
+    if (begins_elsewhere && (need == Need::nothing || need == Need::changed)) return Need::settings;
     if (need != Need::changed || sidecar->settings != rules.settings || !files_there(*sidecar, out, rules)) return need;
     // The recorder removes its oldest files; the picture still shows them.
     const bool fewer = day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size;

@@ -31,6 +31,7 @@ struct ArchiveRules {
     std::vector<OutputKind> files;  ///< kinds of files for each clip
     int tries = 3;
     std::chrono::nanoseconds settle{};
+    DayRule day{};                      ///< when days begin
     std::chrono::nanoseconds redraw{};  ///< least time between drawings of a growing day
 };
 

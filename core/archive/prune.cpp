@@ -140,12 +140,18 @@ void tidy(const fs::path& out, const Outputs& outputs) {
 }
 
 Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,
-                     const video::RecorderNames& recorders) {
+                     const video::RecorderNames& recorders, const std::vector<Sidecar>& sidecars) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
     // With no time to wait, no clip is left out.
     const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
-    for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all).days)
-        present.days.insert(day.clip.path);
+    std::set<DayRule> rules{DayRule()};
+    for (const Sidecar& sidecar : sidecars) {
+        if (sidecar.day) rules.insert(sidecar.day->rule);
+    }
+    for (const DayRule& rule : rules) {
+        for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all, rule).days)
+            present.days.insert(day.clip.path);
+    }
     for (const Clip& clip : present.scan.clips) present.cameras.insert(recorders.camera_of(clip.path));
     return present;
 }

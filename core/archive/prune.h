@@ -43,14 +43,14 @@ bool is_gone(const std::filesystem::path& path);
 /// Which clips of an archive exist, including those that a run leaves out.
 struct Present {
     Scan scan;
-    std::set<std::string> days;     ///< paths of the camera days with an existing clip
+    std::set<std::string> days;     ///< paths of the camera days with an existing clip, for each rule of a sidecar
     std::set<std::string> cameras;  ///< cameras with an existing clip
 };
 
 /// Looks at all clips. One that is still being written, is excluded or has an impossible time exists too.
 /// \throws Error io if the folder can't be read
 Present find_present(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
-                     const video::RecorderNames& recorders);
+                     const video::RecorderNames& recorders, const std::vector<Sidecar>& sidecars = {});
 
 /// Whether a clip, or all clips of a day, are certainly gone.
 enum class SourceState {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -160,6 +161,25 @@ std::int64_t modified_of(const Json& json) {
     return whole_number(json, (last_time - 1) * 1'000'000'000);
 }
 
+/// "12:00"
+std::string text_of_begin(const DayRule& rule) {
+    return fmt::format("{:02}:{:02}", rule.begins.count() / 60, rule.begins.count() % 60);
+}
+
+/// \param begins null = midnight
+DayRule rule_of(const Json& begins) {
+    if (begins.is_null()) return {};
+    const auto text = begins.get<std::string>();
+    int hour = 0;
+    int minute = 0;
+    const char* const end = text.data() + text.size();
+    const auto read_hour = std::from_chars(text.data(), end, hour);
+    if (read_hour.ptr == end || *read_hour.ptr != ':' || hour < 0 || hour > 23) throw InvalidSidecar();
+    const auto read_minute = std::from_chars(read_hour.ptr + 1, end, minute);
+    if (read_minute.ptr != end || minute < 0 || minute > 59) throw InvalidSidecar();
+    return {std::chrono::hours(hour) + std::chrono::minutes(minute)};
+}
+
 /// Files by folder, {"gate/2026-11-21": ["08.00.mp4", …]}, because most files of a day share one.
 Json json_of_files(const std::vector<std::string>& files) {
     Json folders = Json::object();
@@ -224,6 +244,8 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     if (const auto day = json.find("day"); day != json.end()) {
         sidecar.day = Sidecar::Day{path_of_text(day->at("camera").get<std::string>()),
                                    day->at("date").get<std::string>(), whole_number(day->at("clips"))};
+        if (!is_date_text(sidecar.day->date)) throw InvalidSidecar();
+        sidecar.day->rule = rule_of(day->value("begins", Json()));
         if (const auto files = json.find("clips"); files != json.end()) sidecar.day->files = files_of(*files);
     }
     if (const auto shown = json.find("shows"); shown != json.end() && sidecar.state == Sidecar::State::failed) {
@@ -290,6 +312,8 @@ std::string format_sidecar(const Sidecar& sidecar) {
     if (sidecar.day) {
         json["day"] = {
             {"camera", text_of_path(sidecar.day->camera)}, {"date", sidecar.day->date}, {"clips", sidecar.day->clips}};
+        // Older versions know no other beginning than midnight.
+        if (sidecar.day->rule != DayRule()) json["day"]["begins"] = text_of_begin(sidecar.day->rule);
         if (!sidecar.day->files.empty()) json["clips"] = json_of_files(sidecar.day->files);
     }
     if (sidecar.shows) {

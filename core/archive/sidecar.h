@@ -9,6 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/archive/camera_days.h"
 #include "core/archive/clips.h"
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
@@ -66,6 +67,7 @@ struct Sidecar {
         std::string date;
         std::int64_t clips = 0;
         std::vector<std::string> files{};  ///< the paths of its clips; unknown in older sidecars
+        DayRule rule{};                    ///< when it begins
     };
     std::optional<Day> day;
 

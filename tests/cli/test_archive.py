@@ -667,6 +667,34 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     check(not named[5] & (by_file | by_container), f"{rows}")
 
 
+def test_archive_draws_nights(t):
+    """From noon to noon, also when the clock changes: on 2026-10-25 at 3:00 it goes back to 2:00 in Berlin."""
+    t.zone("Europe/Berlin")
+    t.path("in/gate").mkdir(parents=True)
+    times = ("24_11-59-00", "24_12-00-00", "25_02-30-00", "25_11-59-00", "25_12-00-00")
+    for time_of_day in times:
+        t.clip(f"in/gate/2026-10-{time_of_day}.avi", seconds=1)
+    t.age("in")
+    archive(t, "--per", "night").expect(0, "gate/2026-10-23-night: ", "gate/2026-10-24-night: ", "gate/2026-10-25-night: ",
+                                        "3 clips drawn")
+    known = sidecar(t, "gate/2026-10-24-night")
+    check(known["day"] == {"camera": "gate", "date": "2026-10-24", "clips": 3, "begins": "12:00"}, f"{known['day']}")
+    report = json.loads(t.path("out/gate/2026-10-24-night.report.json").read_text())
+    check(report["settings"]["title"] == "gate, night of 2026-10-24", f"{report['settings']}")
+    check("<title>gate, night of 2026-10-24" in t.path("out/gate/2026-10-24-night.html").read_text(), "the page's title")
+    recording = days_of(t)[0]["gate", "2026-10-24"]
+    check(recording["night"] and recording["clips"] == 3, f"{recording}")
+    # The same beginning has the same nights, and another one draws them again. A night has its pictures while it has a clip.
+    archive(t, "--per", "both", "--day-begins", "12:00", "--prune").expect(0, "5 clips drawn", "3 done before")
+    archive(t, "--per", "night", "--day-begins", "12:30", "--dry-run").expect(0, out=None)
+    archive(t, "--per", "day", "--day-begins", "06:00").expect(0, "gate/2026-10-24: ", "2 clips drawn")
+    again = archive(t, "--per", "day", "--dry-run").expect(0, out=None).out
+    check("other settings  gate/2026-10-24\n" in again, again)
+    for options, code in ((["--day-begins", "06:00"], "options-conflict"), (["--per", "night", "--day-begins", "06:00"], "options-conflict"),
+                          (["--per", "day", "--day-begins", "24:00"], "option-value")):
+        archive(t, *options).expect(1, "--day-begins", code=code)
+
+
 def test_archive_draws_days_of_cameras(t):
     t.zone("UTC")
     segments = [f"2026-11-21/08/{camera}/00.{second:02}.avi" for camera in ("gate", "hall") for second in (0, 2, 4)]

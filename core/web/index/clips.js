@@ -22,6 +22,7 @@ import {bits} from './data.js';
  * @property {Record<string, number>} tallyOf by kind
  * @property {string[]} classes
  * @property {boolean} wholeDay whether it is all that a camera recorded on a day
+ * @property {boolean} night whether that is the night after the day
  * @property {number | undefined} status
  * @property {string} reason
  * @property {number | undefined} tries
@@ -37,7 +38,7 @@ import {bits} from './data.js';
 /**
  * @param {IndexData} data
  * @param {(seconds: number) => Date} wallOf
- * @returns {(row: import('./data.js').Row, recording?: {date: string, clips: number}) => Clip}
+ * @returns {(row: import('./data.js').Row, recording?: {date: string, night: boolean, clips: number}) => Clip}
  */
 function clipBy(data, wallOf) {
     return ([camera, url, begins, seconds, events, files, tallies, classes, status, reason = '', tries, until], recording) => {
@@ -53,13 +54,14 @@ function clipBy(data, wallOf) {
             tallyOf: Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0])),
             classes: classes ?? [],
             wholeDay: recording !== undefined,
+            night: recording?.night ?? false,
             reason: upright(reason),
             until: shown,
             drawn: !failed || shown !== '',
             gone: (files & bits.gone) !== 0,
             damaged: (files & bits.damaged) !== 0,
             placedBy: files & bits.byContainer ? 'when its container says it was written' : files & bits.byFile ? 'when it was last written' : '',
-            text: folded([data.cameras[camera], path, day, weekday(day), time, reason, ...classes ?? []].join(' ')),
+            text: folded([data.cameras[camera], path, day, weekday(day), time, recording?.night ? 'night of ' + day : '', reason, ...classes ?? []].join(' ')),
         };
     };
 }

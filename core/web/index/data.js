@@ -14,7 +14,7 @@
  * @property {Record<string, string[]>} classes of objects, by group
  * @property {number} sheet_columns at most, of contact sheets
  * @property {Row[]} clips
- * @property {{date: string, clips: number, row: Row}[]} recordings all that a camera recorded on a day, in one picture
+ * @property {{date: string, night: boolean, clips: number, row: Row}[]} recordings all that a camera recorded on a day or in the night after it, in one picture
  * @property {string[]} days that have files of events
  *
  * @typedef {(number | string)[]} EventRow kind, number, tenths of a second for which it was still, its way, its class if known

@@ -36,7 +36,11 @@ function badgesOf(clip) {
  * From when to when a picture of a day shows it: most days are not whole.
  * @param {Clip} clip
  */
-export const stretchOf = clip => clip.drawn ? clip.time.slice(0, 5) + ' to ' + timeText(wallOf(clip.begins + clip.seconds)).slice(0, 5) : 'the day';
+export function stretchOf(clip) {
+    const hours = clip.drawn ? clip.time.slice(0, 5) + ' to ' + timeText(wallOf(clip.begins + clip.seconds)).slice(0, 5) : '';
+    if (!clip.night) return hours || 'the day';
+    return `Night of ${clip.day}` + (hours && ', ' + hours);
+}
 
 /**
  * An element with a tooltip.

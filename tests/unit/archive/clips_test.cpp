@@ -1,6 +1,8 @@
 #include "core/archive/clips.h"
 
 #include <chrono>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -10,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/archive/camera_days.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"
@@ -96,6 +99,45 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
         archive::group_by_day(clips, video::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
     EXPECT_EQ(one_ahead[1].files.size(), 2U);
     EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
+}
+
+TEST(CameraDays, OfNightsHaveTheDateOfTheirEvening) {
+    using std::chrono::hours;
+    using std::chrono::minutes;
+    struct Row {
+        const char* zone;
+        const char* utc;
+        minutes begins;
+        const char* date;
+    };
+    // In Berlin the clock went back from 3:00 to 2:00 on 2026-10-25, and forward from 2:00 to 3:00 on 2026-03-29.
+    const Row rows[] = {
+        {"Europe/Berlin", "2026-11-21 10:59:59", hours(12), "2026-11-20"},
+        {"Europe/Berlin", "2026-11-21 11:00:00", hours(12), "2026-11-21"},
+        {"Europe/Berlin", "2026-11-22 10:59:59", hours(12), "2026-11-21"},
+        {"America/New_York", "2026-11-21 16:59:59", hours(12), "2026-11-20"},
+        {"Europe/Berlin", "2026-10-24 10:00:00", hours(12), "2026-10-24"},  // a night of 25 hours
+        {"Europe/Berlin", "2026-10-25 10:59:59", hours(12), "2026-10-24"},
+        {"Europe/Berlin", "2026-10-25 11:00:00", hours(12), "2026-10-25"},
+        {"Europe/Berlin", "2026-03-28 11:00:00", hours(12), "2026-03-28"},  // a night of 23 hours
+        {"Europe/Berlin", "2026-03-29 09:59:59", hours(12), "2026-03-28"},
+        {"Europe/Berlin", "2026-03-29 10:00:00", hours(12), "2026-03-29"},
+        {"Europe/Berlin", "2026-10-25 00:29:59", minutes(150), "2026-10-24"},  // 2:30 comes twice
+        {"Europe/Berlin", "2026-10-25 00:30:00", minutes(150), "2026-10-25"},
+        {"Europe/Berlin", "2026-10-25 01:10:00", minutes(150), "2026-10-25"},
+        {"Europe/Berlin", "2026-03-29 00:59:59", minutes(150), "2026-03-28"},  // 2:30 doesn't come
+        {"Europe/Berlin", "2026-03-29 01:00:00", minutes(150), "2026-03-29"},
+        {"UTC", "1970-01-01 00:00:00", hours(12), "1969-12-31"},
+    };
+    for (const Row& row : rows) {
+        ::setenv("TZ", row.zone, 1);
+        ::tzset();
+        std::tm parts{};
+        ::strptime(row.utc, "%Y-%m-%d %H:%M:%S", &parts);
+        EXPECT_EQ(archive::date_of(::timegm(&parts), {row.begins}), row.date) << row.utc << ' ' << row.zone;
+    }
     ::setenv("TZ", "UTC", 1);
     ::tzset();
 }

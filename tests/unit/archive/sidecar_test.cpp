@@ -67,6 +67,7 @@ TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
     archive::Sidecar sidecar = done("gate/2026-11-21");
     sidecar.day = archive::Sidecar::Day{
         "gate", "2026-11-21", 3, {"gate/2026-11-21/08/00.avi", "gate/2026-11-21/08/\xFF%.avi", "x.avi"}};
+    sidecar.day->rule = {std::chrono::minutes(12 * 60 + 30)};
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.shows.emplace();
     sidecar.shows->clip = {"gate/2026-11-21", 2, 900'000'000};
@@ -78,6 +79,10 @@ TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
     EXPECT_EQ(read->shows->clip.modified, 900'000'000);
     EXPECT_EQ(read->frames, 7);
     EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
+    EXPECT_EQ(read->day->rule, sidecar.day->rule);
+    std::string no_date = archive::format_sidecar(sidecar);
+    no_date.replace(no_date.find("2026-11-21\",\n"), 10, "../../../x");
+    EXPECT_FALSE(archive::parse_sidecar(no_date));
     std::string out_of_folder = archive::format_sidecar(sidecar);
     out_of_folder.replace(out_of_folder.find("\"x.avi\""), 7, "\"../x\"");
     EXPECT_FALSE(archive::parse_sidecar(out_of_folder));

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/archive/clips.h"
+#include "core/video/recorder_names.h"
+
+// What a camera records from one day's beginning to the next, as one recording.
+namespace vvr::archive {
+
+/// When days begin. A day that begins at noon or later is a night: midnight is in its middle, and it has the date of
+/// its evening.
+struct DayRule {
+    std::chrono::minutes begins{0};  ///< after midnight, on the local wall clock
+
+    static constexpr std::chrono::minutes noon{12 * 60};
+
+    bool is_night() const { return begins >= noon; }
+
+    friend auto operator<=>(const DayRule&, const DayRule&) = default;
+};
+
+/// The date of the day in which a time lies, such as "2026-11-21", in this machine's time zone. A day begins when the
+/// wall clock first shows its beginning, or skips it.
+/// \param utc seconds since 1970
+std::string date_of(std::int64_t utc, const DayRule& rule = {});
+
+/// Whether a text has the form of a date, "2026-11-21".
+bool is_date_text(std::string_view text);
+
+/// For people: "2026-11-21", "night of 2026-11-21".
+std::string words_of_day(const std::string& date, const DayRule& rule);
+
+/// All clips of a camera that begin on one day.
+struct CameraDay {
+    std::string camera;              ///< empty = unknown
+    std::string date;                ///< "2026-11-21", in this machine's time zone
+    DayRule rule;                    ///< when it begins
+    Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
+    std::vector<std::string> files;  ///< below the archive's folder
+};
+
+/// Clips by camera and day.
+struct CameraDays {
+    std::vector<CameraDay> days;
+    std::vector<ScanProblem> problems;  ///< cameras whose names can't be folder names
+    std::size_t waiting = 0;            ///< clips still being written, which are left out
+};
+
+/// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
+CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling,
+                        const DayRule& rule = {});
+
+}  // namespace vvr::archive
