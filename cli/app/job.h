@@ -68,6 +68,7 @@ struct OutputOptions {
     std::filesystem::path path;
     std::filesystem::path page;        ///< in addition to the picture; empty = none, unless `path` is a page
     std::string page_camera;           ///< shown on the page; empty = from the file name
+    std::string page_heading;          ///< at the top of the page, before the time; empty = the camera, or the name
     std::filesystem::path page_index;  ///< of the archive that has the page; empty = none
     std::filesystem::path page_place;  ///< final path of the page, for links; empty = where it is written
     std::filesystem::path thumbnail;   ///< empty = none

@@ -145,6 +145,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     page::PageContent content;
     content.name = plan.title;
     content.camera = camera_of(job, seen.info);
+    content.heading = job.output.page_heading;
     content.file = file_name_of(job, content);
     for (const video::SegmentPlace& segment : seen.info.segments) {
         if (segment.end <= segment.begin) continue;  // entirely overlapped by another file

@@ -206,6 +206,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     // Only the plan of an archive's worker sets these.
     line.plan_setting("plain-name", [&options](const std::string&) { options.plain_name = true; });
     line.plan_setting("page-camera", [&options](const std::string& camera) { options.page_camera = camera; });
+    line.plan_setting("page-heading", [&options](const std::string& words) { options.page_heading = words; });
     line.plan_setting("page-index", [&options](const std::string& path) { options.page_index = path; });
     line.plan_setting("page-place", [&options](const std::string& path) { options.page_place = path; });
     line.plan_setting("stills", [&options](const std::string& path) { options.stills = path; });

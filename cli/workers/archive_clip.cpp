@@ -278,6 +278,7 @@ std::unique_ptr<Worker> ClipTask::start() const {
         set("page-index", (job_->out / archive::index_name).string());
         set("page-place", archive::output_path(job_->out, clip_.path, archive::OutputKind::page).string());
         set("page-camera", camera());
+        if (day() != nullptr) set("page-heading", title_of(*day()));
     }
     plan.settings.insert(plan.settings.end(), job_->settings.begin(), job_->settings.end());
     return std::make_unique<Worker>(plan, job_->threads, job_->limits, lock_.descriptor(),

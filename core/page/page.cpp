@@ -47,6 +47,11 @@ struct Minute {
     }
 };
 
+const std::string& name_in_heading(const PageContent& content) {
+    if (!content.heading.empty()) return content.heading;
+    return content.camera.empty() ? content.name : content.camera;
+}
+
 /// The heading: "back-door · Tue 17 Nov 2026, 07:15", with the end if it is in another minute. Without a clock, only
 /// the name.
 /// \param name name of the camera, or of the clip if the camera is unknown
@@ -144,8 +149,7 @@ std::string make_page(const PageContent& content) {
             {"style policy", policy_hash(style) + " " + policy_hash(plain)},
             {"connect", content.live ? "; connect-src 'self'" : ""},
             {"name", shown(content.name)},
-            {"heading",
-             shown(heading_of(content.camera.empty() ? content.name : content.camera, content.clock, begin, end))},
+            {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
             {"file", shown(content.file)},
             {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
                                     labels::format_moment(std::floor(end + 1e-4), content.clock),

@@ -60,10 +60,11 @@ struct Overlay {
 
 /// The content of a page.
 struct PageContent {
-    std::string name;      ///< display name of the clip
-    std::string camera;    ///< empty = unknown
-    std::string file;      ///< the clip's file name if it differs from `name` and `camera`; else empty
-    std::string clip_url;  ///< relative to the page; empty = no file to play
+    std::string name;       ///< display name of the clip
+    std::string camera;     ///< empty = unknown
+    std::string heading{};  ///< before the time; empty = the camera, or the name
+    std::string file;       ///< the clip's file name if it differs from `name` and `camera`; else empty
+    std::string clip_url;   ///< relative to the page; empty = no file to play
 
     /// A file of a recording.
     struct Segment {
