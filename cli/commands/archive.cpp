@@ -152,33 +152,50 @@ class Archive final : public Command {
         if (part_) {
             options_.shard = {static_cast<std::uint64_t>(part_->first - 1), static_cast<std::uint64_t>(part_->second)};
         }
-        options::finish(line, job_, false);
-        if (options_.draws()) {
-            app::validate(job_);
-            app::open_detector(job_.detector);
-        }
-        options_.settings = digest_of(line, options_);
-        for (const options::OptionValue& value : line.given(options::picture_groups)) {
-            if (value.name != setting::names.name) pass_on(value);
-        }
-        for (const std::string& pattern : job_.input.name_patterns) {
-            pass_on({std::string(setting::names.name), pattern});
+        options_.pictures = pictures_of(line);
+        for (const std::string& camera : line.cameras().names) {
+            CommandAndLine own(find_command("archive"));
+            own.line.set_camera(camera);
+            own.line.parse(line.parsed());
+            auto& archive = static_cast<Archive&>(*own.command);
+            archive.options_.write = options_.write;
+            options_.of_cameras.emplace(camera, archive.pictures_of(own.line));
+            const std::vector<std::filesystem::path>& files = archive.options_.needs.files;
+            options_.needs.files.insert(options_.needs.files.end(), files.begin(), files.end());
         }
         for (const options::OptionValue& value : line.given(std::array{options::Group::run})) {
             if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
-            pass_on(value);
+            for (auto& [camera, pictures] : options_.of_cameras) pass_on(value, pictures);
+            pass_on(value, options_.pictures);
             options_.drawn_with.emplace_back(value.name, value.value);
         }
         options_.needs.gpu = gl::may_use_gpu(*job_.backend.row);
-        options_.names = job_.input.name_patterns;
         options_.threads = job_.fields.threads;
         return workers::run_archive(options_, environment);
     }
 
   private:
-    void pass_on(const options::OptionValue& value) {
+    /// What pictures are drawn with, after a check.
+    workers::PictureSettings pictures_of(const options::CommandLine& line) {
+        options::finish(line, job_, false);
+        if (options_.draws()) {
+            app::validate(job_);
+            app::open_detector(job_.detector);
+        }
+        workers::PictureSettings pictures;
+        pictures.digest = digest_of(line, options_);
+        pictures.names = job_.input.name_patterns;
+        for (const options::OptionValue& value : line.given(options::picture_groups)) {
+            if (value.name != setting::names.name) pass_on(value, pictures);
+        }
+        for (const std::string& pattern : pictures.names)
+            pass_on({std::string(setting::names.name), pattern}, pictures);
+        return pictures;
+    }
+
+    void pass_on(const options::OptionValue& value, workers::PictureSettings& pictures) {
         if (value.may_be_file) options_.needs.files.emplace_back(value.value);
-        options_.worker_settings.emplace_back(value.name, value.value);
+        pictures.settings.emplace_back(value.name, value.value);
     }
 
     workers::ArchiveOptions options_;

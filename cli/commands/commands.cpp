@@ -71,7 +71,8 @@ CommandAndLine::CommandAndLine(const CommandRow& row)
 std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : command_rows) {
-        names.push_back({std::string(row.name), [&row] { return CommandAndLine(row).line.configurable(); }});
+        names.push_back({std::string(row.name), [&row] { return CommandAndLine(row).line.configurable(); },
+                         [&row] { return CommandAndLine(row).line.configurable(options::picture_groups); }});
     }
     return names;
 }

@@ -4,6 +4,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/add_option.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -13,8 +14,12 @@ namespace vvr::commands {
 
 namespace {
 
+constexpr Setting camera_name{"camera-name", "NAME", "also apply the section [camera.NAME] of the config file"};
+
 /// Sets a command's options as the config file does, without other arguments.
-void read(options::CommandLine& line, const options::ConfigChoice& choice, const std::string& preset = {}) {
+void read(options::CommandLine& line, const options::ConfigChoice& choice, const std::string& preset = {},
+          const std::string& camera = {}) {
+    if (!camera.empty()) line.set_camera(camera);
     std::vector<std::string> arguments;
     // Without --config the file is searched for again, so that errors say how it was found.
     if (choice.file.empty()) {
@@ -57,22 +62,55 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
     return text;
 }
 
+/// For each camera with a section, the options that it sets for an archive, which has all of them.
+std::string settings_of_cameras(const options::ConfigChoice& choice) {
+    CommandAndLine archive(find_command("archive"));
+    std::string text;
+    try {
+        read(archive.line, choice);
+    } catch (const Error&) {
+        return {};  // the command's own lines say it
+    }
+    for (const std::string& camera : archive.line.cameras().names) {
+        CommandAndLine own(find_command("archive"));
+        try {
+            read(own.line, choice, {}, camera);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
+            text += fmt::format("camera {}: {}\n", shown_text(camera), error.what());
+            continue;
+        }
+        const std::vector<std::string>& sets = own.line.cameras().sets;
+        for (const options::OptionValue& option : own.line.given(options::all_groups)) {
+            if (std::ranges::find(sets, option.name) != sets.end())
+                text += fmt::format("camera {}: {} = {}\n", shown_text(camera), option.name, shown_text(option.value));
+        }
+    }
+    return text;
+}
+
 /// All options of a command: the value, and what sets it.
-std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
+std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset,
+                        const std::string& camera) {
     CommandAndLine command(row);
     options::CommandLine& line = command.line;
-    read(line, choice, preset);
+    read(line, choice, preset, camera);
+    const std::vector<std::string>& of_camera = line.cameras().sets;
     std::string text;
     const auto of_preset = options::settings_of_preset(preset);
     const std::vector<options::OptionValue> given = line.given(options::all_groups);
     for (const options::OptionValue& option : line.values(options::all_groups)) {
-        if (option.name == "config" || option.name == "help") continue;
+        if (option.name == "config" || option.name == "camera-name" || option.name == "help") continue;
         const bool set = std::ranges::find(given, option.name, &options::OptionValue::name) != given.end();
         // The preset given here takes precedence over the config file.
         const bool preset_sets =
             (!preset.empty() && option.name == setting::preset.name) ||
             std::ranges::any_of(of_preset, [&](const auto& one) { return one.first == option.name; });
-        const std::string by = preset_sets ? fmt::format("preset {}", preset) : set ? "config file" : "default";
+        const bool camera_sets = std::ranges::find(of_camera, option.name) != of_camera.end();
+        const std::string by = preset_sets   ? fmt::format("preset {}", preset)
+                               : camera_sets ? fmt::format("config file, [camera.{}]", line.cameras().chosen)
+                               : set         ? "config file"
+                                             : "default";
         text += fmt::format("{:<20} {} ({})\n", option.name, option.value.empty() ? "-" : shown_text(option.value), by);
     }
     return text;
@@ -89,8 +127,10 @@ class Config final : public Command {
                        preset_ = choose(setting::preset.name, given, options::presets()).name;
                    },
                    {.values = options::values_of(options::presets())});
+        options::AddOptions(line, options::Group::run)(camera_name, camera_, options::OptionExtra{});
         line.examples({{"vvr config", "the active config file, and what it sets"},
                        {"vvr config render", "every option of render, and what sets it"},
+                       {"vvr config archive --camera-name gate", "the same for one camera"},
                        {"vvr config render --config none", "the defaults"},
                        {"vvr config render --preset paper", "the options that a preset sets"}});
     }
@@ -105,10 +145,15 @@ class Config final : public Command {
             throw Error(ErrorCode::option_needs_another,
                         fmt::format("--preset needs a COMMAND, for example: vvr config render --preset {}", preset_));
         }
+        if (names_.empty() && !camera_.empty()) {
+            throw Error(ErrorCode::option_needs_another,
+                        fmt::format("--camera-name needs a COMMAND, for example: vvr config archive --camera-name {}",
+                                    camera_));
+        }
         if (names_.empty()) {
-            if (!choice.file.empty()) text += settings_of_all(choice);
+            if (!choice.file.empty()) text += settings_of_all(choice) + settings_of_cameras(choice);
         } else {
-            text += settings_of(find_command(names_.front()), choice, preset_);
+            text += settings_of(find_command(names_.front()), choice, preset_, camera_);
         }
         cli::print(text);
         return cli::ExitStatus::done;
@@ -117,6 +162,7 @@ class Config final : public Command {
   private:
     std::vector<std::string> names_;
     std::string preset_;
+    std::string camera_;
 };
 
 }  // namespace

@@ -107,6 +107,7 @@ class Watch final : public Command {
         line.set_for_streams();
         add_stream_output(line, job_.output);
         add_stream_options(line, options_);
+        line.find_camera();
         options::add_input_options(
             line, job_.input, "INPUT",
             "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a growing file, - for stdin, "

@@ -14,6 +14,8 @@
 #include "core/base/file.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
+#include "core/video/input.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr::options {
 
@@ -22,6 +24,9 @@ namespace {
 constexpr Setting config_option{
     "config", "FILE",
     "read options from this file, as lines like `size = 1280x800`; the command line takes precedence; none = no file"};
+constexpr Setting camera_name_option{"camera-name", "NAME",
+                                     "camera of the video, for the section [camera.NAME] of the config file; default: "
+                                     "from the names of files and folders"};
 constexpr Setting help_option{"help", "", "print this help"};
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -114,6 +119,10 @@ struct CommandLine::Impl {
     std::map<std::string, std::function<void(const std::string&)>> plan_settings{};
     ConfigChoice config{};
     bool reads_config = true;
+    bool finds_camera = false;
+    std::string camera{};  ///< given
+    CameraSections cameras{};
+    std::vector<std::string> parsed{};
 
     CLI::Option* option(const Setting& setting) { return app.get_option("--" + std::string(setting.name)); }
 
@@ -151,6 +160,7 @@ CommandHelp CommandLine::help() const {
     CommandHelp help = impl_->help;
     help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
     help.options.push_back(help_of(Group::run, config_option, "", {.use = FileUse::read}));
+    if (impl_->finds_camera) help.options.push_back(help_of(Group::run, camera_name_option, "", {}));
     return help;
 }
 
@@ -217,6 +227,52 @@ std::vector<std::string> CommandLine::configurable() const {
     return configurable_names(impl_->app);
 }
 
+std::vector<std::string> CommandLine::configurable(std::span<const Group> groups) const {
+    std::vector<std::string> names;
+    for (const OptionValue& value : values(groups)) names.push_back(value.name);
+    std::erase_if(names, [known = configurable()](const std::string& name) {
+        return std::ranges::find(known, name) == known.end();
+    });
+    return names;
+}
+
+void CommandLine::find_camera() {
+    impl_->finds_camera = true;
+}
+
+void CommandLine::set_camera(const std::string& name) {
+    impl_->camera = name;
+}
+
+const CameraSections& CommandLine::cameras() const {
+    return impl_->cameras;
+}
+
+std::span<const std::string> CommandLine::parsed() const {
+    return impl_->parsed;
+}
+
+/// The camera of the first input, which need not be that of an archive: it may have more folders in front.
+std::string CommandLine::camera_of_input(const std::vector<std::string>& patterns) const {
+    const std::vector<std::string> inputs = impl_->app.get_option("INPUT")->results();
+    if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
+    std::error_code none;
+    std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
+    if (std::filesystem::is_directory(path, none)) path /= "clip";
+    return video::RecorderNames(patterns).camera_of(path.string());
+}
+
+void CommandLine::refuse_unknown_camera() const {
+    if (impl_->camera.empty() || !impl_->cameras.chosen.empty()) return;
+    throw Error(
+        ErrorCode::option_value,
+        fmt::format("camera-name: {} has no section [camera.{}]{}",
+                    impl_->config.file.empty() ? "no config file is in use, so it"
+                                               : fmt::format("the config file '{}'", impl_->config.file.string()),
+                    impl_->camera, did_you_mean(impl_->camera, impl_->cameras.names)),
+        {camera_name_option.name});
+}
+
 void CommandLine::only_find_config() {
     impl_->reads_config = false;
 }
@@ -230,6 +286,14 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     // Added last, so that help lists them last.
     CLI::Option* const help = app.set_help_flag("-h,--help");
     impl_->config = find_config(arguments);
+    impl_->parsed.assign(arguments.begin(), arguments.end());
+    if (impl_->finds_camera) {
+        app.add_option(flag_of(camera_name_option), impl_->camera)
+            ->type_name(std::string(camera_name_option.unit))
+            ->group(title_of(Group::run))
+            ->take_last()
+            ->configurable(false);
+    }
     const bool reads_config = impl_->reads_config && !impl_->config.is_refused();
     CLI::Option* const file = reads_config ? app.set_config(flag_of(config_option))
                                            : app.add_option(flag_of(config_option))->configurable(false);
@@ -240,7 +304,17 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     NamesOfCommands commands = impl_->names_of_commands;
     if (!commands)
         commands = [this] { return std::vector<CommandNames>{{impl_->command, [this] { return configurable(); }}}; };
-    app.config_formatter(config_file_reader(app, impl_->command, config_name, std::move(commands)));
+    FindCamera find;
+    if (impl_->finds_camera || !impl_->camera.empty()) {
+        find = [this](const std::vector<std::string>& patterns) {
+            const CLI::Option* const given =
+                impl_->app.get_option_no_throw("--" + std::string(camera_name_option.name));
+            if (given != nullptr && !given->empty()) return given->results().back();
+            return impl_->camera.empty() ? camera_of_input(patterns) : impl_->camera;
+        };
+    }
+    app.config_formatter(
+        config_file_reader(app, impl_->command, config_name, std::move(commands), std::move(find), impl_->cameras));
     std::vector<std::string> reversed = with_preset(
         arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
     // Show help even if the config file has errors.
@@ -260,7 +334,11 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         const auto names = error.about().names();
         const CLI::Option* const wrong = names.empty() ? nullptr : app.get_option_no_throw("--" + names.front());
         if (config_name.empty() || wrong == nullptr || is_given(*wrong, arguments)) throw;
-        throw Error(error.code(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
+        const CameraSections& cameras = impl_->cameras;
+        const bool of_camera = std::ranges::find(cameras.sets, names.front()) != cameras.sets.end();
+        throw Error(error.code(),
+                    fmt::format("{}; the config file '{}' sets it{}", error.what(), config_name,
+                                of_camera ? fmt::format(" in [camera.{}]", cameras.chosen) : ""),
                     error.about());
     } catch (const CLI::FileError&) {
         throw Error(ErrorCode::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
@@ -270,6 +348,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     }
     refuse_leftovers();
     refuse_two_outputs();
+    refuse_unknown_camera();
     return true;
 }
 

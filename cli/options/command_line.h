@@ -137,11 +137,26 @@ class CommandLine {
     /// The names of the options that a config file can set.
     std::vector<std::string> configurable() const;
 
+    /// The names of those in these groups.
+    std::vector<std::string> configurable(std::span<const Group> groups) const;
+
     /// Finds the config file, but does not apply it. For commands that report on it.
     void only_find_config();
 
     /// The config file in use; known after parse().
     const ConfigChoice& config() const;
+
+    /// Applies the config file's section of the input's camera, and lets the user name the camera.
+    void find_camera();
+
+    /// Applies the config file's section of this camera. parse() throws if there is none.
+    void set_camera(const std::string& name);
+
+    /// The config file's sections of cameras; known after parse().
+    const CameraSections& cameras() const;
+
+    /// What was parsed.
+    std::span<const std::string> parsed() const;
 
     /// Parses the arguments, then the config file for options that the arguments don't set. The arguments may name the
     /// file; otherwise it is searched for.
@@ -164,6 +179,8 @@ class CommandLine {
     bool has(const Setting& setting) const;
 
   private:
+    std::string camera_of_input(const std::vector<std::string>& patterns) const;
+    void refuse_unknown_camera() const;
     void refuse_leftovers() const;
     void refuse_two_outputs() const;
 

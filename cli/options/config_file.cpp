@@ -15,6 +15,7 @@
 #include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr::options {
 
@@ -22,6 +23,12 @@ namespace {
 
 constexpr std::string_view config_option = "--config";
 constexpr std::string_view no_config = "none";
+constexpr std::string_view camera_section = "camera";
+
+/// Whether CLI11 marks the beginning or the end of a section with it.
+bool is_mark(const CLI::ConfigItem& item) {
+    return item.name == "++" || item.name == "--";
+}
 
 /// The last one wins, as with every option.
 std::optional<std::string> given_file(std::span<const std::string> arguments) {
@@ -93,8 +100,14 @@ std::istringstream without_comments(std::istream& input) {
 
 class ConfigFile : public CLI::ConfigTOML {
   public:
-    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
-        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {
+    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names,
+               FindCamera find_camera, CameraSections& cameras)
+        : app_(app),
+          command_(std::move(command)),
+          file_(std::move(file)),
+          names_(std::move(names)),
+          find_camera_(std::move(find_camera)),
+          cameras_(cameras) {
         comment('\0');  // removed before CLI11 parses the file
     }
 
@@ -103,11 +116,15 @@ class ConfigFile : public CLI::ConfigTOML {
   private:
     void check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
     void refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+    void refuse_for_camera(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+    void apply_camera(std::vector<CLI::ConfigItem>& general, const std::vector<CLI::ConfigItem>& of_cameras) const;
 
     const CLI::App& app_;
     std::string command_;
     std::string file_;  ///< for error texts
     NamesOfCommands names_;
+    FindCamera find_camera_;
+    CameraSections& cameras_;
 };
 
 class GivenSettings : public CLI::ConfigTOML {
@@ -122,8 +139,24 @@ class GivenSettings : public CLI::ConfigTOML {
     std::span<const std::pair<std::string, std::string>> settings_;
 };
 
+/// The camera of a section [camera.NAME]; a name may have quotes and dots. Empty for other sections.
+std::string camera_of(const CLI::ConfigItem& item) {
+    if (item.parents.size() < 2 || item.parents.front() != camera_section) return {};
+    std::string name = fmt::format("{}", fmt::join(item.parents.begin() + 1, item.parents.end(), "."));
+    const bool is_quoted =
+        name.size() > 2 && name.front() == name.back() && (name.front() == '"' || name.front() == '\'');
+    return is_quoted ? name.substr(1, name.size() - 2) : name;
+}
+
 void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
-    if (item.parents.empty()) return;
+    if (item.parents.empty() || !camera_of(item).empty()) return;
+    if (item.parents.front() == camera_section) {
+        if (is_mark(item)) return;
+        throw Error(ErrorCode::config_invalid,
+                    fmt::format("the config file '{}' has a section [camera] without the name of a camera; write "
+                                "[camera.NAME]",
+                                file_));
+    }
     std::vector<std::string> names;
     for (const CommandNames& row : commands) names.push_back(row.command);
     const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
@@ -147,14 +180,36 @@ void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNa
                                                        did_you_mean(item.name, names)));
 }
 
+void ConfigFile::refuse_for_camera(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
+    std::vector<std::string> names;
+    for (const CommandNames& row : commands) {
+        if (!row.camera_options) continue;
+        const std::vector<std::string> options = row.camera_options();
+        if (std::ranges::find(options, item.name) != options.end()) return;
+        names.insert(names.end(), options.begin(), options.end());
+    }
+    throw Error(
+        ErrorCode::config_invalid,
+        fmt::format("the config file '{}' sets '{}' in [camera.{}], which is not an option for the videos of one "
+                    "camera{}",
+                    file_, item.name, camera_of(item), did_you_mean(item.name, names)));
+}
+
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
     const std::vector<CommandNames> commands = names_();
     std::vector<CLI::ConfigItem> kept;
+    std::vector<CLI::ConfigItem> of_cameras;
     std::istringstream plain = without_comments(input);
     for (CLI::ConfigItem& item : CLI::ConfigTOML::from_config(plain)) {
         check_section(item, commands);
-        const bool section_mark = item.name == "++" || item.name == "--";
-        if (section_mark) continue;
+        if (const std::string camera = camera_of(item); !camera.empty()) {
+            if (std::ranges::find(cameras_.names, camera) == cameras_.names.end()) cameras_.names.push_back(camera);
+            if (is_mark(item)) continue;
+            refuse_for_camera(item, commands);
+            of_cameras.push_back(std::move(item));
+            continue;
+        }
+        if (is_mark(item)) continue;
         const bool is_for_this = item.parents.empty() || item.parents.front() == command_;
         if (!is_for_this || option_of(app_, item.name) == nullptr) {
             refuse(item, commands);
@@ -163,8 +218,38 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
         item.parents.clear();
         kept.push_back(std::move(item));
     }
+    apply_camera(kept, of_cameras);
     add_preset(app_, kept);
     return kept;
+}
+
+/// Replaces settings by those of the camera's section.
+void ConfigFile::apply_camera(std::vector<CLI::ConfigItem>& general,
+                              const std::vector<CLI::ConfigItem>& of_cameras) const {
+    if (!find_camera_ || cameras_.names.empty()) return;
+    std::vector<std::string> patterns;
+    if (const CLI::Option* const names = option_of(app_, "names")) {
+        patterns = names->results();
+        for (const CLI::ConfigItem& item : general) {
+            if (names->empty() && item.name == "names")
+                patterns.insert(patterns.end(), item.inputs.begin(), item.inputs.end());
+        }
+    }
+    cameras_.chosen = video::name_of_camera(find_camera_(patterns), cameras_.names);
+    if (cameras_.chosen.empty()) return;
+    std::vector<CLI::ConfigItem> own;
+    for (const CLI::ConfigItem& item : of_cameras) {
+        if (camera_of(item) == cameras_.chosen && option_of(app_, item.name) != nullptr)
+            own.push_back({{}, item.name, item.inputs});
+    }
+    add_preset(app_, own);
+    for (const CLI::ConfigItem& item : own) {
+        cameras_.sets.push_back(option_of(app_, item.name)->get_lnames().front());
+        std::erase_if(general, [&](const CLI::ConfigItem& other) {
+            return option_of(app_, other.name) == option_of(app_, item.name);
+        });
+    }
+    general.insert(general.end(), own.begin(), own.end());
 }
 
 std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/) const {
@@ -214,8 +299,10 @@ std::vector<std::string> configurable_names(const CLI::App& app) {
 }
 
 std::shared_ptr<CLI::Config> config_file_reader(const CLI::App& app, std::string command, std::string file,
-                                                NamesOfCommands names) {
-    return std::make_shared<ConfigFile>(app, std::move(command), std::move(file), std::move(names));
+                                                NamesOfCommands names, FindCamera find_camera,
+                                                CameraSections& cameras) {
+    return std::make_shared<ConfigFile>(app, std::move(command), std::move(file), std::move(names),
+                                        std::move(find_camera), cameras);
 }
 
 std::shared_ptr<CLI::Config> given_settings_reader(const CLI::App& app,

@@ -20,6 +20,7 @@ namespace vvr::options {
 struct CommandNames {
     std::string command;
     std::function<std::vector<std::string>()> options;
+    std::function<std::vector<std::string>()> camera_options{};  ///< those that make sense for one camera
 };
 
 /// Returns the names for every command. A function, because only a config file needs them.
@@ -40,12 +41,26 @@ struct ConfigChoice {
 /// system's file. `--config none` or an empty VVR_CONFIG means none. Doesn't check that a named file can be read.
 ConfigChoice find_config(std::span<const std::string> arguments);
 
+/// The sections [camera.NAME] of a config file, which have options for the videos of one camera.
+struct CameraSections {
+    std::vector<std::string> names{};  ///< of all cameras that have a section
+    std::string chosen{};              ///< the one whose section holds; empty = none
+    std::vector<std::string> sets{};   ///< the options that this section sets
+};
+
+/// The camera of a run.
+/// \param patterns name patterns that hold: those of the command line, else those of the config file
+/// \returns empty if unknown
+using FindCamera = std::function<std::string(const std::vector<std::string>& patterns)>;
+
 /// A config file: long option names and values, and sections `[COMMAND]` for one command each. Lines before the first
-/// section apply to every command that has the option. A section or name that no command has is an error. A `preset`
-/// sets options that the file does not set.
+/// section apply to every command that has the option. Sections `[camera.NAME]` are for one camera and take precedence
+/// over both. A section or name that no command has is an error. A `preset` sets options that the file does not set.
 /// \param file for error texts
+/// \param find_camera tells which section of a camera holds; null = none
+/// \param cameras out: the sections of cameras
 std::shared_ptr<CLI::Config> config_file_reader(const CLI::App& app, std::string command, std::string file,
-                                                NamesOfCommands names);
+                                                NamesOfCommands names, FindCamera find_camera, CameraSections& cameras);
 
 /// Feeds settings from data to CLI11 in place of a config file. A setting that no option has is an error.
 std::shared_ptr<CLI::Config> given_settings_reader(const CLI::App& app,

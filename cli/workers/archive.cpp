@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/console.h"
 #include "cli/log.h"
@@ -75,12 +77,13 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
         if (row.kind != archive::OutputKind::page || options.writes(Written::pages))
             job.rules.files.push_back(row.kind);
     }
-    job.rules.settings = options.settings;
     job.rules.version = version();
     job.rules.settle = settling_time;
     job.rules.redraw = options.redraw;
     job.rules.day = options.day_rule();
-    job.settings = options.worker_settings;
+    job.pictures = options.pictures;
+    job.of_cameras = options.of_cameras;
+    for (const auto& [camera, pictures] : options.of_cameras) job.names.describe_camera(camera, pictures.names);
     job.drawn_with = options.drawn_with;
     return job;
 }
@@ -169,12 +172,28 @@ void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& 
         job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 
+/// A section of a camera that has no clips may have a wrong name.
+void warn_of_unused_cameras(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
+    if (job.of_cameras.empty() || clips.empty()) return;
+    std::set<std::string> cameras;
+    for (const archive::Clip& clip : clips) cameras.insert(job.names.camera_of(clip.path));
+    std::vector<std::string> sections;
+    for (const auto& [section, pictures] : job.of_cameras) sections.push_back(section);
+    std::set<std::string> unused(sections.begin(), sections.end());
+    for (const std::string& camera : cameras) unused.erase(video::name_of_camera(camera, sections));
+    for (const std::string& section : unused) {
+        log.warn("the config file has a section [camera.{}], but '{}' has no clip of that camera; its cameras: {}",
+                 shown_text(section), job.in.string(), shown_text(fmt::format("{}", fmt::join(cameras, ", "))));
+    }
+}
+
 Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, ArchiveJob& job, spdlog::logger& log) {
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     Survey survey;
     survey.clips = scan.clips.size();
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
+    warn_of_unused_cameras(scan.clips, job, log);
     std::vector<PlannedClip> days;
     if (options.grouping().days) {
         archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling, job.rules.day);
@@ -214,7 +233,7 @@ bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
 }  // namespace
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
-    ArchiveJob job = job_of(options, video::RecorderNames(options.names, options.in));
+    ArchiveJob job = job_of(options, video::RecorderNames(options.pictures.names, options.in));
     if (!options.draws()) {
         make_folder(options.out);
         write_index(job, environment);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "cli/console.h"
 #include "cli/exit_status.h"
+#include "cli/workers/archive_clip.h"
 #include "cli/workers/sandbox.h"
 #include "cli/workers/worker_message.h"
 #include "core/archive/camera_days.h"
@@ -59,7 +61,6 @@ struct ArchiveOptions {
     std::filesystem::path in;
     std::filesystem::path out;
     std::vector<std::string> match;  ///< patterns of clips' paths; none = video file extensions
-    std::vector<std::string> names;  ///< name patterns, tried before the built-in ones
     archive::Shard shard;
     std::vector<std::string> exclude;  ///< patterns of files to skip
     Grouping per = Grouping::clip;
@@ -74,11 +75,11 @@ struct ArchiveOptions {
     bool writes(Written kind) const { return write.contains(kind); }
     bool draws() const { return writes(Written::pictures) || writes(Written::pages); }
 
-    Settings worker_settings;  ///< options passed on to `vvr render`
-    Settings drawn_with;       ///< the subset that selects OpenGL, for `vvr doctor`
+    PictureSettings pictures;
+    std::map<std::string, PictureSettings> of_cameras;  ///< for cameras with settings of their own (`name_of_camera`)
+    Settings drawn_with;                                ///< the options that select OpenGL, for `vvr doctor`
     SandboxMode sandbox = SandboxMode::automatic;
-    SandboxNeeds needs;    ///< files and devices that those options need
-    std::string settings;  ///< identifies all settings that change pictures
+    SandboxNeeds needs;  ///< files and devices that options need
 
     int threads = 0;          ///< per worker; 0 = its share of the cores
     std::optional<int> jobs;  ///< workers at a time; none = as many as cores and memory allow

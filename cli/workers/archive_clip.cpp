@@ -194,14 +194,37 @@ std::string ClipTask::file_name() const {
     return fs::path(clip_.path).filename().string();
 }
 
+const archive::CameraDay* ArchiveJob::day_of(const std::string& path) const {
+    const auto found = days.find(path);
+    return found == days.end() ? nullptr : &found->second;
+}
+
+std::string ArchiveJob::camera_of(const std::string& path) const {
+    const archive::CameraDay* const day = day_of(path);
+    return day != nullptr ? day->camera : names.camera_of(path);
+}
+
+const PictureSettings& ArchiveJob::pictures_of(const std::string& path) const {
+    if (of_cameras.empty()) return pictures;
+    std::vector<std::string> cameras;
+    for (const auto& [camera, settings] : of_cameras) cameras.push_back(camera);
+    const auto own = of_cameras.find(video::name_of_camera(camera_of(path), cameras));
+    return own == of_cameras.end() ? pictures : own->second;
+}
+
+archive::ArchiveRules ArchiveJob::rules_for(const std::string& path) const {
+    archive::ArchiveRules all = rules;
+    all.settings = pictures_of(path).digest;
+    return all;
+}
+
 const archive::CameraDay* ClipTask::day() const {
-    const auto found = job_->days.find(clip_.path);
-    return found == job_->days.end() ? nullptr : &found->second;
+    return job_->day_of(clip_.path);
 }
 
 /// The camera as the index shows it; empty for clips at the top of the archive.
 std::string ClipTask::camera() const {
-    return archive::text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
+    return archive::text_of_path(job_->camera_of(clip_.path));
 }
 
 namespace {
@@ -234,7 +257,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     std::optional<archive::Sidecar> before = archive::read_sidecar(job.out, path);
     const auto now = std::chrono::system_clock::now();
     const archive::Need need =
-        (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules, now);
+        (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules_for(path), now);
     if (!archive::wants_work(need)) return std::nullopt;
     archive::check_own_place(archive::sidecar_path(job.out, path));
     for (const archive::OutputKind kind : job.rules.files)
@@ -280,7 +303,8 @@ std::unique_ptr<Worker> ClipTask::start() const {
         set("page-camera", camera());
         if (day() != nullptr) set("page-heading", title_of(*day()));
     }
-    plan.settings.insert(plan.settings.end(), job_->settings.begin(), job_->settings.end());
+    const Settings& own = job_->pictures_of(clip_.path).settings;
+    plan.settings.insert(plan.settings.end(), own.begin(), own.end());
     return std::make_unique<Worker>(plan, job_->threads, job_->limits, lock_.descriptor(),
                                     job_->sandbox->around(read, folder()));
 }
@@ -293,7 +317,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
         sidecar.day =
             archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files, day()->rule};
     }
-    sidecar.settings = job_->rules.settings;
+    sidecar.settings = job_->pictures_of(clip_.path).digest;
     sidecar.version = version();
     sidecar.took = std::round(end.seconds * 1000) / 1000;
     sidecar.files = job_->rules.files;
@@ -328,7 +352,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
         }
     }
     const bool again = before_ && before_->state == archive::Sidecar::State::failed && before_->version == version() &&
-                       before_->settings == job_->rules.settings && before_->clip.size == clip_.size &&
+                       before_->settings == job_->pictures_of(clip_.path).digest && before_->clip.size == clip_.size &&
                        before_->clip.modified == clip_.modified;
     sidecar.clip = clip_;
     if (day() != nullptr) {
@@ -338,7 +362,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
         sidecar.day = archive::Sidecar::Day{
             day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}, day()->rule};
     }
-    sidecar.settings = job_->rules.settings;
+    sidecar.settings = job_->pictures_of(clip_.path).digest;
     sidecar.version = version();
     sidecar.took = std::round(seconds * 1000) / 1000;
     sidecar.state = archive::Sidecar::State::failed;

@@ -17,18 +17,36 @@
 
 namespace vvr::workers {
 
+/// What the pictures of a camera, or of all cameras, are drawn with.
+struct PictureSettings {
+    Settings settings;               ///< passed on to workers unchanged
+    std::vector<std::string> names;  ///< name patterns, tried before the built-in ones
+    std::string digest;              ///< identifies all settings that change pictures
+};
+
 /// What all clips of a run have in common.
 struct ArchiveJob {
     std::filesystem::path in;
     std::filesystem::path out;
     archive::ArchiveRules rules;
-    Settings settings;    ///< passed on to workers unchanged
-    Settings drawn_with;  ///< the subset that selects OpenGL
+    PictureSettings pictures;
+    std::map<std::string, PictureSettings> of_cameras{};  ///< for cameras with settings of their own
+    Settings drawn_with;                                  ///< the options that select OpenGL
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     int threads = 1;                                   ///< per worker
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
+
+    const archive::CameraDay* day_of(const std::string& path) const;
+
+    /// The camera of a clip or a day.
+    std::string camera_of(const std::string& path) const;
+
+    const PictureSettings& pictures_of(const std::string& path) const;
+
+    /// The rules with the settings of the clip's camera.
+    archive::ArchiveRules rules_for(const std::string& path) const;
 };
 
 /// A clip that is being drawn. It holds the lock of the clip's files.

@@ -145,8 +145,8 @@ std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, c
     planned.reserve(clips.size());
     for (const archive::Clip& clip : clips) {
         const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, clip.path);
-        planned.push_back(
-            {clip, archive::need_of(clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
+        planned.push_back({clip, archive::need_of(clip, sidecar, job.out, job.rules_for(clip.path), now),
+                           sidecar ? sidecar->reason : ""});
     }
     // People want to see the latest clips first.
     std::ranges::stable_sort(planned, std::greater(),
@@ -159,7 +159,7 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
     std::vector<PlannedClip> planned;
     for (const auto& [path, day] : job.days) {
         const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, path);
-        planned.push_back({day.clip, archive::need_of_day(day.clip, sidecar, job.out, job.rules, now),
+        planned.push_back({day.clip, archive::need_of_day(day.clip, sidecar, job.out, job.rules_for(path), now),
                            sidecar ? sidecar->reason : ""});
     }
     std::ranges::stable_sort(planned, std::greater(),

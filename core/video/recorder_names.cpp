@@ -249,11 +249,29 @@ std::string RecorderNames::whole(std::string_view path) const {
     return folder_ + std::string(path);
 }
 
+void RecorderNames::describe_camera(const std::string& camera, std::span<const std::string> patterns) {
+    for (const std::string& pattern : patterns) of_cameras_[camera].emplace_back("--names", pattern);
+}
+
 RecorderName RecorderNames::read(std::string_view path) const {
     const std::string all = whole(path);
+    RecorderName name = read_with(all, layouts_);
+    if (of_cameras_.empty()) return name;
+    std::vector<std::string> cameras;
+    for (const auto& [camera, schemes] : of_cameras_) cameras.push_back(camera);
+    const auto own = of_cameras_.find(name_of_camera(camera_of(name, all, 0), cameras));
+    if (own == of_cameras_.end()) return name;
+    RecorderName described = read_with(all, own->second);
+    if (!described.begin) return name;
+    described.camera = std::move(name.camera);
+    described.below = name.below;
+    return described;
+}
+
+RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<const NamingScheme> schemes) const {
     RecorderName name;
-    for (const NamingScheme& layout : layouts_) {
-        std::optional<RecorderName> read = layout.read(all);
+    for (const NamingScheme& layout : schemes) {
+        std::optional<RecorderName> read = layout.read(whole_path);
         if (!read) continue;
         if (name.layout.empty()) name.layout = std::move(read->layout);
         if (name.camera.empty()) {
@@ -269,12 +287,25 @@ RecorderName RecorderNames::read(std::string_view path) const {
 }
 
 std::string RecorderNames::camera_of(std::string_view path, std::size_t skipped) const {
-    RecorderName name = read(path);
+    const std::string all = whole(path);
+    return camera_of(read_with(all, layouts_), all, skipped);
+}
+
+std::string RecorderNames::camera_of(const RecorderName& name, std::string_view whole_path, std::size_t skipped) const {
     if (!name.camera.empty() && !name.below) return name.camera;
-    std::string folders = camera_of_folders(whole(path), folder_.size() + skipped);
+    std::string folders = camera_of_folders(whole_path, folder_.size() + skipped);
     if (name.camera.empty() || folders == name.camera || folders.ends_with('/' + name.camera)) return folders;
     if (folders.empty() || is_generic_name(folders)) return name.camera;
     return folders + '/' + name.camera;
+}
+
+std::string name_of_camera(std::string_view camera, std::span<const std::string> names) {
+    std::string best;
+    for (const std::string& name : names) {
+        const bool means = camera == name || camera.ends_with('/' + name);
+        if (means && name.size() > best.size()) best = name;
+    }
+    return best;
 }
 
 std::vector<std::string> known_recorders() {

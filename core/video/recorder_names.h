@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -150,12 +151,24 @@ class RecorderNames {
     /// \param skipped leading bytes of `path` whose folders are not a camera
     std::string camera_of(std::string_view path, std::size_t skipped = 0) const;
 
+    /// Describes the names of one camera's files; these patterns are tried first there. They give times. Which camera
+    /// a file is of depends on the other schemes only.
+    /// \param camera as in `name_of_camera`
+    void describe_camera(const std::string& camera, std::span<const std::string> patterns);
+
   private:
+    std::string camera_of(const RecorderName& name, std::string_view whole_path, std::size_t skipped) const;
+    RecorderName read_with(std::string_view whole_path, std::span<const NamingScheme> schemes) const;
     std::string whole(std::string_view path) const;
 
     std::vector<NamingScheme> layouts_;
+    std::map<std::string, std::vector<NamingScheme>> of_cameras_;
     std::string folder_;  ///< ends with `/`; empty = none
 };
+
+/// The one of some names that means a camera: its whole name, or the end of it from a folder on ("gate" means
+/// "house/gate"). The longest one; empty if there is none.
+std::string name_of_camera(std::string_view camera, std::span<const std::string> names);
 
 /// The names of the known recorders, for help texts.
 std::vector<std::string> known_recorders();

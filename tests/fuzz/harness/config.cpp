@@ -20,10 +20,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     app.add_option("--match", list);
     app.add_flag("--quiet", flag);
     const auto commands = [&app] {
-        return std::vector<options::CommandNames>{{"render", [&app] { return options::configurable_names(app); }},
+        const auto all = [&app] { return options::configurable_names(app); };
+        return std::vector<options::CommandNames>{{"render", all, all},
                                                   {"info", [] { return std::vector<std::string>{"threshold"}; }}};
     };
-    app.config_formatter(options::config_file_reader(app, "render", "vvr.toml", commands));
+    options::CameraSections cameras;
+    const auto find_camera = [](const std::vector<std::string>&) { return std::string("gate"); };
+    app.config_formatter(options::config_file_reader(app, "render", "vvr.toml", commands, find_camera, cameras));
     std::istringstream input{std::string(fuzz::text_of(data, size))};
     try {
         fuzz::parsed([&] {
