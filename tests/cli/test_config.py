@@ -1,5 +1,6 @@
 """Where a config file is found, and what `vvr config` says of it."""
 
+import json
 import os
 import re
 
@@ -109,6 +110,9 @@ def test_names_that_nobody_knows_stop_every_command(t):
         ("[render]\nszie = '40x30'\n", "'szie'", "`vvr render`", "'size'"),
         ("[info]\ntolerance = 1\n", "'tolerance'", "`vvr info`"),
         ("config = 'other.toml'\n", "'config'"),
+        ("[camera.gate]\nthreshhold = 3\n", "'threshhold'", "[camera.gate]", "'threshold'"),
+        ("[camera.gate]\njobs = 3\n", "'jobs'", "[camera.gate]"),
+        ("[camera]\nthreshold = 3\n", "[camera.NAME]"),
     ):
         t.write("vvr.toml", text)
         for command in commands:
@@ -117,7 +121,60 @@ def test_names_that_nobody_knows_stop_every_command(t):
     t.expect_files("clip.avi", "vvr.toml")
 
 
+def test_each_camera_of_an_archive_has_its_settings(t):
+    for camera in ("house/gate", "house/hall", "yard"):
+        t.path(f"in/{camera}").mkdir(parents=True)
+    t.clip("in/house/gate/21112026-203000.avi", seconds=1)
+    t.clip("in/house/hall/2026-11-21_20-30-00.avi", seconds=1)
+    t.clip("in/yard/2026-11-21_20-30-00.avi", seconds=1)
+    t.write("vvr.toml", """threshold = 20
+[archive]
+size = "160x100"
+flow = "none"
+[camera.gate]
+threshold = 40
+names = ["%d%m%Y-%H%M%S"]
+[camera."house/hall"]
+threshold = 50
+[camera.hall]
+threshold = 60
+[camera.cellar]
+threshold = 70
+""")
+    config = ("--config", "vvr.toml")
+    t.archive("in", "-o", "out", *config).expect(0, "3 clips drawn", "[camera.cellar]", "house/gate, house/hall, yard")
+
+    def known(clip):
+        report = json.loads(t.path(f"out/{clip}.report.json").read_text())
+        return report["settings"]["threshold"], report["input"]["recorded"]
+
+    evening = "2026-11-21 20:30:00"
+    for clip, threshold in (("house/gate/21112026-203000.avi", "40"), ("house/hall/2026-11-21_20-30-00.avi", "50"),
+                            ("yard/2026-11-21_20-30-00.avi", "20")):
+        check(known(clip) == (threshold, evening), f"{clip}: {known(clip)}")
+    # Only the clips of a camera whose section has changed are drawn again. The command line takes precedence.
+    t.write("vvr.toml", t.path("vvr.toml").read_text().replace("= 40", "= 41"))
+    t.archive("in", "-o", "out", *config).expect(0, "house/gate/21112026-203000.avi: ", "1 clip drawn", "2 done before")
+    t.archive("in", "-o", "other", *config, "--threshold", "33").expect(0, "3 clips drawn")
+    check(json.loads(t.path("other/house/gate/21112026-203000.avi.report.json").read_text())["settings"]["threshold"] == "33",
+          "the command line")
+    # One clip has the settings of its camera too, by its folders or by name.
+    clip = "in/house/gate/21112026-203000.avi"
+    for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70")):
+        t.render(clip, *config, *arguments, "--report", "r.json").expect(0)
+        check(json.loads(t.path("r.json").read_text())["settings"]["threshold"] == expected, f"{arguments}")
+    t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
+    t.render(clip, "--camera-name", "gate").expect(1, "[camera.gate]", code="option-value")
+    said = t.vvr("config", "archive", "--camera-name", "gate", *config).expect(0, out=None).out
+    check(re.search(r"^threshold +41 \(config file, \[camera.gate\]\)$", said, flags=re.MULTILINE), said)
+    said = t.vvr("config", *config).expect(0, out=None).out
+    check("camera gate: threshold = 41\n" in said and "camera house/hall: threshold = 50\n" in said, said)
+    t.write("vvr.toml", "[camera.gate]\nalpha = 'lots'\n")
+    t.archive("in", "-o", "out", *config).expect(1, "'lots'", "[camera.gate]", code="option-value")
+
+
 def test_config_with_errors(t):
+    t.vvr("config", "--camera-name", "gate").expect(1, "COMMAND", code="option-needs-another")
     t.vvr("config", "rendr").expect(1, "'rendr'", "'render'", code="command-unknown")
     t.vvr("config", "render", "info").expect(1, "'info'", "`vvr config`", code="input-unsuitable")
     t.vvr("config", "--config", "none.toml").expect(2, "'none.toml'", "--config", code="io")
