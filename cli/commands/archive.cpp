@@ -46,6 +46,13 @@ constexpr Setting redraw{"redraw", "TIME", "minimum new footage, or idle time, b
 constexpr Setting part{"part", "I/N", "draw only part I of N of the clips, 1/N to N/N"};
 constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; draw nothing"};
 constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
+constexpr Setting keep{
+    "keep",
+    "TIME",
+    "remove pictures, pages and their files when the clip was last written longer ago, for example 30d; "
+    "older clips are not drawn",
+    {},
+    "for ever"};
 constexpr Setting write{"write", "LIST", "what a run writes"};
 constexpr Setting jobs{"jobs",
                        "COUNT",
@@ -70,6 +77,7 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(text::part, part);
     add(text::dry_run, archive.dry_run);
     add(text::prune, archive.prune);
+    add(text::keep, archive.keep);
     add(text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
     const options::AddOptions add_worker(line, options::Group::workers);
     add_worker(text::jobs, archive.jobs);
@@ -82,9 +90,16 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
 void check(const workers::ArchiveOptions& options) {
     if (options.out.empty())
         throw Error(ErrorCode::output_missing, "no output given; name the folder for the pictures with -o DIR");
-    if (!options.draws() && (options.prune || options.dry_run)) {
-        throw Error(ErrorCode::options_conflict, fmt::format("--write index writes only the index; drop {}",
-                                                             options.prune ? "--prune" : "--dry-run"));
+    if (options.keep && *options.keep < std::chrono::hours(1)) {
+        throw Error(ErrorCode::option_value_out_of_range,
+                    "keep: files are kept for at least an hour; give a longer time, for example 30d",
+                    {text::keep.name});
+    }
+    if (!options.draws() && (options.prune || options.keep || options.dry_run)) {
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("--write index writes only the index; drop {}", options.prune  ? "--prune"
+                                                                                : options.keep ? "--keep"
+                                                                                               : "--dry-run"));
     }
     if (options.day && !options.grouping().days) {
         throw Error(ErrorCode::options_conflict,

@@ -81,6 +81,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.rules.settle = settling_time;
     job.rules.redraw = options.redraw;
     job.rules.day = options.day_rule();
+    job.rules.keep = options.keep;
     job.pictures = options.pictures;
     job.of_cameras = options.of_cameras;
     for (const auto& [camera, pictures] : options.of_cameras) job.names.describe_camera(camera, pictures.names);
@@ -140,6 +141,7 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
         {count(planned, archive::Need::given_up), "failed three times"},
         {count(planned, archive::Need::still_written) + found.waiting, "still being written"},
         {count(planned, archive::Need::later), "waiting to be redrawn with more clips (--redraw)"},
+        {count(planned, archive::Need::expired), "older than --keep"},
         {outcome.elsewhere, "drawn by another run or deleted"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
@@ -248,6 +250,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     }
     if (options.dry_run) {
         print_plan(found.planned, job);
+        if (options.keep) remove_expired(job, options.shard, true, environment);
         if (options.prune) prune(job, clips, options.shard, true, environment);
         return cli::ExitStatus::done;
     }
@@ -269,11 +272,13 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     // Write the index even if pruning failed.
     const bool pruned =
         !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
+    const bool aged =
+        !options.keep || succeeds(environment.log, [&] { remove_expired(job, options.shard, false, environment); });
     const bool indexed =
         !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
-    if (!pruned || !indexed) return cli::ExitStatus::io;
+    if (!pruned || !aged || !indexed) return cli::ExitStatus::io;
     return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;
 }
 

@@ -68,6 +68,7 @@ struct ArchiveOptions {
     std::chrono::seconds redraw{900};       ///< least time between two drawings of a day that still gets clips
     bool dry_run = false;
     bool prune = false;
+    std::optional<std::chrono::seconds> keep{};  ///< how long files are kept; none = for ever
     std::set<Written> write{Written::pictures, Written::pages, Written::index};
 
     const GroupingRow& grouping() const { return *std::ranges::find(groupings, per, &GroupingRow::grouping); }

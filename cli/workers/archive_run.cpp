@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/console.h"
 #include "cli/log.h"
@@ -316,6 +317,33 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             unknown == 1 ? "1 day was" : fmt::format("{} days were", unknown));
     }
     return removed;
+}
+
+void remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
+                    const cli::Environment& environment) {
+    const auto now = std::chrono::system_clock::now();
+    for (const archive::Sidecar& sidecar : archive::list_outputs(job.out, job.in).sidecars) {
+        const std::string& clip = sidecar.clip.path;
+        if (!shard.contains(clip) || !archive::is_expired(sidecar.clip, job.rules, now)) continue;
+        if (dry_run) {
+            cli::print(
+                fmt::format("{:<15} {}\n", archive::name_of(archive::Need::expired), archive::text_of_path(clip)));
+            continue;
+        }
+        try {
+            const fs::path folder = archive::sidecar_path(job.out, clip).parent_path();
+            archive::check_own_folder(job.out, folder);
+            const auto claim = archive::LockFile::try_take(folder, fs::path(clip).filename().string());
+            if (!claim) continue;  // another run is drawing it
+            const auto held = environment.signals.hold();
+            const std::vector<std::string> removed = archive::remove_outputs(job.out, sidecar);
+            environment.log.info("{}: older than --keep; removed {}", archive::text_of_path(clip),
+                                 archive::text_of_path(fmt::format("{}", fmt::join(removed, ", "))));
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::io) throw;
+            cli::log_error(environment.log, error.code(), error.what());
+        }
+    }
 }
 
 }  // namespace vvr::workers

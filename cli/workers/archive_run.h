@@ -47,4 +47,9 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
                   const cli::Environment& environment);
 
+/// Removes the files of clips and days that are older than files are kept: only those that a sidecar names.
+/// \throws Error io
+void remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
+                    const cli::Environment& environment);
+
 }  // namespace vvr::workers

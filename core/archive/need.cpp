@@ -19,7 +19,7 @@ constexpr std::array rows{
     NeedRow{Need::changed, "changed", true},       NeedRow{Need::settings, "other settings", true},
     NeedRow{Need::missing, "files missing", true}, NeedRow{Need::retry, "failed, again", true},
     NeedRow{Need::given_up, "given up", false},    NeedRow{Need::still_written, "still written", false},
-    NeedRow{Need::later, "later", false},
+    NeedRow{Need::expired, "too old", false},      NeedRow{Need::later, "later", false},
 };
 
 const NeedRow& row_of(Need need) {
@@ -52,6 +52,7 @@ Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std:
              const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_by_sidecar(clip, sidecar, out, rules);
     if (!wants_work(need)) return need;
+    if (is_expired(clip, rules, now)) return Need::expired;
     return Settling{now, rules.settle}.waits_for(clip) ? Need::still_written : need;
 }
 
@@ -59,7 +60,8 @@ Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const s
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_of(day, sidecar, out, rules, now);
     const bool begins_elsewhere = sidecar && sidecar->day && sidecar->day->rule != rules.day;
-    if (begins_elsewhere && (need == Need::nothing || need == Need::changed)) return Need::settings;
+    if (begins_elsewhere && !is_expired(day, rules, now) && (need == Need::nothing || need == Need::changed))
+        return Need::settings;
     if (need != Need::changed || sidecar->settings != rules.settings || !files_there(*sidecar, out, rules)) return need;
     // The recorder removes its oldest files; the picture still shows them.
     const bool fewer = day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size;
@@ -70,6 +72,11 @@ Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const s
     const bool waits =
         is_past && added >= std::chrono::nanoseconds(0) && added < rules.redraw && modified > now - rules.redraw;
     return waits ? Need::later : need;
+}
+
+bool is_expired(const Clip& clip, const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    return rules.keep && modified < now - *rules.keep;
 }
 
 bool wants_work(Need need) {

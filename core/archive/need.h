@@ -21,6 +21,7 @@ enum class Need {
     retry,          ///< it failed, and will be tried again
     given_up,       ///< it failed too often
     still_written,  ///< it changed a moment ago
+    expired,        ///< it is older than files are kept
     later           ///< a day with new clips that was drawn recently
 };
 
@@ -31,8 +32,9 @@ struct ArchiveRules {
     std::vector<OutputKind> files;  ///< kinds of files for each clip
     int tries = 3;
     std::chrono::nanoseconds settle{};
-    DayRule day{};                      ///< when days begin
-    std::chrono::nanoseconds redraw{};  ///< least time between drawings of a growing day
+    DayRule day{};                                   ///< when days begin
+    std::optional<std::chrono::nanoseconds> keep{};  ///< how long files are kept; none = for ever
+    std::chrono::nanoseconds redraw{};               ///< least time between drawings of a growing day
 };
 
 Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
@@ -42,6 +44,9 @@ Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std:
 /// that long; not because clips are gone.
 Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now);
+
+/// Whether a clip or a day is older than files are kept, by when its newest file was written. One of the future isn't.
+bool is_expired(const Clip& clip, const ArchiveRules& rules, std::chrono::system_clock::time_point now);
 
 /// Whether a clip with this need must be drawn.
 bool wants_work(Need need);

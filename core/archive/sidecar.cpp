@@ -429,17 +429,20 @@ Sidecar::Shown shown_by(const Sidecar& sidecar) {
     return sidecar.shows.value_or(Sidecar::Shown{sidecar.clip, sidecar.settings});
 }
 
-void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
+std::vector<std::string> remove_outputs(const fs::path& out, const Sidecar& sidecar) {
     std::vector<fs::path> files;
     for (const OutputKind kind : sidecar.files) files.push_back(output_path(out, sidecar.clip.path, kind));
     files.push_back(sidecar_path(out, sidecar.clip.path));
+    std::vector<std::string> removed;
     for (const fs::path& file : files) {
+        if (irregular_file_at(file)) continue;
         std::error_code error;
-        fs::remove(file, error);
+        if (fs::remove(file, error)) removed.push_back(file.lexically_relative(out).string());
         if (error)
             throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
                                "fix the permissions of its folder");
     }
+    return removed;
 }
 
 }  // namespace vvr::archive

@@ -116,8 +116,9 @@ void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 /// What its files show: `shows`, or the clip itself unless a later attempt has failed.
 Sidecar::Shown shown_by(const Sidecar& sidecar);
 
-/// Removes the files that a sidecar names, then the sidecar.
+/// Removes the files that a sidecar names, then the sidecar. Anything but a regular file stays.
+/// \returns what was removed, below `out`
 /// \throws Error io
-void remove_outputs(const std::filesystem::path& out, const Sidecar& sidecar);
+std::vector<std::string> remove_outputs(const std::filesystem::path& out, const Sidecar& sidecar);
 
 }  // namespace vvr::archive

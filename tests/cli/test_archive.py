@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import random
 import re
 import resource
@@ -665,6 +666,32 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     check(sidecar(t, "gate/c.mp4")["recorded_by"] == "container", f"{sidecar(t, 'gate/c.mp4')}")
     named = next(row for url, row in rows.items() if "2026-11-18" in url)
     check(not named[5] & (by_file | by_container), f"{rows}")
+
+
+def test_archive_keeps_files_for_a_time(t):
+    t.path("in/gate").mkdir(parents=True)
+    for name, age in (("new.avi", 10), ("old.avi", 40), ("linked.avi", 40)):
+        t.clip(f"in/gate/{name}", seconds=1)
+        os.utime(t.path(f"in/gate/{name}"), (time.time() - age * 86400,) * 2)
+    archive(t).expect(0, "3 clips drawn")
+    # What vvr didn't record stays, whatever its name and age: other files, and what took the place of one of its own.
+    kept = ["out/gate/old.avi.event-1.mp4", "out/gate/older.avi.png", "out/gate/note.json"]
+    for name in kept:
+        t.write(name, "mine")
+        os.utime(t.path(name), (time.time() - 400 * 86400,) * 2)
+    t.path("out/gate/linked.avi.png").unlink()
+    t.path("out/gate/linked.avi.png").symlink_to(t.path(kept[0]))
+    said = archive(t, "--keep", "30d", "--dry-run").expect(0, out=None).out
+    check("too old         gate/old.avi\n" in said and "new.avi" not in said and t.path("out/gate/old.avi.png").exists(), said)
+    archive(t, "--keep", "30d").expect(0, "gate/old.avi: older than --keep; removed ", "gate/old.avi.html", "gate/old.avi.json")
+    names = {path.name for path in t.path("out/gate").iterdir() if not path.name.startswith(".")}
+    expected = {f"new.avi{ending}" for ending in ENDINGS} | {pathlib.Path(name).name for name in kept} | {"linked.avi.png"}
+    check(names == expected, f"{sorted(names)}")
+    # It isn't drawn again, though the clip is still there.
+    archive(t, "--keep", "30d").expect(0, "nothing to do; 1 done before, 2 older than --keep")
+    check([row[1] for row in days_of(t)[1]["clips"]] == ["./gate/new.avi"], "the index")
+    archive(t, "--keep", "60s").expect(1, "--keep", code="option-value-out-of-range")
+    archive(t, "--keep", "30d", "--write", "index").expect(1, "--keep", code="options-conflict")
 
 
 def test_archive_draws_nights(t):
