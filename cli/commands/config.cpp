@@ -130,7 +130,6 @@ class Config final : public Command {
         options::AddOptions(line, options::Group::run)(camera_name, camera_, options::OptionExtra{});
         line.examples({{"vvr config", "the active config file, and what it sets"},
                        {"vvr config render", "every option of render, and what sets it"},
-                       {"vvr config archive --camera-name gate", "the same for one camera"},
                        {"vvr config render --config none", "the defaults"},
                        {"vvr config render --preset paper", "the options that a preset sets"}});
     }
