@@ -48,7 +48,7 @@ constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; dr
 constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
 constexpr Setting keep{
     "keep",
-    "TIME",
+    "AGE",
     "remove pictures, pages and their files when the clip was last written longer ago, for example 30d; "
     "older clips are not drawn",
     {},

@@ -73,14 +73,14 @@ def sample(option):
     return {
         None: [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
         "TEXT": ["Hall"], "DATETIME": ["2026-11-21 08:00:00"], "AREA": ["0,0 9,0 9,9"], "HOW": ["first:2"], "DIGITS": ["10"],
-        "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [],
+        "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [], "HH:MM": ["12:00"], "AGE": ["30d"],
         "FILE": [], "DIR": [], "MODEL": [],  # have to be there
     }[option["value"]]
 
 
 TOGETHER = {  # options that are for other outputs, or go with others
     "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--bless": ["--golden", "golden.png"],
-    "--write": ["-o", "out"],
+    "--write": ["-o", "out"], "--day-begins": ["--per", "day"],
     "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
 }
 
@@ -105,7 +105,7 @@ def test_help_lists_only_what_the_command_accepts(t, command):
     rounds = []  # of options that are given together, each with one value
     for option in commands[command]["options"]:
         name = option["name"]
-        if option in shared or name in ("help", "version", "config", "log-file"):
+        if option in shared or name in ("help", "version", "config", "camera-name", "log-file"):
             continue
         for number, value in enumerate(sample(option)):
             if number == len(rounds):
