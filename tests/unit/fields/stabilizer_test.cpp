@@ -116,6 +116,7 @@ fields::FieldOptions without_flow(const char* stabilize, const char* reference =
 
 TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
     generator::Options options;
+    options.size = {256, 192};
     options.frames = 120;
     options.noise = 2;
     const generator::Scene still = generator::make_walkers(options);
