@@ -80,7 +80,9 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::s
     if (!input) throw_unreadable(path, OIIO::geterror());
     if (memory != nullptr) input->set_ioproxy(memory);
     OIIO::ImageSpec spec;
-    if (!input->open(path.string(), spec)) throw_unreadable(path, input->geterror());
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(path.string(), spec, as_stored)) throw_unreadable(path, input->geterror());
     const bool flat = spec.width > 0 && spec.height > 0 && spec.depth == 1 && spec.nchannels > 0 && !spec.deep;
     if (!flat || static_cast<std::uint64_t>(spec.nchannels) > most_values / spec.image_pixels()) {
         throw Error(
@@ -90,6 +92,19 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::s
                         path.string(), spec.width, spec.height, spec.nchannels, most_values / 1'000'000));
     }
     return input;
+}
+
+/// Multiplies colours by alpha where the file stores them without it. OpenImageIO 2.5 would multiply other values than
+/// 2.4 does, so that a picture would not be read as it was written.
+void associate_alpha(const OIIO::ImageSpec& spec, std::vector<float>& values) {
+    if (spec.alpha_channel < 0 || spec.get_int_attribute("oiio:UnassociatedAlpha") == 0) return;
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    const auto alpha = static_cast<std::size_t>(spec.alpha_channel);
+    for (std::size_t pixel = 0; pixel < values.size(); pixel += channels) {
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+            if (channel != alpha) values[pixel + channel] *= values[pixel + alpha];
+        }
+    }
 }
 
 Samples read(const std::filesystem::path& path, std::string_view format,
@@ -106,6 +121,7 @@ Samples read(const std::filesystem::path& path, std::string_view format,
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data())) {
         throw_unreadable(path, input->geterror());
     }
+    associate_alpha(spec, samples.values);
     return samples;
 }
 

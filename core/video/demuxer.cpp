@@ -71,7 +71,7 @@ bool has_read_error(const std::string& name) {
     return file.bad();
 }
 
-/// Whether libav detects a file as a playlist.
+/// Whether a file's content is a playlist. FFmpeg 7.1 only looks if the name is a playlist's, so it gets such a name.
 bool is_playlist(const Input& input) {
     constexpr std::size_t probed = 4096;
     std::string begin(probed + AVPROBE_PADDING_SIZE, '\0');
@@ -79,8 +79,7 @@ bool is_playlist(const Input& input) {
     const auto got = input.file ? ::pread(input.file->get(), begin.data(), probed, 0)
                                 : std::ifstream(path, std::ios::binary).read(begin.data(), probed).gcount();
     if (got <= 0) return false;
-    const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
-                           nullptr};
+    const AVProbeData data{"list.m3u8", reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got), nullptr};
     const AVInputFormat* const format = av_probe_input_format(&data, 1);
     return format != nullptr && is_playlist_format(*format);
 }

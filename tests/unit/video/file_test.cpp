@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 extern "C" {
+#include <libavformat/avformat.h>
 #include <libavutil/mem.h>
 }
 
@@ -141,8 +142,11 @@ TEST(VideoFile, TurnsPicturesUpright) {
     const auto flat = read_all(*video::open_source(folder / "flat.mp4"));
     for (const int degrees : {90, 180, 270}) {
         const auto name = folder / ("turned" + std::to_string(degrees) + ".mp4");
-        ffmpeg("-i " + quoted(folder / "flat.mp4") + " -c copy -metadata:s:v rotate=" + std::to_string(degrees) + " " +
-               quoted(name));
+        // FFmpeg 6 has an option for it; FFmpeg 7 ignores the tag.
+        const bool has_option = avformat_version() >= AV_VERSION_INT(60, 0, 0);
+        ffmpeg((has_option ? "-display_rotation " + std::to_string(degrees) : "") + " -i " +
+               quoted(folder / "flat.mp4") + " -c copy " +
+               (has_option ? "" : "-metadata:s:v rotate=" + std::to_string(degrees)) + " " + quoted(name));
         // What ffmpeg itself makes of the turn.
         ffmpeg("-i " + quoted(name) + " -c:v ffv1 " + quoted(folder / "truth.mkv"));
         const auto source = video::open_source(name);
