@@ -17,11 +17,12 @@ float frame_of(vec3 at) {
     return clamp(first_layer + texel - 1.0, 0.0, last_layer) * frames_per_layer;
 }
 
+// Most fragments show nothing. They are discarded before anything is loaded, in both passes alike.
 void main() {
-    load_behind();
-    if (copy_only) return;
     float inside;
     vec3 at = texture_position(inside);
     float opacity = opacity_of(optical_at(at).a, inside);
-    if (opacity > 0.0) composite_over(opacity, frame_of(at), number_at(at));
+    if (opacity <= 0.0) discard;
+    load_behind();
+    if (!copy_only) composite_over(opacity, frame_of(at), number_at(at));
 }

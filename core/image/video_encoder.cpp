@@ -173,12 +173,13 @@ struct VideoEncoder::Parts {
 
     void paint(const Plane<Bgr>& picture) {
         // One extra row, because libswscale reads up to 16 bytes past the end of the last row.
-        Plane<Bgr> bgr({size.width, size.height + 1});
-        for (int j = 0; j < size.height; ++j) {
-            for (int i = 0; i < size.width; ++i) {
-                // Repeats a single row or column.
-                bgr.at(i, j) = picture.at(std::min(i, picture.width() - 1), std::min(j, picture.height() - 1));
-            }
+        auto bgr = Plane<Bgr>::for_overwrite({size.width, size.height + 1});
+        const int wide = std::min(size.width, picture.width());
+        for (int j = 0; j <= size.height; ++j) {
+            // Repeats a single row or column.
+            const std::span<const Bgr> row = picture.row(std::min(j, picture.height() - 1));
+            const auto rest = std::ranges::copy(row.first(static_cast<std::size_t>(wide)), bgr.row(j).begin()).out;
+            std::fill(rest, bgr.row(j).end(), row.back());
         }
         if (!scaler) {
             scaler.reset(sws_getContext(

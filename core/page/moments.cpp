@@ -11,7 +11,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <opencv2/core.hpp>
 
+#include "core/base/cv_view.h"
 #include "core/base/error.h"
 #include "core/base/plane.h"
 #include "core/glance/objects.h"
@@ -19,19 +21,24 @@
 
 namespace vvr::page {
 
-void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
-    if (kept_.empty() || in_last_ == stretch_) {
-        if (kept_.size() == most_) merge_neighbours();
-        kept_.push_back({{frame, seconds, image::resized(picture, size_)}, activity});
-        in_last_ = 1;
-        return;
-    }
+void Stills::add(const video::SharedFrame& frame, std::int64_t activity) {
+    if (in_last_ == stretch_) end_stretch();
+    if (in_last_ == 0 && kept_.size() == most_) merge_neighbours();
     ++in_last_;
-    Kept& last = kept_.back();
-    if (activity > last.activity) last = {{frame, seconds, image::resized(picture, size_)}, activity};
+    if (best_ && activity <= best_activity_) return;
+    best_ = frame;
+    best_activity_ = activity;
+}
+
+void Stills::end_stretch() {
+    if (!best_) return;
+    kept_.push_back({{best_->index, best_->pts, image::resized(video::picture_of(*best_), size_)}, best_activity_});
+    best_.reset();
+    in_last_ = 0;
 }
 
 std::vector<Still> Stills::take() {
+    end_stretch();
     std::vector<Still> stills;
     stills.reserve(kept_.size());
     for (Kept& kept : kept_) stills.push_back(std::move(kept.still));
@@ -304,7 +311,7 @@ fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const 
     fields::FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
     return fields_->read(more, [&](const video::SharedFrame& frame, fields::Field&& field) {
-        look_at(*frame, field);
+        look_at(frame, field);
         sink(frame, std::move(field));
     });
 }
@@ -333,19 +340,18 @@ void WatchedFields::begin() {
     stills_.emplace(fit_into(info().size, still_side), has_film ? few_stills : Stills::most);
 }
 
-void WatchedFields::look_at(const video::Frame& frame, const fields::Field& field) {
+void WatchedFields::look_at(const video::SharedFrame& frame, const fields::Field& field) {
     times_.add(field.index, field.pts);
-    Plane<Bgr> picture = video::picture_of(frame);
-    if (picture.empty()) return;
-    const auto quiet = std::ranges::count(field.scalar.pixels(), std::uint8_t{0});
-    stills_->add(field.index, field.pts, picture, std::ssize(field.scalar.pixels()) - quiet);
-    if (preview_) encode(field, std::move(picture));
+    if (frame->grey.empty()) return;
+    stills_->add(frame, cv::countNonZero(cv_view(field.scalar)));
+    if (preview_) encode(frame);
 }
 
-void WatchedFields::encode(const fields::Field& field, Plane<Bgr>&& picture) {
+void WatchedFields::encode(const video::SharedFrame& frame) {
     if (encoding_.valid()) encoding_.get();
-    encoding_ = std::async(std::launch::async, [this, index = field.index, pts = field.pts,
-                                                shown = std::move(picture)] { preview_->add(index, pts, shown); });
+    encoding_ = std::async(std::launch::async, [this, frame] {
+        preview_->add(frame->index, frame->pts, frame->colour.empty() ? video::picture_of(*frame) : frame->colour);
+    });
 }
 
 namespace {

@@ -16,6 +16,7 @@
 #include "core/events/event.h"
 #include "core/fields/field_source.h"
 #include "core/image/video_encoder.h"
+#include "core/video/frame.h"
 
 namespace vvr::page {
 
@@ -37,8 +38,9 @@ class Stills {
     /// \param most_kept maximum number of stills, even
     explicit Stills(Size size, std::size_t most_kept = most) : size_(size), most_(most_kept) {}
 
+    /// \param frame has its index in the clip; kept until the end of its stretch
     /// \param activity any measure, such as the number of moving pixels
-    void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity);
+    void add(const video::SharedFrame& frame, std::int64_t activity);
 
     /// The stills in order of time. Call it once.
     std::vector<Still> take();
@@ -49,13 +51,16 @@ class Stills {
         std::int64_t activity = 0;
     };
 
+    void end_stretch();
     void merge_neighbours();
 
     Size size_;
     std::size_t most_;
     std::int64_t stretch_ = 1;  ///< frames
     std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
-    std::vector<Kept> kept_;
+    video::SharedFrame best_;   ///< the most active frame of the last stretch; resized only at its end
+    std::int64_t best_activity_ = 0;
+    std::vector<Kept> kept_;  ///< of the stretches before
 };
 
 /// The most informative still of a clip, with a border around the event that it shows. Events are ranked by kind, then
@@ -201,8 +206,8 @@ class WatchedFields final : public fields::FieldSource {
 
   private:
     void begin();
-    void look_at(const video::Frame& frame, const fields::Field& field);
-    void encode(const fields::Field& field, Plane<Bgr>&& picture);
+    void look_at(const video::SharedFrame& frame, const fields::Field& field);
+    void encode(const video::SharedFrame& frame);
 
     std::unique_ptr<fields::FieldSource> fields_;
     bool with_preview_;

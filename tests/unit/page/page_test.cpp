@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/page/html.h"
+#include "core/video/frame.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {
@@ -119,11 +121,17 @@ TEST(Timeline, OfOneFrame) {
     EXPECT_EQ(line.stretches().front().at(7), 2.5);
 }
 
+video::SharedFrame frame_of(std::int64_t index, double seconds, const Plane<Bgr>& picture) {
+    return std::make_shared<const video::Frame>(
+        video::Frame{index, seconds, Plane<std::uint8_t>(picture.size()), picture});
+}
+
 TEST(Stills, KeepTheFramesInWhichMostGoesOn) {
     constexpr int frames = 10'000;
     page::Stills stills({8, 6});
     for (int i = 0; i < frames; ++i) {
-        stills.add(i, i / 25.0, Plane<Bgr>({16, 12}, {static_cast<std::uint8_t>(i % 256), 0, 0}), i % 61 == 30 ? 9 : 0);
+        const Plane<Bgr> picture({16, 12}, {static_cast<std::uint8_t>(i % 256), 0, 0});
+        stills.add(frame_of(i, i / 25.0, picture), i % 61 == 30 ? 9 : 0);
     }
     const std::vector<page::Still> kept = stills.take();
     EXPECT_LE(kept.size(), page::Stills::most);
@@ -144,7 +152,7 @@ TEST(Stills, KeepTheFramesInWhichMostGoesOn) {
 
 TEST(Stills, AreAllFramesOfAShortClip) {
     page::Stills stills({8, 6});
-    for (int i = 0; i < 5; ++i) stills.add(i, i, Plane<Bgr>({4, 3}), 0);
+    for (int i = 0; i < 5; ++i) stills.add(frame_of(i, i, Plane<Bgr>({4, 3})), 0);
     EXPECT_EQ(stills.take().size(), 5U);
 }
 
