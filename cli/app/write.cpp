@@ -199,7 +199,7 @@ void Writer::write(FinishedPicture&& finished) {
     const std::optional<ShownEvents>& shown = finished.context.seen.events;
     const std::span<const events::Event> events =
         shown ? std::span<const events::Event>(shown->events) : std::span<const events::Event>();
-    files_.add_still(page::best_still(moments.stills, events, plan.clip.field_size));
+    files_.add_still(page::best_still(moments.stills, events));
     if (files_.wants_stills()) {
         const std::optional<page::ContactSheet> sheet = page::contact_sheet(moments.stills, events);
         files_.add_stills(sheet);

@@ -63,11 +63,10 @@ class Stills {
     std::vector<Kept> kept_;  ///< of the stretches before
 };
 
-/// The most informative still of a clip, with a border around the event that it shows. Events are ranked by kind, then
-/// by how long the object stood, then by duration. Without events, it is the middle still.
-/// \param field field size; events are in field pixels
+/// The most informative still of a clip. Events are ranked by kind, then by how long the object stood, then by
+/// duration. Without events, it is the middle still.
 /// \returns empty if there are no stills
-std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events);
 
 /// Small pictures of what happens in a clip, in one: from left to right and from the top down in order of time.
 struct ContactSheet {

@@ -36,7 +36,7 @@ def test_index_tells_what_was_left(t):
     write_index(t)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
-        check(cards(page) == [["a.avi", ["left 26 s", "1 event"]], ["b.avi", ["taken", "stood 3 min", "3 events"]],
+        check(cards(page) == [["a.avi", ["left behind for 26 s", "1 event"]], ["b.avi", ["taken", "stood for 3 min", "3 events"]],
                               ["c.avi", ["9 events"]], ["d.avi", ["no events"]], ["bad.avi", []]], str(cards(page)))
         for kind, names in (("left", "a b"), ("stood", "b"), ("events", "a b c"), ("failed", "bad")):
             page.run(f"document.querySelector('[value={kind}]').click()")
@@ -126,7 +126,7 @@ def test_index_by_days(t):
         check(page.texts("#overview .month")[:1] == ["November 2026"], str(page.texts("#overview .month")))
         check(page.count("#overview td button") == 40 + 14, "cells")
         check(page.count("#overview td button .hours i") == 24 * 54, "hours")
-        check(page.texts("#overview tr:has(.strong) th") == ["Mon 16"] and page.texts("#overview .strong") == ["left 26 s"], "what was left")
+        check(page.texts("#overview tr:has(.strong) th") == ["Mon 16"] and page.texts("#overview .strong") == ["left behind for 26 s"], "what was left")
         page.run("document.querySelector('#overview .strong').closest('button').click()")
         page.wait("the day's clips", "return document.querySelectorAll('.card').length === 1")
         check(page.text("count") == "1 of 54 clips · Mon 16 Nov", page.text("count"))

@@ -1,5 +1,6 @@
 // The clips of an archive.
 
+import {durationOf} from '../shared/durations.js';
 import {folded, grouped, many, readable, upright} from '../shared/text.js';
 import {dayText, timeText, weekday} from '../shared/wall_clock.js';
 import {bits} from './data.js';
@@ -91,6 +92,13 @@ export function counted(list) {
 
 /** @param {Clip[]} list */
 export const eventsIn = list => list.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
+
+/**
+ * What is told of a clip's events of a kind: "left behind for 26 s", "taken", "2 taken".
+ * @param {import('../shared/kinds.js').KindRow} kind
+ * @param {number} told seconds, or how many
+ */
+export const tallyWords = ({words, tally}, told) => tally !== 'count' ? `${words} for ${durationOf(told)}` : told > 1 ? `${told} ${words}` : words;
 
 /** @param {Clip} clip */
 export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, exit status ${clip.status}`;

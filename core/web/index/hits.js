@@ -1,11 +1,12 @@
 // What a search has found, as a list of pictures.
 
 import {at, element} from '../shared/dom.js';
-import {durationOf, shortSpanOf} from '../shared/durations.js';
+import {shortSpanOf} from '../shared/durations.js';
 import {many} from '../shared/text.js';
 import {dayText, timeText, weekday} from '../shared/wall_clock.js';
 import {pointOnWay} from '../shared/ways.js';
 import {addressOfHit} from '../page/address.js';
+import {tallyWords} from './clips.js';
 import {bits} from './data.js';
 import {stillsOf} from './events.js';
 import {wallIn} from './scene.js';
@@ -70,7 +71,7 @@ function itemOf(found) {
     const facts = element('span', 'facts');
     const day = dayText(when);
     facts.append(element('b', '', timeText(when)), element('small', '', `${weekday(day).slice(0, 3)} ${day}`),
-                 element('span', 'badge ' + event.kind.emphasis, event.kind.words + (event.kind.tally === 'still' ? ' ' + durationOf(event.still) : '')));
+                 element('span', 'badge ' + event.kind.emphasis, event.kind.tally === 'still' ? tallyWords(event.kind, event.still) : event.kind.words));
     if (event.what) facts.append(element('span', '', event.what));
     facts.append(element('span', 'answer', how.words() || shortSpanOf(lasts)));
     if (state.camera === null && data.cameras.length > 1) facts.append(element('bdi', '', cameraName(event.clip.camera)));

@@ -1,18 +1,14 @@
 // Clips: a section for each day, in it one for each camera, filled when it comes near the window.
 
 import {at, button, element} from '../shared/dom.js';
-import {durationOf, shortSpanOf} from '../shared/durations.js';
+import {shortSpanOf} from '../shared/durations.js';
 import {grouped, many} from '../shared/text.js';
 import {timeText, weekday} from '../shared/wall_clock.js';
-import {addressOfClip} from '../page/address.js';
-import {counted, failureOf, pageOf} from './clips.js';
-import {bits} from './data.js';
-import {eventsIn, loadEventsOf, stillsOf} from './events.js';
+import {counted, failureOf, tallyWords} from './clips.js';
 import {clear} from './filters.js';
+import {pictureOf, urlOfCard} from './gallery.js';
 import {lastFailed, sortedBy} from './query.js';
-import {stillsBetween} from './sheet.js';
-import {cameraName, choices, chosenClips, clips, data, isSeen, search, see, state, wallOf} from './state.js';
-import {Tile, playOn, stillOf} from './tiles.js';
+import {cameraName, choices, chosenClips, clips, data, isSeen, see, state, wallOf} from './state.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
@@ -21,9 +17,9 @@ const cardHeight = 290;  // about, with the gap below
 /** @param {Clip} clip */
 function badgesOf(clip) {
     const badges = [];
-    for (const {name, emphasis, tally} of data.kinds) {
-        const told = clip.tallyOf[name];
-        if (told > 0) badges.push(element('span', 'badge ' + emphasis, name + (tally !== 'count' ? ' ' + durationOf(told) : told > 1 ? ' ' + told : '')));
+    for (const kind of data.kinds) {
+        const told = clip.tallyOf[kind.name];
+        if (told > 0) badges.push(element('span', 'badge ' + kind.emphasis, tallyWords(kind, told)));
     }
     if (clip.events !== null) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
@@ -73,49 +69,6 @@ function factsOf(clip) {
     return facts;
 }
 
-const mostTicks = 40;
-
-/**
- * A large still. Under the pointer, or with the focus, it plays the clip's events one after the other.
- * @param {Clip} clip
- * @param {HTMLElement} card
- */
-function pictureOf(clip, card) {
-    const picture = element('span', 'images');
-    const still = stillOf(clip);
-    const ticks = element('span', 'ticks');
-    const note = element('small', 'of');
-    for (let k = 0; k < Math.min(clip.events ?? 0, mostTicks); ++k) ticks.append(element('i'));
-    picture.append(still, ticks, note);
-    /** @type {Tile | null} */
-    let tile = null;
-    const rest = () => {
-        tile?.window.remove();
-        tile = null;
-        note.textContent = '';
-        for (const tick of ticks.children) tick.className = '';
-    };
-    const begin = () => {
-        loadEventsOf(clip).then(() => {
-            if (tile || !stillsOf(clip).length || !card.matches(':hover, :focus')) return;
-            tile = new Tile(clip, stillsOf(clip).length);
-            tile.show(0);
-            still.after(tile.window);
-        });
-    };
-    card.addEventListener('pointerenter', begin);
-    card.addEventListener('focus', begin);
-    playOn(card, () => !tile ? [] : eventsIn(clip).flatMap((event, k) => {
-        const [from, to] = [event.way[0], event.way[event.way.length - 3]].map(tenths => tenths / 10);
-        return stillsBetween(stillsOf(clip), from, to).map(place => ({show: () => {
-            tile?.show(place);
-            [...ticks.children].forEach((tick, nth) => { tick.className = nth === k ? 'now' : ''; });
-            note.textContent = `${timeText(wallOf(clip.begins + stillsOf(clip)[place]))} · ${event.number} ${event.kind.words}`;
-        }}));
-    }), rest);
-    return picture;
-}
-
 /** @param {Clip} clip */
 function cardOf(clip) {
     if (!clip.drawn) {
@@ -126,7 +79,7 @@ function cardOf(clip) {
         return card;
     }
     const card = element('a', 'card');
-    card.href = pageOf(clip) + (clip.files & bits.page ? addressOfClip(search()) : '');
+    card.href = urlOfCard(clip);
     card.dataset.url = clip.url;
     card.ariaLabel = `${cameraName(clip.camera)}, ${clip.day}, ${clip.wholeDay ? stretchOf(clip) : clip.time}: ` +
         [...clip.drawn && !isSeen(clip) ? ['not seen yet'] : [], ...badgesOf(clip).map(badge => badge.textContent), clip.name].join(', ');

@@ -1,10 +1,9 @@
 // Days: a row for each, cameras as columns, in each cell the hours.
 
 import {at, button, element} from '../shared/dom.js';
-import {durationOf} from '../shared/durations.js';
 import {digits, grouped, many} from '../shared/text.js';
 import {monthOf, weekday} from '../shared/wall_clock.js';
-import {busiestHour, counted, eventsIn, hoursOf, pageOf} from './clips.js';
+import {busiestHour, counted, eventsIn, hoursOf, pageOf, tallyWords} from './clips.js';
 import {addressOfClip} from '../page/address.js';
 import {bits} from './data.js';
 import {noteOfNone, stretchOf} from './list.js';
@@ -32,9 +31,9 @@ function hoursOfCell(all, most) {
 function wordsOfCell(list) {
     const words = element('span', 'badges');
     words.append(element('span', '', many(eventsIn(list), 'event')));
-    for (const {name, emphasis} of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
-        const longest = Math.max(...list.map(clip => clip.tallyOf[name]));
-        if (longest > 0) words.append(element('span', 'badge ' + emphasis, name + ' ' + durationOf(longest)));
+    for (const kind of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
+        const longest = Math.max(...list.map(clip => clip.tallyOf[kind.name]));
+        if (longest > 0) words.append(element('span', 'badge ' + kind.emphasis, tallyWords(kind, longest)));
     }
     const failed = list.filter(clip => clip.failed).length;
     if (failed) words.append(element('span', 'bad', `✕${failed} failed`));

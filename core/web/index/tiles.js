@@ -1,6 +1,6 @@
 // Small pictures of moments: a window on a clip's contact sheet, which can play.
 
-import {appendShape, element} from '../shared/dom.js';
+import {element} from '../shared/dom.js';
 import {drawShape} from '../shared/drawing.js';
 import {bits} from './data.js';
 import {sheetPlace} from './sheet.js';
@@ -41,12 +41,12 @@ export class Tile {
         this.window = element('span', count ? 'tile' : 'tile single');
         this.image = count ? imageOf(clip, '.stills.jpg') : stillOf(clip);
         this.window.append(this.image);
-        if (count) this.image.addEventListener('load', () => this.takeShape());
+        this.image.addEventListener('load', () => this.takeShape());
     }
 
     takeShape() {
-        const columns = Math.min(this.count, data.sheet_columns);
-        const rows = Math.ceil(this.count / columns);
+        const columns = Math.max(1, Math.min(this.count, data.sheet_columns));
+        const rows = Math.max(1, Math.ceil(this.count / columns));
         this.window.style.aspectRatio = `${this.image.naturalWidth / columns} / ${this.image.naturalHeight / rows}`;
     }
 
@@ -57,17 +57,24 @@ export class Tile {
     }
 
     /**
-     * Draws what was searched for, and where the object is.
+     * Draws what was searched for, and a ring about where the object is.
      * @param {Shape | null} place in thousandths of the picture
      * @param {number[] | null} spot
      */
     mark(place, spot) {
-        const marks = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-        marks.setAttribute('preserveAspectRatio', 'none');
-        marks.setAttribute('aria-hidden', 'true');
-        drawShape(marks, place, [1000, 1000], 1000, true);
-        if (spot) appendShape('path', {class: 'spot', d: `M${spot[0]} ${spot[1]}h0.001`}, marks);
-        this.window.append(marks);
+        for (const old of this.window.querySelectorAll('svg, .spot')) old.remove();
+        if (place) {
+            const marks = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+            marks.setAttribute('preserveAspectRatio', 'none');
+            marks.setAttribute('aria-hidden', 'true');
+            drawShape(marks, place, [1000, 1000], 1000, true);
+            this.window.append(marks);
+        }
+        if (spot) {
+            const ring = element('i', 'spot');
+            [ring.style.left, ring.style.top] = spot.map(thousandths => thousandths / 10 + '%');
+            this.window.append(ring);
+        }
         return this;
     }
 }
@@ -82,9 +89,12 @@ const picturesPerSecond = 4;
  */
 export function playOn(on, scenes, rest) {
     let timer = 0;
-    const stop = () => {
+    const pause = () => {
         clearInterval(timer);
         timer = 0;
+    };
+    const stop = () => {
+        pause();
         rest();
     };
     const play = () => {
@@ -97,7 +107,8 @@ export function playOn(on, scenes, rest) {
         }, 1000 / picturesPerSecond);
     };
     on.addEventListener('pointerenter', play);
-    on.addEventListener('pointerleave', stop);
+    // A finger that has gone leaves what it turned to.
+    on.addEventListener('pointerleave', event => event.pointerType === 'touch' ? pause() : stop());
     on.addEventListener('focus', () => { if (on.matches(':focus-visible')) play(); });
     on.addEventListener('blur', stop);
 }

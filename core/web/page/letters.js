@@ -115,7 +115,10 @@ function noteBox(/** @type {{text: string, at: number[], out: number[]}} */ {tex
     const scale = scaleNow();
     const [wide, high] = [text.length * 6.8 + 4, 15];
     const half = (Math.abs(out[0]) * wide + Math.abs(out[1]) * high) / 2 + 4;
-    const [x, y] = [point[0] * scale + out[0] * half, point[1] * scale + out[1] * half];
+    // Where the picture is small, the text has no room beside it: it stays within.
+    const [left, , right] = state.contents.map(value => value * scale);
+    const x = clamp(point[0] * scale + out[0] * half, left + wide / 2, Math.max(left, right - wide / 2));
+    const y = point[1] * scale + out[1] * half;
     return {left: x - wide / 2, right: x + wide / 2, top: y - high / 2, bottom: y + high / 2, x, y};
 }
 

@@ -20,7 +20,7 @@ import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
 import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
-import {drawStage, listenToView, view} from './view.js';
+import {drawStage, listenToView, roomOf} from './view.js';
 
 /** Characters that change the direction of writing are shown as code points. */
 function drawNames() {
@@ -84,7 +84,7 @@ const parts = [
     {draw: drawStill, from: () => [state.parts, state.now, state.stills]},
     {draw: drawPlayButton, from: () => [isPlaying()]},
     {draw: drawVeil, from: () => [state.pixels, state.chosen, state.lightened, wantedEvents(), state.dark, state.ground]},
-    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.asked]},
+    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked]},
     {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, state.stills]},
@@ -114,7 +114,7 @@ export function takeParts() {
 }
 
 document.documentElement.dataset.script = '';
-state.room = [view.clientWidth, view.clientHeight];
+state.room = roomOf();
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
 for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();

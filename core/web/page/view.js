@@ -142,6 +142,9 @@ function playUnder(event) {
     say('Plays from ' + state.time.clockOf(state.time.secondsOf(frame)) + (place === null ? '' : `, event ${numberOf(state.events, place)}`));
 }
 
+/** The buttons of a narrow window have a row of their own. */
+export const roomOf = () => [view.clientWidth, view.clientHeight - parseFloat(getComputedStyle(view).getPropertyValue('--buttons') || '0')];
+
 export function listenToView() {
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;
@@ -164,5 +167,5 @@ export function listenToView() {
     at('closer').addEventListener('click', () => zoom(1.5));
     at('farther').addEventListener('click', () => zoom(1 / 1.5));
     at('whole').addEventListener('click', showWhole);
-    new ResizeObserver(() => set({room: [view.clientWidth, view.clientHeight]})).observe(view);
+    new ResizeObserver(() => set({room: roomOf()})).observe(view);
 }
