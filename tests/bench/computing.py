@@ -1,13 +1,10 @@
-"""The kernels of the fields: against the machine, against plain loops, and against others' libraries."""
+"""The kernels of the fields: against plain loops and against others' libraries."""
 
 import pathlib
 
-import plots
 from measure import in_turn, median, output_of, spread, table
-from setting import figure, section
+from setting import section
 
-# Of a point in a step, core/kernels/flow_rows.cpp: multiplications and additions, bytes of its nine planes.
-STEP_FLOPS, STEP_BYTES = 24, 36
 POINTS = 384 * 288 * 60 / 1e3  # pixels times steps, per millisecond: thousands a second
 
 
@@ -21,39 +18,15 @@ def benchmarks(setting, names, *options):
     return rows
 
 
-def roofline(setting, jacobi, roof):
-    """What this machine lets the Jacobi steps reach, and what they do reach."""
-    rate, best = POINTS / jacobi["jacobi_ms"], POINTS / jacobi["best_jacobi_ms"]
-    by_arithmetic = 1e3 * roof["peak_gflops"] / STEP_FLOPS
-    by_cache = 1e3 * roof["gbytes_400k"] / STEP_BYTES
-    by_memory = 1e3 * roof["gbytes_64m"] / STEP_BYTES
-    intensity, gflops = STEP_FLOPS / STEP_BYTES, STEP_FLOPS / 1e3
-    plots.roofline(roof["peak_gflops"],
-                   {"first-level cache": roof["gbytes_16k"], "second-level cache": roof["gbytes_400k"], "memory": roof["gbytes_64m"]},
-                   {"vvr's Jacobi steps, best of 30": (intensity, gflops * best),
-                    "plain loop, -O2": (intensity, gflops * POINTS / jacobi["plain_ms"])}, setting.plot("roofline"))
-    text = figure("roofline", "A roofline: what one core can reach at best, over the arithmetic (flop: a multiplication or an "
-                              "addition) that is done with each byte. The flat roof is arithmetic, the slanted ones what caches "
-                              f"and memory deliver; a step of the flow is at {STEP_FLOPS}/{STEP_BYTES} = {intensity:.2f} flop a "
-                              "byte.")
-    text += (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million pixel-steps "
-             f"a second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
-             f"{jacobi['ratio']:.1f} times as long.\n\nA step takes {STEP_FLOPS} multiplications and additions a point and reads "
-             f"or writes {STEP_BYTES} bytes. What bounds it, measured in the same run:\n\n")
-    text += table(["", "of this core", "million pixel-steps/s"], [
-        ["arithmetic", f"{roof['peak_gflops']:.0f} GFLOP/s", f"{by_arithmetic:.0f}"],
-        ["second-level cache (what 20 steps together touch)", f"{roof['gbytes_400k']:.0f} GB/s", f"{by_cache:.0f}"],
-        ["memory, were each step to go through it all", f"{roof['gbytes_64m']:.0f} GB/s", f"{by_memory:.0f}"]])
-    return text + f"\nThe best run reaches {best / min(by_arithmetic, by_cache):.2f} of the lower of arithmetic and cache.\n"
-
-
 def kernels(setting):
-    """The fields' kernels against plain loops and the machine, and rates of all fields."""
-    compared = benchmarks(setting, "Against|Roofline")
+    """The fields' kernels against plain loops, and rates of all fields."""
+    compared = benchmarks(setting, "Against")
     single = benchmarks(setting, "flow_of|filter_of|seeds_of", f"--benchmark_repetitions={setting.runs}", "--benchmark_min_time=0.1")
     jacobi = compared["JacobiAgainstPlainLoop"][0]
-    text = roofline(setting, jacobi, compared["Roofline"][0])
-    text += "\n"
+    rate, best = POINTS / jacobi["jacobi_ms"], POINTS / jacobi["best_jacobi_ms"]
+    text = (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million pixel-steps "
+            f"a second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
+            f"{jacobi['ratio']:.1f} times as long.\n\n")
 
     def rows_of(prefix, frames):
         return [[name.split("/")[1], spread([row["cpu_time"] / frames for row in rows])]
@@ -65,8 +38,7 @@ def kernels(setting):
     rates = output_of([setting.program("fields_rate"), setting.clip])
     text += f"\nFields of `{pathlib.Path(setting.clip).name}` on two threads:\n\n" + table(
         ["", "frames/s"], [[name, spread(values, 0)] for name, values in rates.items()])
-    return (section("Kernels", "How fast the computing of the fields is on one core, beside plain loops and beside what the core "
-                               "can do at all.",
+    return (section("Kernels", "How fast the computing of the fields is on one core, beside plain loops.",
                     text), {"benchmarks": compared | single, "rates": rates})
 
 

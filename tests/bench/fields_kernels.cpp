@@ -16,15 +16,12 @@
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/seeds.h"
-#include "tests/bench/roofline.h"
 #include "tests/scene/scene.h"
 #include "tests/unit/fields/plain_jacobi.h"
 
 namespace {
 
 using namespace vvr;
-using bench::peak_flops;
-using bench::triad_bytes;
 
 constexpr Size size{384, 288};
 constexpr float alpha = 10;
@@ -89,18 +86,6 @@ void JacobiAgainstPlainLoop(benchmark::State& state) {
     state.counters["ratio"] = plain[plain.size() / 2] / fast[fast.size() / 2];
 }
 BENCHMARK(JacobiAgainstPlainLoop)->Iterations(30)->Unit(benchmark::kMillisecond);
-
-// What bounds the above: each point of a step takes 24 multiplications and additions, and reads or writes 36 bytes;
-// what steps that run together touch, 24 rows of nine planes, is about 400 kB.
-void Roofline(benchmark::State& state) {
-    for (auto _ : state) {
-        state.counters["peak_gflops"] = peak_flops() / 1e9;
-        state.counters["gbytes_16k"] = triad_bytes(16 << 10) / 1e9;
-        state.counters["gbytes_400k"] = triad_bytes(400 << 10) / 1e9;
-        state.counters["gbytes_64m"] = triad_bytes(64 << 20) / 1e9;
-    }
-}
-BENCHMARK(Roofline)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /// The whole flow of a frame by one method, without what is done once a frame.
 void flow_of_a_frame(benchmark::State& state, const std::string& name, const std::string& solver) {

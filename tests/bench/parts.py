@@ -13,9 +13,5 @@ PARTS = {
     "context": whole_runs.context,
     "kernels": computing.kernels,
     "peers": computing.peers,
-    "upload": pictures.upload,
-    "slicing": pictures.slicing,
     "table1": pictures.table1,
-    "vtk": pictures.vtk,
-    "growth": pictures.growth,
 }

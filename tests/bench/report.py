@@ -1,4 +1,4 @@
-"""Writes out/bench/report.md, out/bench/report.json and the plots beside them. See scripts/bench, which makes the clips."""
+"""Writes out/bench/report.md and out/bench/report.json. See scripts/bench, which makes the clips."""
 
 import argparse
 import datetime
@@ -48,7 +48,6 @@ def versions(setting):
         **libraries,
         "ffmpeg": first_line(["ffmpeg", "-version"]).split(" Copyright")[0].removeprefix("ffmpeg version "),
         "renderer": renderer(setting.vvr, setting.backend),
-        "VTK": first_line(["/usr/bin/python3", "-c", "import vtk; print(vtk.vtkVersion.GetVTKVersion())"]),
         "compiler": compiler(setting.build),
     }
 
@@ -102,7 +101,7 @@ def main():
         options.error(f"there is no part '{unknown[0]}'; there are {', '.join(parts.PARTS)}")
 
     with tempfile.TemporaryDirectory() as folder:
-        setting = Setting(given.clip, given.runs, given.backend, pathlib.Path(folder), given.out, given.build, given.clips, given.long,
+        setting = Setting(given.clip, given.runs, given.backend, pathlib.Path(folder), given.build, given.clips, given.long,
                           given.scale)
         about = machine(setting)
         sections, numbers = [introduction(about, given)], {"machine": about}

@@ -11,7 +11,6 @@ class Setting:
     runs: int
     backend: str
     scratch: pathlib.Path
-    reports: pathlib.Path  # where the plots go
     build: pathlib.Path
     clips: pathlib.Path  # those that scripts/bench makes
     long: bool = False  # whether a clip of 6 hours is measured too
@@ -27,9 +26,6 @@ class Setting:
     def made(self, name):
         return str(self.clips / name)
 
-    def plot(self, name):
-        return self.reports / f"report-{name}.svg"
-
     def render(self, clip, *options):
         return [self.vvr, "render", clip, "-o", str(self.scratch / "out.png"), "--backend", self.backend, "--quiet", *options]
 
@@ -43,8 +39,3 @@ def frames_of(clip):
 def section(title, measured, body):
     """What is measured in a sentence, and the numbers."""
     return f"## {title}\n\n{measured}\n\n{body.strip()}\n"
-
-
-def figure(name, caption):
-    """A plot with its caption, which is there for those too who don't see the plot."""
-    return f"![{caption}](report-{name}.svg)\n\n*{caption}*\n\n"
