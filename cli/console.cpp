@@ -1,6 +1,7 @@
 #include "cli/console.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <span>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "cli/exit_status.h"
 #include "core/base/file.h"
+#include "core/labels/time_ticks.h"
 
 namespace vvr::cli {
 
@@ -30,6 +32,18 @@ void write_stderr(std::string_view text) {
 
 }  // namespace
 
+std::string progress_text(std::string_view what, std::int64_t done, std::int64_t total, double seconds) {
+    if (total <= 0) return fmt::format("{} {}", what, done);
+    constexpr std::int64_t width = 20;
+    constexpr double soon = 2;  // seconds: earlier, a rate says little
+    const double part = std::clamp(static_cast<double>(done) / static_cast<double>(total), 0.0, 1.0);
+    const auto filled = static_cast<std::int64_t>(width * part);
+    std::string text = fmt::format("{} [{:=<{}}{:{}}] {:.0f} %", what, "", filled, "", width - filled, 100 * part);
+    if (seconds >= soon && part > 0 && part < 1)
+        text += fmt::format(", {} left", labels::format_duration(std::ceil(seconds * (1 - part) / part)));
+    return text;
+}
+
 Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
 
 Progress::~Progress() {
@@ -39,14 +53,8 @@ Progress::~Progress() {
 void Progress::set(std::int64_t done) {
     if (Clock::now() < next_) return;
     next_ = Clock::now() + std::chrono::milliseconds(100);
-    if (total_ <= 0) {
-        write_stderr(fmt::format("{}{} {}", clear_line, what_, done));
-        return;
-    }
-    constexpr std::int64_t width = 30;
-    const std::int64_t filled = std::min(width, width * done / total_);
-    write_stderr(fmt::format("{}{} [{:=<{}}{:{}}] {}/{}", clear_line, what_, "", filled, "", width - filled, done,
-                             std::max(done, total_)));
+    const std::chrono::duration<double> seconds = Clock::now() - begin_;
+    write_stderr(fmt::format("{}{}", clear_line, progress_text(what_, done, total_, seconds.count())));
 }
 
 bool stderr_is_terminal() {
@@ -62,6 +70,13 @@ void Console::frames(std::int64_t done, std::int64_t expected) {
     const std::lock_guard lock(mutex_);
     if (!progress_) progress_.emplace("frames", expected);
     progress_->set(done);
+}
+
+void Console::drawing() {
+    if (!bar_) return;
+    const std::lock_guard lock(mutex_);
+    progress_.emplace("drawing", 0);
+    write_stderr("drawing");
 }
 
 void Console::clear() {

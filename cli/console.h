@@ -25,6 +25,11 @@ struct Environment {
 /// \throws Error io
 void print(std::string_view text);
 
+/// The line of a progress bar: "frames [=====     ] 52 %, 12 s left".
+/// \param total number of frames expected; 0 = unknown
+/// \param seconds since the first frame; the rest is told only after a few
+std::string progress_text(std::string_view what, std::int64_t done, std::int64_t total, double seconds);
+
 /// A progress bar on stderr.
 class Progress {
   public:
@@ -42,7 +47,8 @@ class Progress {
 
     std::string what_;
     std::int64_t total_;
-    Clock::time_point next_ = Clock::now();
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point next_ = begin_;
 };
 
 /// Whether stderr is a terminal that can show a progress bar.
@@ -55,6 +61,7 @@ class Console final : public app::Observer {
     Console(const Environment& environment, bool bar = true);
 
     void frames(std::int64_t done, std::int64_t expected) override;
+    void drawing() override;
     void debug(const std::string& text) override;
     void info(const std::string& text) override;
     void warn(const std::string& text, const RelatedSettings& about = {}) override;

@@ -16,6 +16,9 @@ class Observer {
     /// `done` frames of `expected` have been read; 0 = unknown.
     virtual void frames(std::int64_t /*done*/, std::int64_t /*expected*/) {}
 
+    /// All frames have been read; what follows is drawing.
+    virtual void drawing() {}
+
     virtual void debug(const std::string& /*text*/) {}
     virtual void info(const std::string& /*text*/) {}
 

@@ -58,6 +58,7 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
     if (expected == 0 || expected > soon_read) opened.get();
     Observation seen = observe(plan, source, observer);
     run.stages.end("fields");
+    observer.drawing();
     thread.run([&](Drawing& drawing) {
         if (is_long) make_renderer(plan, gl::RenderOptions{}.tile_samples / 4, drawing);
         run.describe(*drawing.context);

@@ -43,7 +43,8 @@ std::string as_text() {
     std::string text = fmt::format("vvr: {}\n\nUsage: vvr COMMAND [OPTIONS]\n\n", summary);
     for (const CommandRow& command : command_rows) text += fmt::format("  vvr {:<8} {}\n", command.name, command.help);
     return text +
-           "\n`vvr COMMAND --help` lists a command's options, `vvr --version` the libraries' versions.\n"
+           "\n`vvr COMMAND -h` names a command's options, `vvr COMMAND --help` describes them.\n"
+           "`vvr --version` lists the libraries' versions.\n"
            "`vvr help --json` prints all help for programs.\n";
 }
 

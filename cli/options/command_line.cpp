@@ -327,7 +327,8 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     try {
         app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
-        cli::print(help_text(this->help(), help_width()));
+        const bool is_short = std::ranges::find(arguments, "-h") != arguments.end();
+        cli::print((is_short ? short_help_text : help_text)(this->help(), help_width()));
         return false;
     } catch (const Error& error) {
         // The user may not know that a config file sets this option.

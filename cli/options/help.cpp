@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -96,6 +98,23 @@ void append_option(std::string& text, const HelpOption& option, std::size_t widt
     }
 }
 
+/// What the command does, and how it is called.
+std::string heading_of(const CommandHelp& help, std::size_t width) {
+    std::string text;
+    append_wrapped(text, fmt::format("vvr {}: {}", help.name, help.text), 0, 0, width);
+    return text +
+           fmt::format("\nUsage: vvr {}{}{} [OPTIONS]\n", help.name, help.arguments.empty() ? "" : " ", help.arguments);
+}
+
+/// The groups in which the command has options.
+std::vector<Group> groups_of(const CommandHelp& help) {
+    std::vector<Group> groups;
+    std::ranges::copy_if(all_groups, std::back_inserter(groups), [&](Group group) {
+        return std::ranges::find(help.options, group, &HelpOption::group) != help.options.end();
+    });
+    return groups;
+}
+
 bool has_unit(const CommandHelp& help, std::string_view unit) {
     return std::ranges::any_of(help.options, [&](const HelpOption& option) { return option.unit == unit; });
 }
@@ -108,16 +127,12 @@ std::span<const ValueKind> value_kinds() {
 
 std::string help_text(const CommandHelp& help, int width) {
     const auto columns = static_cast<std::size_t>(width);
-    std::string text;
-    append_wrapped(text, fmt::format("vvr {}: {}", help.name, help.text), 0, 0, columns);
-    text +=
-        fmt::format("\nUsage: vvr {}{}{} [OPTIONS]\n", help.name, help.arguments.empty() ? "" : " ", help.arguments);
+    std::string text = heading_of(help, columns);
     if (!help.arguments.empty()) {
         text += '\n';
         append_row(text, help.arguments, help.arguments_text, 2, column, columns);
     }
-    for (const Group group : all_groups) {
-        if (std::ranges::find(help.options, group, &HelpOption::group) == help.options.end()) continue;
+    for (const Group group : groups_of(help)) {
         text += fmt::format("\n{}:\n", title_of(group));
         for (const HelpOption& option : help.options) {
             if (option.group == group) append_option(text, option, columns);
@@ -130,6 +145,23 @@ std::string help_text(const CommandHelp& help, int width) {
     if (!help.examples.empty()) text += "\nExamples:\n";
     for (const Example& example : help.examples) text += fmt::format("  # {}\n  {}\n", example.what, example.command);
     return text;
+}
+
+std::string short_help_text(const CommandHelp& help, int width) {
+    constexpr std::size_t name_column = 16;
+    const auto columns = static_cast<std::size_t>(width);
+    std::string text = heading_of(help, columns) + '\n';
+    for (const Group group : groups_of(help)) {
+        std::string names;
+        for (const HelpOption& option : help.options) {
+            if (option.group != group) continue;
+            if (option.letter != 0) names += fmt::format("-{}, ", option.letter);
+            names += fmt::format("--{} ", option.name);
+        }
+        append_row(text, title_of(group), names, 2, name_column, columns);
+    }
+    if (!help.examples.empty()) text += fmt::format("\nExample: {}\n", help.examples.front().command);
+    return text + fmt::format("\n`vvr {} --help` describes all options.\n", help.name);
 }
 
 int help_width() {

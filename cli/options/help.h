@@ -82,6 +82,9 @@ std::span<const ValueKind> value_kinds();
 /// \param width columns per line; only examples and very long words exceed it
 std::string help_text(const CommandHelp& help, int width);
 
+/// The same on one screen: arguments, the names of the options by group, and an example.
+std::string short_help_text(const CommandHelp& help, int width);
+
 /// The width for help, 72 to 120 columns: from the environment variable COLUMNS, else the terminal, else 80.
 int help_width();
 

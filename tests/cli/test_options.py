@@ -97,6 +97,8 @@ def test_help_and_version(t):
         text = t.vvr(command, "--help").expect(0, out=None)
         check(f"Usage: vvr {command}" in text.out and text.err == "", str(text))
         check(t.vvr("help", command).expect(0, out=None).out == text.out, f"vvr help {command}")
+    short = t.vvr("render", "-h").expect(0, out=None).out.splitlines()
+    check(len(short) <= 50 and "--output" in " ".join(short), "\n".join(short))
     t.vvr("help", "rendr").expect(1, "'rendr'", code="command-unknown")
     for other in ("-V", "version"):
         check(t.vvr(other).expect(0, out=None).out == t.vvr("--version").out, other)

@@ -54,6 +54,14 @@ TEST(Help, HasGroupsInOrderValuesBelowOptionsAndExamplesLast) {
     EXPECT_LT(at("  -q, --quiet"), at("\nExamples:\n  # both\n  vvr draw a b\n"));
 }
 
+TEST(Help, InShortNamesEachOption) {
+    EXPECT_EQ(options::short_help_text(help, 80),
+              "vvr draw: draw something\n\nUsage: vvr draw INPUT... [OPTIONS]\n\n"
+              "  Look          --background --theme\n"
+              "  Run           -q, --quiet\n"
+              "\nExample: vvr draw a b\n\n`vvr draw --help` describes all options.\n");
+}
+
 TEST(Defaults, AreOfTheFirstRowThenOfThoseThatDiffer) {
     struct Row {
         std::string_view name;
