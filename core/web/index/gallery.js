@@ -51,6 +51,7 @@ class Gallery {
         this.place = 0;  // of the event that is shown, in the list of events
         this.ticks = element('span', 'ticks');
         this.note = element('small', 'of');
+        this.isWanted = false;  // under the pointer, with the focus, or swiped
         for (let k = 0; k < Math.min(clip.events ?? 0, mostTicks); ++k) this.ticks.append(element('i'));
         this.window = element('span', 'images');
         this.window.append(this.base.window, this.ticks, this.note);
@@ -71,9 +72,10 @@ class Gallery {
     get events() { return eventsIn(this.clip); }
 
     async open() {
+        this.isWanted = true;
         await loadEventsOf(this.clip);
         const count = stillsOf(this.clip).length;
-        if (this.tile || !count || !this.events.length) return;
+        if (!this.isWanted || this.tile || !count || !this.events.length) return;
         this.tile = new Tile(this.clip, count);
         this.base.window.after(this.tile.window);
         this.show();
@@ -116,6 +118,7 @@ class Gallery {
     }
 
     rest() {
+        this.isWanted = false;
         this.tile?.window.remove();
         this.tile = null;
         this.place = 0;
