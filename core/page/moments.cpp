@@ -319,7 +319,7 @@ void WatchedFields::begin() {
 
 void WatchedFields::look_at(const video::SharedFrame& frame, const fields::Field& field) {
     times_.add(field.index, field.pts);
-    if (frame->grey.empty()) return;
+    if (frame->grey.empty() && frame->colour.empty()) return;  // extracted data may have neither
     stills_->add(frame, cv::countNonZero(cv_view(field.scalar)));
     if (preview_) encode(frame);
 }
