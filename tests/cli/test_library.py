@@ -39,7 +39,8 @@ def test_the_library_shows_its_headers_and_nothing_else(t, prefix):
 
 
 def build_by_cmake(t, prefix):
-    done = t.run(["cmake", "-S", t.source / "docs/examples/render_a_clip", "-B", t.path("built"), f"-DCMAKE_PREFIX_PATH={prefix}"])
+    done = t.run(["cmake", "-G", "Ninja", "-S", t.source / "docs/examples/render_a_clip", "-B", t.path("built"),
+                  f"-DCMAKE_PREFIX_PATH={prefix}"])
     check(done.status == 0, str(done))
     done = t.run(["cmake", "--build", t.path("built")])
     check(done.status == 0, str(done))
