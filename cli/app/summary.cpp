@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/app/input.h"
 #include "cli/app/report.h"
@@ -114,6 +115,10 @@ void log_warnings(const RunContext& context, const std::vector<std::string>& adv
     }
     if (composed.lettering.font_missing) {
         observer.warn("fontconfig found no font, so the picture has no text; install one, such as fonts-dejavu-core");
+    } else if (const auto missing = composed.lettering.missing_characters(); !missing.empty()) {
+        observer.warn(fmt::format("no font has {} of the picture's text: {}; install a font for them",
+                                  counted(std::ssize(missing), "character"),
+                                  shown_text(fmt::format("{}", fmt::join(missing, " ")))));
     }
     if (composed.nothing_moves && summary.frames < 2) {
         observer.warn(fmt::format("'{}' has only one frame, so nothing can move and the volume is empty", name));

@@ -7,28 +7,20 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
-#include <fontconfig/fontconfig.h>
-#include <ft2build.h>
+#include <raqm.h>
 
 #include "core/base/plane.h"
 #include "core/base/text.h"
+#include "core/image/fonts.h"
 #include "core/image/picture.h"
-
-#include FT_FREETYPE_H
 
 namespace vvr::image {
 namespace {
-
-struct CloseLibrary {
-    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-};
-struct CloseFace {
-    void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
 
 void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane<Rgba>& pixels) {
     const int columns = static_cast<int>(letter.width);
@@ -43,77 +35,100 @@ void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane
     }
 }
 
-/// A font, rendered by FreeType. Not thread-safe.
-class Font {
-  public:
-    /// \param file font file; if FreeType can't read it, no text is drawn
-    explicit Font(const std::string& file) {
-        FT_Library library = nullptr;
-        if (FT_Init_FreeType(&library) != 0) return;
-        library_.reset(library);
-        FT_Face face = nullptr;
-        if (FT_New_Face(library, file.c_str(), 0, &face) == 0) face_.reset(face);
-    }
+constexpr FT_Int32 load_flags = FT_LOAD_NO_BITMAP;  // fonts for East Asia have black and white bitmaps for small sizes
 
-    /// The bounding box of a line of UTF-8 text whose baseline begins at 0,0, in pixels.
-    /// \param size font size, pixels
-    std::optional<PixelBox> measure(const std::string& text, int size) {
-        constexpr int far = std::numeric_limits<int>::max();
-        PixelBox box{far, far, -far, -far};
-        const bool done = for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
-            box.left = std::min(box.left, left);
-            box.top = std::min(box.top, top);
-            box.right = std::max(box.right, left + static_cast<int>(letter.width) + 1);
-            box.bottom = std::max(box.bottom, top + static_cast<int>(letter.rows) + 1);
-        });
-        if (!done || box.left == far) return std::nullopt;
-        return box;
+std::u32string characters_of(std::string_view text) {
+    std::u32string characters;
+    while (!text.empty()) {
+        const Character character = first_character(text).value_or(Character{U'?', 1});
+        characters += character.code;
+        text.remove_prefix(character.length);
     }
+    return characters;
+}
 
-    /// Draws a line of UTF-8 text over `pixels`. Its baseline begins at `x`,`y`.
-    /// \returns false if there is no font, and then draws nothing
-    bool draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour) {
-        return for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
-            blend(letter, x + left, y + top, colour, pixels);
-        });
+/// Whether a character is not drawn, such as a joiner, a mark of direction, or a variation selector.
+bool is_invisible(char32_t character) {
+    const auto is_within = [character](char32_t first, char32_t last) {
+        return character >= first && character <= last;
+    };
+    return is_within(0x200B, 0x200F) || is_within(0x2028, 0x202E) || is_within(0x2060, 0x206F) ||
+           is_within(0xFE00, 0xFE0F) || character == 0x00AD || character == 0xFEFF || is_within(0xE0000, 0xE0FFF);
+}
+
+using Layout = std::unique_ptr<raqm_t, decltype(&raqm_destroy)>;
+
+/// Places the glyphs of a line of text, in the order of its script, with the letters' shapes and ligatures.
+/// \returns null if there is no font, or no memory
+Layout lay_out(Fonts& fonts, const std::string& text, int size) {
+    Layout none(nullptr, raqm_destroy);
+    const std::u32string characters = characters_of(text);
+    Layout layout(raqm_create(), raqm_destroy);
+    if (fonts.sans() == nullptr || characters.empty() || !layout) return none;
+    static_assert(sizeof(char32_t) == sizeof(std::uint32_t));
+    const bool ready =
+        raqm_set_text(layout.get(), reinterpret_cast<const std::uint32_t*>(characters.data()), characters.size()) &&
+        raqm_set_par_direction(layout.get(), RAQM_DIRECTION_LTR) &&
+        raqm_set_freetype_load_flags(layout.get(), load_flags);
+    if (!ready) return none;
+    for (std::size_t k = 0; k < characters.size(); ++k) {
+        FT_Face face = fonts.find(characters[k]);
+        if (face == nullptr) face = fonts.sans();
+        if (FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size)) != 0) return none;
+        if (!raqm_set_freetype_face_range(layout.get(), face, k, 1)) return none;
     }
+    if (!raqm_layout(layout.get())) return none;
+    return layout;
+}
 
-  private:
-    /// Calls `use` with each glyph of a line of UTF-8 text and the position of its bitmap's corner.
-    bool for_letters(const std::string& text, int size,
-                     const std::function<void(const FT_Bitmap&, int left, int top)>& use) const {
-        if (!face_ || FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size)) != 0) return false;
-        int x = 0;
-        for (std::string_view rest = text; !rest.empty();) {
-            const Character character = first_character(rest).value_or(Character{U'?', 1});
-            rest.remove_prefix(character.length);
-            // Skips a glyph that can't be loaded.
-            if (FT_Load_Char(face_.get(), character.code, FT_LOAD_RENDER) != 0) continue;
-            const FT_GlyphSlot letter = face_->glyph;
-            use(letter->bitmap, x + letter->bitmap_left, -letter->bitmap_top);
-            x += static_cast<int>(letter->advance.x >> 6);
+/// Calls `use` with each glyph of a line of text and the position of its bitmap's corner.
+/// \returns false if there is no font
+bool for_glyphs(Fonts& fonts, const std::string& text, int size,
+                const std::function<void(const FT_Bitmap&, int left, int top)>& use) {
+    if (fonts.sans() == nullptr) return false;
+    const Layout layout = lay_out(fonts, text, size);
+    if (!layout) return text.empty();
+    std::size_t count = 0;
+    const raqm_glyph_t* const glyphs = raqm_get_glyphs(layout.get(), &count);
+    int x = 0;  // in 64ths of a pixel
+    for (const raqm_glyph_t& glyph : std::span(glyphs, count)) {
+        // Skips a glyph that can't be loaded.
+        if (FT_Load_Glyph(glyph.ftface, glyph.index, load_flags | FT_LOAD_RENDER) == 0) {
+            const FT_GlyphSlot letter = glyph.ftface->glyph;
+            use(letter->bitmap, ((x + glyph.x_offset) >> 6) + letter->bitmap_left,
+                -(glyph.y_offset >> 6) - letter->bitmap_top);
         }
-        return true;
+        x += glyph.x_advance;
     }
+    return true;
+}
 
-    std::unique_ptr<std::remove_pointer_t<FT_Library>, CloseLibrary> library_;
-    std::unique_ptr<std::remove_pointer_t<FT_Face>, CloseFace> face_;
+/// The bounding box of a line of text whose baseline begins at 0,0, in pixels.
+std::optional<PixelBox> measure(Fonts& fonts, const std::string& text, int size) {
+    constexpr int far = std::numeric_limits<int>::max();
+    PixelBox box{far, far, -far, -far};
+    const bool done = for_glyphs(fonts, text, size, [&](const FT_Bitmap& letter, int left, int top) {
+        box.left = std::min(box.left, left);
+        box.top = std::min(box.top, top);
+        box.right = std::max(box.right, left + static_cast<int>(letter.width) + 1);
+        box.bottom = std::max(box.bottom, top + static_cast<int>(letter.rows) + 1);
+    });
+    if (!done || box.left == far) return std::nullopt;
+    return box;
+}
+
+/// The fonts of all text, found on first use.
+struct TextFonts {
+    std::mutex mutex;
+    Fonts fonts;
 };
 
-/// The file of fontconfig's sans serif font; empty if there is none.
-std::string find_font() {
-    const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
-    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(
-        FcNameParse(reinterpret_cast<const FcChar8*>("sans:scalable=true")), FcPatternDestroy);
-    if (!config || !pattern) return {};
-    FcConfigSubstitute(config.get(), pattern.get(), FcMatchPattern);
-    FcDefaultSubstitute(pattern.get());
-    FcResult result = FcResultNoMatch;
-    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> font(
-        FcFontMatch(config.get(), pattern.get(), &result), FcPatternDestroy);
-    FcChar8* file = nullptr;
-    if (!font || FcPatternGetString(font.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-    return reinterpret_cast<const char*>(file);
+/// Calls `use` with the fonts of all text. Thread-safe.
+template <class Use>
+auto with_fonts(const Use& use) {
+    static TextFonts text;
+    const std::scoped_lock lock(text.mutex);
+    return use(text.fonts);
 }
 
 void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
@@ -122,31 +137,11 @@ void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
     FcStrListDone(list);
 }
 
-/// The font of all text, loaded on first use.
-struct TextFont {
-    std::mutex mutex;
-    std::string file = find_font();
-    Font font{file};
-};
-
-TextFont& text_font() {
-    static TextFont font;
-    return font;
-}
-
-/// Calls `use` with the font of all text. Thread-safe.
-template <class Use>
-auto with_font(const Use& use) {
-    TextFont& text = text_font();
-    const std::scoped_lock lock(text.mutex);
-    return use(text.font);
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> font_places() {
     std::vector<std::filesystem::path> places;
-    const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfig(), FcConfigDestroy);
+    const FontHandle<FcConfig*> config(FcInitLoadConfig());
     if (!config) return places;
     add_all(FcConfigGetConfigFiles(config.get()), places);
     add_all(FcConfigGetFontDirs(config.get()), places);
@@ -167,15 +162,33 @@ std::string printable(const std::string& text) {
 }
 
 std::string font_name() {
-    return std::filesystem::path(text_font().file).filename().string();
+    return with_fonts([](const Fonts& fonts) { return std::filesystem::path(fonts.file()).filename().string(); });
+}
+
+std::set<std::string> missing_characters(const std::string& text) {
+    std::set<std::string> missing;
+    with_fonts([&](Fonts& fonts) {
+        if (fonts.sans() == nullptr) return;
+        for (std::string_view rest = text; !rest.empty();) {
+            const Character character = first_character(rest).value_or(Character{U'?', 1});
+            if (!is_invisible(character.code) && fonts.find(character.code) == nullptr)
+                missing.emplace(rest.substr(0, character.length));
+            rest.remove_prefix(character.length);
+        }
+    });
+    return missing;
 }
 
 std::optional<PixelBox> measure_text(const std::string& text, int size) {
-    return with_font([&](Font& font) { return font.measure(text, size); });
+    return with_fonts([&](Fonts& fonts) { return measure(fonts, text, size); });
 }
 
 bool draw_text(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {
-    return with_font([&](Font& font) { return font.draw(picture.pixels, x, y, text, size, colour); });
+    return with_fonts([&](Fonts& fonts) {
+        return for_glyphs(fonts, text, size, [&](const FT_Bitmap& letter, int left, int top) {
+            blend(letter, x + left, y + top, colour, picture.pixels);
+        });
+    });
 }
 
 bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,12 @@ namespace vvr::image {
 /// Makes text printable on one line: replaces control characters by spaces, and bytes that are not UTF-8 by `?`.
 std::string printable(const std::string& text);
 
-/// The file name, without folders, of the font of all text: fontconfig's sans serif font. Empty if there is none.
+/// The file name, without folders, of the font of text: fontconfig's sans serif font. Characters that it lacks
+/// are drawn with other fonts. Empty if there is none.
 std::string font_name();
+
+/// The characters of a text, in UTF-8, that no font of this machine has. A picture shows an empty box for each.
+std::set<std::string> missing_characters(const std::string& text);
 
 /// The bounding box of a line of text whose baseline begins at 0,0, in pixels.
 /// \param size font size, pixels

@@ -55,6 +55,13 @@ bool Lettering::is_free(const PixelBox& box) const {
            std::ranges::none_of(pictures, intersects) && std::ranges::none_of(badges, intersects);
 }
 
+std::set<std::string> Lettering::missing_characters() const {
+    std::set<std::string> missing;
+    for (const Label& label : labels) missing.merge(image::missing_characters(label.text));
+    for (const Badge& badge : badges) missing.merge(image::missing_characters(badge.label.text));
+    return missing;
+}
+
 bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
     if (label.text.empty() || !area.contains(label.box)) return false;
     if (!is_free(label.box.inflated(gap, gap))) return false;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,6 +63,9 @@ struct Lettering {
     std::vector<Badge> badges;
     std::vector<Label> labels;
     bool font_missing = false;  ///< text was requested, but there is no font
+
+    /// The characters of its texts, in UTF-8, that no font has.
+    std::set<std::string> missing_characters() const;
 
     /// Whether `box` intersects no label, bar, picture or badge.
     bool is_free(const PixelBox& box) const;

@@ -6,6 +6,9 @@ pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
 pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)
 
+# The shapes, ligatures and order of the letters of any script.
+pkg_check_modules(raqm REQUIRED IMPORTED_TARGET raqm)
+
 # Regular expressions in time that the text's length bounds, for names that anybody may have written.
 pkg_check_modules(re2 REQUIRED IMPORTED_TARGET re2)
 

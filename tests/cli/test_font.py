@@ -74,3 +74,38 @@ def test_golden_of_other_settings_says_so(t):
     t.vvr(*options, "--threshold", "25", "--tolerance", "100").expect(
         0, "'golden.png' was drawn with other settings: threshold was 24, now 25")
     t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png'", "opacity", "1", "0.1", code="picture-differs")
+
+
+def fonts_of(t, *names):
+    """The environment in which a text has these fonts, the first before the others."""
+    folder = t.path("fonts-" + "-".join(names))
+    folder.mkdir()
+    for name in names:
+        (folder / name).write_bytes(open(f"{DEJAVU}/{name}", "rb").read())
+    family = {"DejaVuSans.ttf": "DejaVu Sans", "DejaVuSansMono.ttf": "DejaVu Sans Mono", "DejaVuSerif-Bold.ttf": "DejaVu Serif"}[names[0]]
+    t.write(f"{folder.name}.conf", "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig>"
+                                   f"<dir>{folder}</dir><cachedir>{t.folder}/cache</cachedir><alias binding='strong'>"
+                                   f"<family>sans</family><prefer><family>{family}</family></prefer></alias></fontconfig>")
+    return os.environ | {"FONTCONFIG_FILE": str(t.path(f"{folder.name}.conf"))}
+
+
+def drawn(t, picture, title, environment):
+    done = t.vvr("render", "clip.avi", "-o", picture, "--size", "640x400", "--title", title, env=environment).expect(0)
+    return done.err, t.rgb(picture)
+
+
+def test_letters_that_a_font_lacks_come_from_another(t, fonts):
+    err, alone = drawn(t, "alone.png", "مدخل", fonts["DejaVuSerif-Bold.ttf"])
+    check("no font has 4 characters" in err, err)
+    environment = fonts_of(t, "DejaVuSerif-Bold.ttf", "DejaVuSans.ttf")
+    err, both = drawn(t, "both.png", "مدخل", environment)
+    check("no font has" not in err, err)
+    check(recorded_font(t, "both.png") == "DejaVuSerif-Bold.ttf", "the font of the other text has changed")
+    check(both != alone, "the letters are empty boxes")
+
+
+def test_letters_of_no_font_are_named(t, fonts):
+    err, _ = drawn(t, "out.png", "門 gate 門", fonts["DejaVuSans.ttf"])
+    check("no font has 1 character of the picture's text: 門" in err, err)
+    err, _ = drawn(t, "out.png", "gate\u200b \u202b1", fonts["DejaVuSans.ttf"])
+    check("no font has" not in err, err)
