@@ -24,12 +24,12 @@ bool is_memory_available(std::int64_t bytes) {
 }
 
 void tune_malloc() {
-    constexpr int larger_than_a_plane = 2 << 20;
+    constexpr int larger_than_a_brick = 16 << 20;  // bytes; a texture of Mesa's software rasteriser is such a block
     // One heap for all threads: planes are often freed by another thread than the one that allocated them, and each
     // heap would keep its own.
     mallopt(M_ARENA_MAX, 1);
-    mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
-    mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
+    mallopt(M_MMAP_THRESHOLD, larger_than_a_brick);
+    mallopt(M_TRIM_THRESHOLD, 8 * larger_than_a_brick);
 }
 
 void trim_heap() {

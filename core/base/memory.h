@@ -11,8 +11,8 @@ std::int64_t machine_memory();
 /// Whether the process can allocate `bytes` more: its own limits may be lower than the machine's memory.
 bool is_memory_available(std::int64_t bytes);
 
-/// Makes malloc keep freed planes for reuse, because returning and faulting in their pages for each frame is slow.
-/// Larger blocks still go back at once.
+/// Makes malloc keep freed planes and textures for reuse, because returning and faulting in their pages for each frame
+/// and each brick is slow. Larger blocks still go back at once.
 void tune_malloc();
 
 /// Returns freed memory that malloc has kept to the system.
