@@ -533,14 +533,14 @@ def killed_at_random(t, count, seed):
             # A limit on the size of files is met where a full disk would be, and says much the same. A smaller one would
             # also be met by what workers are told, which is on no disk.
             full = start(t, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((8000, 20000)),) * 2))
-            said = full.communicate(timeout=60)[1].decode()
+            said = full.communicate(timeout=240)[1].decode()
             check(full.returncode == 2 or len(done) == len(names), f"status {full.returncode}: {said}")
         else:
             run = start(t)
             time.sleep(random.uniform(0.02, 2.0))
             workers = workers_of(run)
             way(run)
-            run.communicate(timeout=60)
+            run.communicate(timeout=240)
             if way is end_politely:
                 check(run.returncode in (-signal.SIGTERM, 0, 6), f"status {run.returncode}")
             no_worker_left(workers)
@@ -556,6 +556,7 @@ def killed_at_random(t, count, seed):
     archive(t).expect(0, f"nothing to do; {len(names)} done before")
 
 
+@pytest.mark.timeout(600)
 def test_archive_that_is_killed(t):
     killed_at_random(t, 5, 1)
 

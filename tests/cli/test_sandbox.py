@@ -100,12 +100,15 @@ def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     calls = ["execve", "execveat", "ptrace", "peek", "mount", "unshare", "bpf", "userfaultfd", "int80", "x32"]
     clips(t, "good.avi", *[f"{call}.avi" for call in calls])
     archive(t, "--sandbox", "required", env=hijacked()).expect(6, f"1 clip drawn, {len(calls)} failed", code="worker-killed")
-    wrong = {call: sidecar(t, f"{call}.avi")["status"] for call in calls if sidecar(t, f"{call}.avi")["status"] != SIGSYS}
-    check(not wrong, f"not ended by SIGSYS: {wrong}")
+    shut = {call: sidecar(t, f"{call}.avi")["status"] for call in calls}
     if os.uname().machine == "x86_64":
         t.path("out").rename(t.path("shut"))
         archive(t, "--sandbox", "off", env=hijacked()).expect(6)
-        check(not any(sidecar(t, f"{call}.avi")["status"] == SIGSYS for call in calls), "ended without a sandbox too, so it proves nothing")
+        free = {call: sidecar(t, f"{call}.avi")["status"] for call in calls}
+        check(SIGSYS not in free.values(), f"ended without a sandbox too, so it proves nothing: {free}")
+        if free["int80"] == 128 + signal.SIGSEGV:  # a processor or a virtual machine that has no 32-bit calls
+            del shut["int80"]
+    check(set(shut.values()) == {SIGSYS}, f"not ended by SIGSYS: {shut}")
 
 
 @pytest.mark.parametrize("mode", ["auto", "off"])
