@@ -66,8 +66,10 @@ Console::Console(const Environment& environment, bool bar)
     : environment_(environment), bar_(bar && !environment.quiet && stderr_is_terminal()) {}
 
 void Console::frames(std::int64_t done, std::int64_t expected) {
-    if (!bar_) return;
     const std::lock_guard lock(mutex_);
+    if (environment_.progress && expected > 0)
+        environment_.progress(static_cast<double>(done) / static_cast<double>(expected));
+    if (!bar_) return;
     if (!progress_) progress_.emplace("frames", expected);
     progress_->set(done);
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@ namespace vvr::cli {
 struct Environment {
     spdlog::logger& log;  ///< for people, on stderr
     Signals& signals;
-    bool quiet = false;  ///< log errors only
+    bool quiet = false;                           ///< log errors only
+    std::function<void(double part)> progress{};  ///< in a worker: receives which part of the frames has been read
 };
 
 /// Writes `text` to stdout. A closed pipe is not an error, as when `head` has read enough.

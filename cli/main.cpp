@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
     const auto warnings = parent ? vvr::cli::keep_warnings(*log, vvr::workers::most_warnings) : nullptr;
     const vvr::cli::Outcome outcome = vvr::cli::report_errors(*log, [&] {
         vvr::cli::Signals signals;
-        const vvr::cli::Environment environment{*log, signals};
+        vvr::cli::Environment environment{*log, signals};
+        if (parent) environment.progress = vvr::workers::ProgressToParent(*parent);
         if (parent) return vvr::commands::run_plan(vvr::workers::read_plan(), environment);
         return vvr::commands::run_command(std::vector<std::string>(argv + 1, argv + argc), environment);
     });

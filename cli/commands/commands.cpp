@@ -47,7 +47,7 @@ cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environm
     if (!fill(all.line)) return cli::ExitStatus::done;
     options::check_no_input_overwritten(all.line);
     apply(all.log, environment.log);
-    return all.command->run(all.line, {environment.log, environment.signals, all.log.quiet});
+    return all.command->run(all.line, {environment.log, environment.signals, all.log.quiet, environment.progress});
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {

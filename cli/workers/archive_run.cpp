@@ -13,6 +13,7 @@
 
 #include "cli/console.h"
 #include "cli/log.h"
+#include "cli/workers/archive_progress.h"
 #include "cli/workers/worker.h"
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
@@ -174,18 +175,32 @@ namespace {
 /// second worker that reads no clip then tests OpenGL, and the failed clips wait for its result.
 class Drawing {
   public:
-    Drawing(const ArchiveJob& job, std::size_t clips, int workers, const cli::Environment& environment)
-        : job_(job), environment_(environment), tally_(clips, environment.log), pool_(workers, environment.signals) {}
+    Drawing(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
+            const cli::Environment& environment)
+        : job_(job),
+          environment_(environment),
+          tally_(clips.size(), environment.log),
+          bar_(environment),
+          pool_(workers, environment.signals) {
+        progress_.clips = clips.size();
+        for (const PlannedClip& planned : clips) progress_.bytes += planned.clip.size;
+        if (bar_.is_shown()) pool_.set_tick([this] { show_progress(); });
+    }
 
-    void draw(const std::string& clip) {
+    void draw(const archive::Clip& clip) {
         pool_.wait_for_room();
-        std::optional<ClipTask> task = begin_task(job_, clip, tally_);
-        if (!task) return;
+        bar_.clear();
+        std::optional<ClipTask> task = begin_task(job_, clip.path, tally_);
+        if (!task) return end_progress(clip.size);
         std::unique_ptr<Worker> worker = task->start();
-        pool_.add(std::move(worker),
-                  [this, task = std::make_shared<ClipTask>(std::move(*task)), clip](const WorkerResult& end) {
-                      take({task, clip, end});
-                  });
+        running_.push_back({worker.get(), clip.path, clip.size});
+        pool_.add(std::move(worker), [this, task = std::make_shared<ClipTask>(std::move(*task)), clip,
+                                      drawn = running_.back().worker](const WorkerResult& end) {
+            std::erase_if(running_, [drawn](const Running& one) { return one.worker == drawn; });
+            end_progress(clip.size);
+            bar_.clear();
+            take({task, clip.path, end});
+        });
     }
 
     ArchiveOutcome wait_for_all() {
@@ -194,6 +209,23 @@ class Drawing {
     }
 
   private:
+    struct Running {
+        const Worker* worker;
+        std::string clip;
+        std::int64_t bytes;
+    };
+
+    void end_progress(std::int64_t bytes) {
+        ++progress_.finished;
+        progress_.finished_bytes += bytes;
+    }
+
+    void show_progress() {
+        std::vector<ClipProgress> clips;
+        for (const Running& one : running_) clips.push_back({one.clip, one.bytes, one.worker->part()});
+        bar_.show(progress_, clips);
+    }
+
     struct Drawn {
         std::shared_ptr<ClipTask> task;
         std::string clip;
@@ -229,6 +261,9 @@ class Drawing {
     const ArchiveJob& job_;
     const cli::Environment& environment_;
     ClipTally tally_;
+    ArchiveBar bar_;
+    ArchiveProgress progress_{};
+    std::vector<Running> running_{};
     bool can_draw_ = false;
     std::vector<Drawn> undecided_{};
     WorkerPool pool_;
@@ -238,8 +273,8 @@ class Drawing {
 
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
                           const cli::Environment& environment) {
-    Drawing drawing(job, clips.size(), workers, environment);
-    for (const PlannedClip& planned : clips) drawing.draw(planned.clip.path);
+    Drawing drawing(job, clips, workers, environment);
+    for (const PlannedClip& planned : clips) drawing.draw(planned.clip);
     return drawing.wait_for_all();
 }
 

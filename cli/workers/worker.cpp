@@ -256,11 +256,22 @@ void Worker::read_output() {
 /// of the message only.
 void Worker::read_message() {
     std::array<char, 4096> room{};
-    while (message_.size() <= longest_message) {
+    while (message_.size() <= longest_message + most_marks) {
         const ssize_t count = ::read(message_pipe_, room.data(), room.size());
         if (count <= 0) return;
         message_.append(room.data(), static_cast<std::size_t>(count));
     }
+}
+
+/// The number of marks of progress, which follow the first byte.
+std::size_t Worker::marks() const {
+    if (message_.empty()) return 0;
+    const std::size_t end = message_.find_first_not_of(progress_mark, 1);
+    return std::min(end, message_.size()) - 1;
+}
+
+double Worker::part() const {
+    return std::min(1.0, static_cast<double>(marks()) / most_marks);
 }
 
 void Worker::reap(bool wait) {
@@ -272,7 +283,7 @@ void Worker::reap(bool wait) {
     ended_ = true;
     read_message();
     end_.began = !message_.empty();
-    if (message_.size() > 1) end_.message = decode_message(std::string_view(message_).substr(1));
+    end_.message = decode_message(std::string_view(message_).substr(std::min(1 + marks(), message_.size())));
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }
@@ -322,6 +333,7 @@ void WorkerPool::wait_until_below(int count) {
         }
         for (const Job& job : over) job.done(job.worker->end());
         if (std::ssize(jobs_) < count) return;
+        if (tick_) tick_();
         if (over.empty()) sleep();
     }
 }

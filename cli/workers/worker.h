@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
@@ -59,6 +60,9 @@ class Worker {
     /// Sends SIGTERM to the worker's process group.
     void interrupt();
 
+    /// Which part of its frames it says to have read, 0 to 1.
+    double part() const;
+
     const WorkerResult& end() const { return end_; }
 
   private:
@@ -67,6 +71,7 @@ class Worker {
     void kill() const;
     void read_output();
     void read_message();
+    std::size_t marks() const;
     void reap(bool wait);
     void enforce_limits();
     std::int64_t written() const;
@@ -94,6 +99,9 @@ class WorkerPool {
 
     void add(std::unique_ptr<Worker> worker, Done done);
 
+    /// Sets a function that is called several times a second while workers run.
+    void set_tick(std::function<void()> tick) { tick_ = std::move(tick); }
+
     /// Waits until another worker can start.
     void wait_for_room() { wait_until_below(most_); }
 
@@ -112,6 +120,7 @@ class WorkerPool {
     int most_;
     cli::Signals& signals_;
     std::list<Job> jobs_;
+    std::function<void()> tick_{};
     int wake_;  ///< eventfd, written when a signal arrives
     std::atomic<bool> ending_ = false;
     std::atomic<bool> ended_ = false;

@@ -110,6 +110,14 @@ WorkerPlan read_plan() {
     }
 }
 
+void ProgressToParent::operator()(double part) {
+    const int marks = static_cast<int>(std::clamp(part, 0.0, 1.0) * most_marks);
+    if (marks <= sent_) return;
+    const std::string text(static_cast<std::size_t>(marks - sent_), progress_mark);
+    sent_ = marks;
+    [[maybe_unused]] const ssize_t written = ::write(parent_, text.data(), text.size());
+}
+
 void send_to_parent(int parent, WorkerMessage message) {
     const std::string text = encode(std::move(message));
     [[maybe_unused]] const ssize_t written = ::write(parent, text.data(), text.size());

@@ -71,6 +71,23 @@ std::optional<int> begin_worker();
 /// \throws std::exception when it is malformed
 WorkerPlan read_plan();
 
+/// What a worker writes before its message, once for each hundredth of its frames that it has read.
+inline constexpr char progress_mark = '.';
+inline constexpr int most_marks = 100;
+
+/// In a worker: tells the parent how much of its clip it has read.
+class ProgressToParent {
+  public:
+    explicit ProgressToParent(int parent) : parent_(parent) {}
+
+    /// \param part 0 to 1; it may exceed 1 if a header is wrong
+    void operator()(double part);
+
+  private:
+    int parent_;
+    int sent_ = 0;
+};
+
 /// In a worker that ends: sends its message.
 void send_to_parent(int parent, WorkerMessage message);
 

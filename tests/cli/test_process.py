@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import shutil
 import signal
 import subprocess
@@ -46,12 +47,11 @@ def test_ignored_signals_stay_ignored(t):
     t.expect_picture()
 
 
-def test_progress_bar_on_a_terminal(t):
-    t.clip("long.avi", seconds=20, size="384x288")
+def on_terminal(t, *arguments):
+    """What a run that succeeds writes to stderr, where that is a terminal."""
     parent, terminal = pty.openpty()
     environment = os.environ | {"TERM": "xterm"}
-    child = subprocess.Popen([t.vvr_path, "render", "long.avi", "-o", "out.png"], cwd=t.folder, env=environment,
-                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal)
+    child = subprocess.Popen([t.vvr_path, *arguments], cwd=t.folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal)
     os.close(terminal)
     said = b""
     try:
@@ -60,9 +60,31 @@ def test_progress_bar_on_a_terminal(t):
     except OSError:  # how Linux says that the other end of a terminal is gone
         pass
     check(child.wait() == 0, said.decode())
-    check(b"frames [" in said and b" %" in said and b"drawing" in said, said.decode())
-    last = said.decode().rsplit("\033[K", 1)[1]
+    return said.decode()
+
+
+def test_progress_bar_on_a_terminal(t):
+    t.clip("long.avi", seconds=20, size="384x288")
+    said = on_terminal(t, "render", "long.avi", "-o", "out.png")
+    check("frames [" in said and " %" in said and "drawing" in said, said)
+    last = said.rsplit("\033[K", 1)[1]
     check("200 frames" in last and "[" not in last, f"the bar is still there: {last!r}")
+
+
+def test_archive_shows_its_progress_on_a_terminal(t):
+    t.path("in").mkdir()
+    for name in ("one.avi", "two.avi"):
+        t.clip(f"in/{name}", seconds=20, size="384x288")
+        os.utime(t.path(f"in/{name}"), (time.time() - 3600,) * 2)
+    said = on_terminal(t, "archive", "in", "-o", "out", "--jobs", "1")
+    lines = [line for line in said.split("\r\033[K") if line.startswith("archive [")]
+    check(lines and all(len(line) < 80 and "\n" not in line for line in lines), said)
+    check(any("; 0 of 2 clips; " in line for line in lines) and any("; 1 of 2 clips; " in line for line in lines), said)
+    parts = [int(found[1]) for line in lines if (found := re.search(r"avi (\d+) %", line))]
+    check(len(set(parts)) > 2, f"the parts of a clip: {parts}")
+    last = said.rsplit("\033[K", 1)[1]
+    check("'out': 2 clips drawn" in last and "archive [" not in last, f"the bar is still there: {last!r}")
+    check("archive [" not in on_terminal(t, "archive", "in", "-o", "quiet", "--quiet"), "a bar in spite of --quiet")
 
 
 def test_installed_program_is_relocatable(t):
