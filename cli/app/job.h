@@ -74,11 +74,18 @@ struct OutputOptions {
     std::filesystem::path thumbnail;   ///< empty = none
     std::filesystem::path still;       ///< for a frame of the clip; empty = none
     std::filesystem::path stills;      ///< for the contact sheet of the events; empty = none
-    bool plain_name = false;           ///< `path` contains no pattern field
-    std::optional<int> animate;        ///< number of pictures with moving texture
-    std::optional<int> slide;          ///< film of the sliding window: pictures per brick
-    std::filesystem::path report;      ///< empty = none
-    events::EventChoice events;        ///< which events the report and the page list
+    /// Pieces of the clip with its events, beside a page.
+    struct Pieces {
+        std::filesystem::path folder;  ///< where they are written; empty = none
+        std::filesystem::path place;   ///< their final folder, for links
+        double margin = 0;             ///< seconds before and after an event
+    };
+    Pieces pieces{};
+    bool plain_name = false;       ///< `path` contains no pattern field
+    std::optional<int> animate;    ///< number of pictures with moving texture
+    std::optional<int> slide;      ///< film of the sliding window: pictures per brick
+    std::filesystem::path report;  ///< empty = none
+    events::EventChoice events;    ///< which events the report and the page list
     GoldenOptions golden;
 };
 

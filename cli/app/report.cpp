@@ -279,7 +279,7 @@ Json json_of(const WallClock& clock, double first, double last) {
 }  // namespace
 
 std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds,
-                          std::span<const double> tiles) {
+                          const ArchiveFacts& archive) {
     const auto& [plan, seen, composed, run] = context;
     const video::VideoInfo& info = seen.info;
     const double first = seen.begin.seconds;
@@ -332,8 +332,8 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
             json["events"].push_back(json_of(seen.events->events[k], k, scale, {info.segments, plan.clock}));
     }
-    // Only an archive asks for them.
-    for (const double tile : tiles) json["stills"].push_back(rounded(tile));
+    for (const double tile : archive.tiles) json["stills"].push_back(rounded(tile));
+    if (!archive.not_kept.empty()) json["not_kept"] = archive.not_kept;
     return json_text(json, 2) + "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,11 +64,17 @@ struct RunContext {
     const RunFacts& run;
 };
 
+/// What only an archive asks for in a report.
+struct ArchiveFacts {
+    std::span<const double> tiles{};  ///< times of the contact sheet's pictures, seconds
+    std::string not_kept{};           ///< which events have no piece, and why; empty = all have one
+};
+
 /// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.
 /// \param advice from advice_on
 /// \param seconds duration of the run
 std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds,
-                          std::span<const double> tiles = {});
+                          const ArchiveFacts& archive = {});
 
 /// The metadata of a picture's file: the settings, and their results for this clip.
 image::Metadata record_of(const RunContext& context);

@@ -136,7 +136,8 @@ std::string cut_extension(const std::string& file, double rate) {
 }  // namespace
 
 std::string page_text(const RunContext& context, image::Picture picture, const image::Metadata& settings,
-                      page::Moments moments, const std::optional<page::LiveState>& live) {
+                      page::Moments moments, const std::optional<page::LiveState>& live,
+                      std::span<const WrittenPiece> pieces) {
     const auto& [plan, seen, composed, run] = context;
     const RenderJob& job = plan.job;
     std::error_code none;
@@ -151,6 +152,10 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
         if (segment.end <= segment.begin) continue;  // entirely overlapped by another file
         content.segments.push_back(
             {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+    }
+    for (const WrittenPiece& piece : pieces) {
+        content.pieces.push_back({page::relative_url(path, job.output.pieces.place / piece.file), piece.times.begin,
+                                  piece.times.end - piece.times.begin});
     }
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
     if (is_file) content.clip_url = page::relative_url(path, input);
@@ -205,13 +210,17 @@ void Writer::write(FinishedPicture&& finished) {
         files_.add_stills(sheet);
         if (sheet) tiles_ = sheet->seconds;
     }
+    if (!output.pieces.folder.empty()) {
+        const RunContext& context = finished.context;
+        kept_ = keep_events(context.plan, context.seen, camera_of(context.plan.job, context.seen.info), observer_);
+    }
     if (page_of(output).empty()) {
         files_.add(finished.number, std::move(picture), record);
         return;
     }
     if (!also_page) bare = std::move(picture);
     if (also_page && !is_page(output.path)) files_.add(finished.number, std::move(picture), record);
-    files_.add_page(page_text(finished.context, std::move(bare), record, std::move(moments)));
+    files_.add_page(page_text(finished.context, std::move(bare), record, std::move(moments), {}, kept_.pieces));
 }
 
 void Writer::finish(const RunContext& context, double seconds) {
@@ -223,7 +232,7 @@ void Writer::finish(const RunContext& context, double seconds) {
     if (context.plan.products.events && context.seen.events)
         observer_.info(events_summary(context.seen.events->events, context.plan.clock));
     if (!output.report.empty()) {
-        const std::string text = format_report(context, advice, seconds, tiles_);
+        const std::string text = format_report(context, advice, seconds, {tiles_, kept_.problem});
         const auto bytes = std::as_bytes(std::span(text));
         const auto held = observer_.guard();
         if (is_standard_output(output.report)) {

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/app/job.h"
+#include "cli/app/keep_events.h"
 #include "cli/app/observer.h"
 #include "cli/app/report.h"
 #include "core/image/name_pattern.h"
@@ -69,8 +71,10 @@ void add_lettering(FinishedPicture& finished);
 /// \param picture without its text
 /// \param settings of the picture
 /// \param live for a stream
+/// \param pieces that the page plays when the footage is gone
 std::string page_text(const RunContext& context, image::Picture picture, const image::Metadata& settings,
-                      page::Moments moments, const std::optional<page::LiveState>& live = {});
+                      page::Moments moments, const std::optional<page::LiveState>& live = {},
+                      std::span<const WrittenPiece> pieces = {});
 
 /// Called for each picture of a run, with the metadata of its file.
 using PictureCallback = std::function<void(const image::Picture& picture, const image::Metadata& record)>;
@@ -97,6 +101,7 @@ class Writer {
     Observer& observer_;
     image::Picture last_;        ///< for the comparison with the golden picture
     std::vector<double> tiles_;  ///< times of the contact sheet, seconds
+    KeptEvents kept_;            ///< the pieces of the events
 };
 
 }  // namespace vvr::app

@@ -22,6 +22,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/fields/filter.h"
 #include "core/video/input_files.h"
 #include "gl/context.h"
 
@@ -53,6 +54,10 @@ constexpr Setting keep{
     "older clips are not drawn",
     {},
     "for ever"};
+constexpr Setting keep_events{
+    "keep-events", "",
+    "also copy each event to a piece of video beside its page, which plays it when the clip is gone"};
+constexpr Setting margin{"margin", "TIME", "with --keep-events: additional time before and after an event", {0, 3600}};
 constexpr Setting write{"write", "LIST", "what a run writes"};
 constexpr Setting jobs{"jobs",
                        "COUNT",
@@ -78,6 +83,8 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(text::dry_run, archive.dry_run);
     add(text::prune, archive.prune);
     add(text::keep, archive.keep);
+    add(text::keep_events, archive.keep_events);
+    add(text::margin, archive.margin);
     add(text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
     const options::AddOptions add_worker(line, options::Group::workers);
     add_worker(text::jobs, archive.jobs);
@@ -94,6 +101,12 @@ void check(const workers::ArchiveOptions& options) {
         throw Error(ErrorCode::option_value_out_of_range,
                     "keep: files are kept for at least an hour; give a longer time, for example 30d",
                     {text::keep.name});
+    }
+    if (options.keep_events && options.prune) {
+        throw Error(ErrorCode::options_conflict,
+                    "--prune removes the pieces of deleted clips, which --keep-events is to keep; drop --prune, and "
+                    "remove files by age with --keep AGE",
+                    {text::keep_events.name});
     }
     if (!options.draws() && (options.prune || options.keep || options.dry_run)) {
         throw Error(ErrorCode::options_conflict,
@@ -143,6 +156,7 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
         if (row.kind != archive::OutputKind::page || options.writes(workers::Written::pages))
             text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
+    if (options.keep_events) text += fmt::format("pieces {}\n", options.margin);
     return hex_sha256(text);
 }
 
@@ -158,7 +172,9 @@ class Archive final : public Command {
                        {"vvr archive clips -o pictures --prune --quiet",
                         "for cron: draw new clips, remove pictures of deleted ones, print failures"},
                        {"vvr archive recordings -o days --per day", "one picture per camera and day"},
-                       {"vvr archive recordings -o nights --per night", "one picture per camera and night"}});
+                       {"vvr archive recordings -o nights --per night", "one picture per camera and night"},
+                       {"vvr archive clips -o pictures --keep-events --keep 30d",
+                        "keep events as video for a month, even if the clips are overwritten"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
@@ -174,6 +190,8 @@ class Archive final : public Command {
             own.line.parse(line.parsed());
             auto& archive = static_cast<Archive&>(*own.command);
             archive.options_.write = options_.write;
+            archive.options_.keep_events = options_.keep_events;
+            archive.options_.margin = options_.margin;
             options_.of_cameras.emplace(camera, archive.pictures_of(own.line));
             const std::vector<std::filesystem::path>& files = archive.options_.needs.files;
             options_.needs.files.insert(options_.needs.files.end(), files.begin(), files.end());
@@ -195,6 +213,14 @@ class Archive final : public Command {
         options::finish(line, job_, false);
         if (options_.draws()) {
             app::validate(job_);
+            const fields::FilterRow& filter = *job_.fields.filter;
+            if (options_.keep_events && !filter.traits.shows_object) {
+                throw Error(ErrorCode::options_conflict,
+                            fmt::format("filter '{}' does not mark objects, so there are no events to keep; choose "
+                                        "another filter, or drop --keep-events",
+                                        filter.name),
+                            {"filter", text::keep_events.name});
+            }
             app::open_detector(job_.detector);
         }
         workers::PictureSettings pictures;

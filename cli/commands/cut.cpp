@@ -13,15 +13,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/footage.h"
 #include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/job.h"
 #include "cli/app/observe.h"
 #include "cli/app/observer.h"
+#include "cli/app/piece.h"
+#include "cli/app/piece_record.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
-#include "cli/commands/footage.h"
-#include "cli/commands/write_piece.h"
+#include "cli/commands/new_folder.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
@@ -29,9 +31,11 @@
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
+#include "core/image/picture_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
 #include "core/video/packet_copy.h"
+#include "core/video/piece_names.h"
 
 namespace vvr::commands {
 
@@ -45,6 +49,7 @@ struct CutJob {
     double margin = 0;                  ///< seconds before and after
     bool exact = false;                 ///< encode exactly the frames of the piece, without sound
     std::filesystem::path path;         ///< a file, a name without extension, or a folder; missing parts are chosen
+    std::filesystem::path evidence;     ///< instead: a new folder for the piece, a still, and where they come from
 };
 
 namespace fs = std::filesystem;
@@ -59,20 +64,18 @@ void check_not_input(const fs::path& path, const fs::path& input, std::string_vi
                             path.string(), what, input.string()));
 }
 
-/// Rounds a time to milliseconds.
-double rounded(double seconds) {
-    return std::round(seconds * 1000) / 1000;
-}
-
 /// The part of the footage that is in the piece.
 struct Selection {
     video::FrameSpan span;
     std::vector<video::SegmentPlace> places;
+    std::optional<app::PieceEvent> event{};
+    image::Metadata settings{};  ///< with which the event was found
 };
 
 // ---- An event
 
-const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>& events, const std::string& where) {
+const app::PieceEvent& choose_event(const CutJob& job, const std::vector<app::PieceEvent>& events,
+                                    const std::string& where) {
     const auto count = std::ssize(events);
     if (*job.event >= 1 && *job.event <= count) return events[static_cast<std::size_t>(*job.event - 1)];
     const std::string what = count == 0   ? "has no events"
@@ -81,15 +84,7 @@ const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>&
     throw Error(ErrorCode::event_unknown, fmt::format("event {}: '{}' {}", *job.event, where, what), {"event"});
 }
 
-video::FrameSpan span_of(const EventTimes& event, double margin) {
-    // A span's end is exclusive, but the event's last frame is part of it.
-    video::FrameSpan span;
-    span.start = rounded(std::max(0.0, event.first - margin));
-    span.end = rounded(event.last + margin) + little;
-    return span;
-}
-
-Selection find_event(const CutJob& job, const Footage& footage, app::Observer& observer) {
+Selection find_event(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
     app::validate(job.search);
     const fields::FilterRow& filter = *job.search.fields.filter;
     if (!filter.traits.shows_object) {
@@ -103,21 +98,23 @@ Selection find_event(const CutJob& job, const Footage& footage, app::Observer& o
     app::RenderJob search = job.search;
     search.look.show = {};
     const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search, std::move(detector));
-    std::vector<EventTimes> events;
+    std::vector<app::PieceEvent> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
     for (const events::Event& event : seen.events->events) {
-        events.push_back({event.first.seconds, event.last.seconds});
+        events.push_back(app::piece_event(event, events.size()));
     }
-    const video::FrameSpan span = span_of(choose_event(job, events, footage.recording.name), job.margin);
-    if (footage.is_single) return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
-    return {span, fields.source->info().segments};
+    const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
+    const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
+    if (!footage.is_single) return {span, fields.source->info().segments, event, plan.job.settings};
+    return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer), event, plan.job.settings};
 }
 
-Selection read_event(const CutJob& job, const Footage& footage) {
-    const ReportedEvents reported = read_events(job.report);
-    const EventTimes& event = choose_event(job, reported.times, job.report.string());
+Selection read_event(const CutJob& job, const app::Footage& footage) {
+    const app::ReportedEvents reported = app::read_events(job.report);
+    const app::PieceEvent& event = choose_event(job, reported.events, job.report.string());
     const auto number = static_cast<std::size_t>(*job.event - 1);
-    return {span_of(event, job.margin), place_by_report(footage, reported, number, job.margin, job.report.string())};
+    return {app::span_around(event.first, event.last, job.margin),
+            app::place_by_report(footage, reported, number, job.margin, job.report.string()), event, reported.settings};
 }
 
 // ---- Between two times
@@ -125,7 +122,7 @@ Selection read_event(const CutJob& job, const Footage& footage) {
 /// Properties of the recording that say when its second 0 was.
 /// \param file of the footage
 /// \param begin of the file, in seconds of the recording
-video::VideoInfo info_of(const Footage& footage, const video::Segment& file, double begin, double rate) {
+video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file, double begin, double rate) {
     const video::ClipHeader header =
         video::header_of(video::Demuxer(video::open_input(file.path), video::Demuxer::Kind::video, rate));
     const std::int64_t before = std::llround(begin);
@@ -139,7 +136,7 @@ video::VideoInfo info_of(const Footage& footage, const video::Segment& file, dou
 }
 
 /// The job, in which the wall-clock limits of the span are seconds of the recording.
-CutJob in_seconds(CutJob job, const Footage& footage, app::Observer& observer) {
+CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer) {
     video::FrameSpan& span = job.search.fields.span;
     if (job.event || (!span.asked.start && !span.asked.end)) return job;
     const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
@@ -160,7 +157,7 @@ CutJob in_seconds(CutJob job, const Footage& footage, app::Observer& observer) {
 }
 
 /// Checks that a limit of the piece may be a frame.
-void check_frame(const CutJob& job, const Footage& footage, std::int64_t frame, const Setting& setting) {
+void check_frame(const CutJob& job, const app::Footage& footage, std::int64_t frame, const Setting& setting) {
     if (frame == 0) return;
     if (job.margin > 0) {
         throw Error(
@@ -177,7 +174,7 @@ void check_frame(const CutJob& job, const Footage& footage, std::int64_t frame, 
                 {setting.name});
 }
 
-video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
+video::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
     video::FrameSpan span = job.search.fields.span;
     check_frame(job, footage, span.first, setting::start);
     check_frame(job, footage, span.stop.value_or(0), setting::end);
@@ -194,9 +191,9 @@ video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
     return span;
 }
 
-Selection select_between(const CutJob& job, const Footage& footage, app::Observer& observer) {
+Selection select_between(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
     const video::FrameSpan span = span_between(job, footage);
-    return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
+    return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
 // ---- The output's name
@@ -207,17 +204,21 @@ bool is_open(const fs::path& path) {
     return !path.has_filename() || fs::is_directory(path, none) || path.extension().empty();
 }
 
+/// The extension that fits the piece.
+std::string_view extension_of_piece(const CutJob& job, const app::FootagePart& first) {
+    if (job.exact) return app::exact_extension();
+    const std::string_view extension = video::extension_for(video::open_input(first.file.path), job.search.input.rate);
+    if (!extension.empty()) return extension;
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("no container supports all streams of '{}'; encode the piece instead of copying it",
+                            first.file.path),
+                {"exact"});
+}
+
 /// The full file name: adds the fitting extension, and in a folder a name based on the first file.
-fs::path named(const CutJob& job, const Selection& selection, const FootagePart& first) {
+fs::path named(const CutJob& job, const Selection& selection, const app::FootagePart& first) {
     if (!is_open(job.path)) return job.path;
-    const video::Input input = video::open_input(first.file.path);
-    const std::string_view ending = job.exact ? exact_extension() : video::extension_for(input, job.search.input.rate);
-    if (ending.empty()) {
-        throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("no container supports all streams of '{}'; encode the piece instead of copying it",
-                                first.file.path),
-                    {"exact"});
-    }
+    const std::string_view ending = extension_of_piece(job, first);
     std::error_code none;
     const bool is_folder = !job.path.has_filename() || fs::is_directory(job.path, none);
     if (!is_folder) return fs::path(job.path) += ending;
@@ -227,7 +228,7 @@ fs::path named(const CutJob& job, const Selection& selection, const FootagePart&
     return job.path / fmt::format("{}-{}{}", stem, what, ending);
 }
 
-void check_output(const CutJob& job, const fs::path& path, const Footage& footage, app::Observer& observer) {
+void check_output(const CutJob& job, const fs::path& path, const app::Footage& footage, app::Observer& observer) {
     for (const video::Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
     if (!job.report.empty()) check_not_input(path, job.report, "report");
     const auto held = observer.guard();
@@ -237,7 +238,7 @@ void check_output(const CutJob& job, const fs::path& path, const Footage& footag
 // ---- Properties of the piece
 
 /// Sets the clock of the footage from the first file of the piece.
-void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPlace& first, PieceJob& piece) {
+void set_clock(const CutJob& job, const app::Footage& footage, const video::SegmentPlace& first, app::PieceJob& piece) {
     const auto file = std::ranges::find(footage.recording.segments, first.path, &video::Segment::path);
     const video::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
     const app::StartTime& start = job.search.look.start_time;
@@ -246,9 +247,9 @@ void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPl
 }
 
 /// Logs the gaps, which the piece keeps.
-void warn_of_gaps(const PieceJob& piece, app::Observer& observer) {
+void warn_of_gaps(const app::PieceJob& piece, app::Observer& observer) {
     double shown = piece.span.start;
-    for (const FootagePart& part : piece.parts) {
+    for (const app::FootagePart& part : piece.parts) {
         if (part.file.begin > shown + little) {
             observer.warn(fmt::format("'{}' has no frames from {:.3f} s to {:.3f} s; the piece keeps this gap",
                                       piece.name, shown, part.file.begin));
@@ -257,33 +258,72 @@ void warn_of_gaps(const PieceJob& piece, app::Observer& observer) {
     }
 }
 
+std::optional<app::PieceTimes> write_piece(const CutJob& job, const app::PieceJob& piece, app::Observer& observer,
+                                           const std::stop_token& stop) {
+    return job.exact ? app::encode_piece(piece, observer, stop) : app::copy_piece(piece, observer, stop);
+}
+
+// ---- A folder of evidence
+
+/// Writes the piece, a still in full size, and where they come from, to a new folder.
+/// \returns false if it was stopped
+bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob piece, app::Observer& observer,
+                    const std::stop_token& stop) {
+    const std::string stem = job.event ? fmt::format("event-{}", *job.event) : "piece";
+    const std::string file = fmt::format("{}{}", stem, extension_of_piece(job, piece.parts.front()));
+    const std::string still = stem + ".png";
+    HeldObserver held(observer);  // outlives the folder, so that a signal finds it whole or removed
+    NewFolder folder(job.evidence);
+    piece.path = folder.hidden() / file;
+    piece.place = job.evidence / file;
+    const std::optional<app::PieceTimes> times = write_piece(job, piece, held, stop);
+    if (!times) return false;
+    app::PieceRecord record{piece.camera, piece.clock, selection.settings};
+    record.pieces.push_back({file, *times, !job.exact, {}});
+    if (selection.event) record.pieces.front().events.push_back(*selection.event);
+    for (const app::FootagePart& part : piece.parts) record.footage.push_back(part.file.path);
+    const double middle = (times->begin + times->end) / 2;
+    const app::FullFrame frame =
+        app::frame_of(piece, selection.event ? selection.event->best.value_or(middle) : middle);
+    replace_file(folder.hidden() / still, image::encode_picture(still, frame.picture));
+    record.still = app::PieceRecord::Still{still, frame.seconds};
+    app::write_record(folder.hidden(), record, held);
+    if (stop.stop_requested()) return false;
+    folder.publish();
+    observer.info(fmt::format("'{}': {}, {}, {} and {}", job.evidence.string(), file, still, video::record_name,
+                              video::sums_name));
+    return true;
+}
+
 /// Writes the piece. Copies packets from the preceding key frame on, unless the piece must be exact.
 /// \param stop request to stop; no file is then left
 /// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& stop) {
     const bool open = is_open(asked.path);
-    if (!open) asked.exact ? check_exact(asked.path) : static_cast<void>(video::container_of(asked.path));
-    const Footage footage = find_footage(asked.search.input);
+    if (!open) asked.exact ? app::check_exact(asked.path) : static_cast<void>(video::container_of(asked.path));
+    const app::Footage footage = app::find_footage(asked.search.input);
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
+    if (!job.evidence.empty()) check_is_free(job.evidence);
     const Selection selection = !job.event           ? select_between(job, footage, observer)
                                 : job.report.empty() ? find_event(job, footage, observer)
                                                      : read_event(job, footage);
-    PieceJob piece;
+    app::PieceJob piece;
     piece.name = footage.recording.name;
     piece.camera = footage.recording.camera;
     piece.span = selection.span;
-    piece.parts = parts_in(selection.places, selection.span);
+    piece.parts = app::parts_in(selection.places, selection.span);
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
     piece.warns_of_early_end = !job.event;
     if (piece.parts.empty()) video::throw_empty(piece.name, piece.span, selection.places.back().end);
     set_clock(job, footage, selection.places.front(), piece);
+    warn_of_gaps(piece, observer);
+    if (!job.evidence.empty()) return write_evidence(job, selection, std::move(piece), observer, stop);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);
-    warn_of_gaps(piece, observer);
-    return job.exact ? encode_piece(piece, observer, stop) : copy_piece(piece, observer, stop);
+    return write_piece(job, piece, observer, stop).has_value();
 }
 
 namespace text {
@@ -294,6 +334,10 @@ constexpr Setting event{
     "N",
     "cut this event, by its number in the picture, the report and the page; without it, cut from --start to --end",
     {1, 1'000'000'000}};
+constexpr Setting evidence{
+    "evidence", "DIR",
+    "instead of -o: a new folder with the piece, a still in full size, and files that say where they come from, with "
+    "SHA-256"};
 constexpr Setting report{"report", "FILE",
                          "take the events from this report of `vvr render --report`, without a search"};
 constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
@@ -311,6 +355,7 @@ class Cut final : public Command {
             {.letter = 'o',
              .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
              .use = options::FileUse::written});
+        add(text::evidence, job_.evidence, {.use = options::FileUse::written});
         add(text::event, job_.event);
         add(text::report, job_.report, {.use = options::FileUse::read});
         add(text::margin, job_.margin);
@@ -331,13 +376,19 @@ class Cut final : public Command {
             {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip"},
              {"vvr cut clip.avi -o piece.avi --start 0.5s --end 00:00:01.5",
               "a piece, copied from the preceding key frame on"},
+             {"vvr cut clip.avi --event 1 --evidence case", "a folder to hand over: piece, still, record, SHA-256"},
              {"vvr cut clip.avi -o exact.mp4 --start 5f --end 15f --exact", "exactly these frames, encoded again"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
-        if (job_.path.empty())
+        if (job_.path.empty() && job_.evidence.empty())
             throw Error(ErrorCode::output_missing, "no output given; name the file for the piece with -o FILE");
+        if (!job_.path.empty() && !job_.evidence.empty()) {
+            throw Error(ErrorCode::options_conflict,
+                        "--evidence writes the piece into its own folder; drop -o, or drop --evidence",
+                        {text::evidence.name});
+        }
         if (!job_.event && !line.has(setting::start) && !line.has(setting::end)) {
             throw Error(ErrorCode::usage,
                         "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");

@@ -49,6 +49,7 @@ constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
 constexpr Setting bless{"bless", "", "replace the golden picture instead of comparing; writes no --diff"};
+constexpr Setting pieces_margin{"pieces-margin", "TIME", "", {0, 3600}};
 constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
 }  // namespace text
@@ -209,6 +210,11 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     line.plan_setting("page-heading", [&options](const std::string& words) { options.page_heading = words; });
     line.plan_setting("page-index", [&options](const std::string& path) { options.page_index = path; });
     line.plan_setting("page-place", [&options](const std::string& path) { options.page_place = path; });
+    line.plan_setting("pieces", [&options](const std::string& folder) { options.pieces.folder = folder; });
+    line.plan_setting("pieces-margin", [&options](const std::string& seconds) {
+        set_value(text::pieces_margin, seconds, options.pieces.margin);
+    });
+    line.plan_setting("pieces-place", [&options](const std::string& folder) { options.pieces.place = folder; });
     line.plan_setting("stills", [&options](const std::string& path) { options.stills = path; });
     line.plan_setting("thumbnail", [&options](const std::string& path) { options.thumbnail = path; });
 }

@@ -82,6 +82,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.rules.redraw = options.redraw;
     job.rules.day = options.day_rule();
     job.rules.keep = options.keep;
+    if (options.keep_events) job.pieces_margin = options.margin;
     job.pictures = options.pictures;
     job.of_cameras = options.of_cameras;
     for (const auto& [camera, pictures] : options.of_cameras) job.names.describe_camera(camera, pictures.names);

@@ -69,6 +69,8 @@ struct ArchiveOptions {
     bool dry_run = false;
     bool prune = false;
     std::optional<std::chrono::seconds> keep{};  ///< how long files are kept; none = for ever
+    bool keep_events = false;                    ///< copy each event to a piece beside its page
+    double margin = 5;                           ///< seconds before and after a kept event
     std::set<Written> write{Written::pictures, Written::pages, Written::index};
 
     const GroupingRow& grouping() const { return *std::ranges::find(groupings, per, &GroupingRow::grouping); }

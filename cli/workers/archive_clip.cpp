@@ -10,6 +10,7 @@
 #include <cstring>
 #include <new>
 #include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -21,6 +22,7 @@
 
 #include "cli/exit_status.h"
 #include "core/archive/output_files.h"
+#include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
@@ -190,6 +192,10 @@ fs::path ClipTask::staged(archive::OutputKind kind) const {
     return archive::output_path(staging(), file_name(), kind);
 }
 
+fs::path ClipTask::staged_pieces() const {
+    return staging() / "events";
+}
+
 std::string ClipTask::file_name() const {
     return fs::path(clip_.path).filename().string();
 }
@@ -229,6 +235,13 @@ std::string ClipTask::camera() const {
 
 namespace {
 
+/// Removes pieces that a killed run moved to their place, but that no sidecar lists.
+void remove_unlisted_pieces(const fs::path& folder, const std::optional<archive::Sidecar>& sidecar) {
+    std::vector<std::string> names = archive::list_pieces(folder);
+    if (sidecar) std::erase_if(names, [&](const auto& name) { return std::ranges::count(sidecar->pieces, name) > 0; });
+    archive::remove_pieces(folder, names);
+}
+
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
     throw system_error(error.value(), fmt::format("cannot create the folder '{}'", folder.string()),
                        "choose another -o, or remove what is in its place");
@@ -260,12 +273,17 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
         (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules_for(path), now);
     if (!archive::wants_work(need)) return std::nullopt;
     archive::check_own_place(archive::sidecar_path(job.out, path));
+    const fs::path pieces = archive::pieces_folder(job.out, path);
+    if (job.pieces_margin) archive::check_own_folder(folder, pieces);
+    if (claim->is_stale()) remove_unlisted_pieces(pieces, before);
     for (const archive::OutputKind kind : job.rules.files)
         archive::check_own_place(archive::output_path(job.out, path, kind));
     ClipTask task(job, std::move(*clip), std::move(before), std::move(*claim));
-    fs::create_directory(task.staging(), error);
-    if (error) {
-        throw_no_folder(task.staging(), error);
+    std::vector<fs::path> folders{task.staging()};
+    if (job.pieces_margin) folders.push_back(task.staged_pieces());  // a worker may make no folder
+    for (const fs::path& place : folders) {
+        fs::create_directory(place, error);
+        if (error) throw_no_folder(place, error);
     }
     return task;
 }
@@ -300,12 +318,22 @@ std::unique_ptr<Worker> ClipTask::start() const {
     if (std::ranges::count(job_->rules.files, archive::OutputKind::page) > 0) {
         set("page-index", (job_->out / archive::index_name).string());
         set("page-place", archive::output_path(job_->out, clip_.path, archive::OutputKind::page).string());
-        set("page-camera", camera());
         if (day() != nullptr) set("page-heading", title_of(*day()));
     }
+    WorkerLimits limits = job_->limits;
+    if (job_->pieces_margin) {
+        set("pieces", staged_pieces().string());
+        set("pieces-place", archive::pieces_folder(job_->out, clip_.path).string());
+        set("pieces-margin", fmt::format("{}", *job_->pieces_margin));
+        read.push_back(staged_pieces());  // a copy is compared with the clip before it counts
+        // Pieces don't overlap, but each begins at a key frame before it.
+        limits.written += 2 * clip_.size;
+        limits.file = std::max(limits.file, limits.written);
+    }
+    set("page-camera", camera());
     const Settings& own = job_->pictures_of(clip_.path).settings;
     plan.settings.insert(plan.settings.end(), own.begin(), own.end());
-    return std::make_unique<Worker>(plan, job_->threads, job_->limits, lock_.descriptor(),
+    return std::make_unique<Worker>(plan, job_->threads, limits, lock_.descriptor(),
                                     job_->sandbox->around(read, folder()));
 }
 
@@ -327,6 +355,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
         sidecar.reason = error_text_of(end);
     }
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
+    sidecar.pieces = archive::list_pieces(staged_pieces());
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
         if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
@@ -345,6 +374,9 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
             std::error_code none;
             return !fs::is_regular_file(fs::symlink_status(archive::output_path(job_->out, clip_.path, kind), none));
         });
+        const fs::path pieces = archive::pieces_folder(job_->out, clip_.path);
+        std::erase_if(sidecar.pieces,
+                      [&](const std::string& name) { return !archive::has_pieces(pieces, std::span(&name, 1)); });
         if (!sidecar.files.empty()) {
             sidecar.shows = archive::shown_by(*before_);
         } else {
@@ -386,7 +418,9 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
                           end.seconds);
     }
     const auto held = signals.hold();
+    const fs::path pieces = archive::pieces_folder(job_->out, clip_.path);
     if (sidecar.state == archive::Sidecar::State::done) {
+        archive::move_pieces(staged_pieces(), pieces, sidecar.pieces);
         for (const archive::OutputKind kind : sidecar.files) {
             const fs::path place = archive::output_path(job_->out, clip_.path, kind);
             std::error_code error;
@@ -397,7 +431,12 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
         }
     }
     archive::write_sidecar(job_->out, sidecar);
-    if (before_) remove_files(job_->out, clip_.path, before_->files, sidecar.files);
+    if (before_) {
+        remove_files(job_->out, clip_.path, before_->files, sidecar.files);
+        std::vector<std::string> others = before_->pieces;
+        std::erase_if(others, [&](const auto& name) { return std::ranges::count(sidecar.pieces, name) > 0; });
+        archive::remove_pieces(pieces, others);
+    }
     archive::remove_staging(staging());
     finished_ = true;
     return sidecar;

@@ -34,6 +34,7 @@ struct ArchiveJob {
     Settings drawn_with;                                  ///< the options that select OpenGL
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
+    std::optional<double> pieces_margin{};             ///< seconds around each kept event; none = events aren't kept
     int threads = 1;                                   ///< per worker
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
@@ -77,6 +78,7 @@ class ClipTask {
     std::filesystem::path folder() const;
     std::filesystem::path staging() const;
     std::filesystem::path staged(archive::OutputKind kind) const;
+    std::filesystem::path staged_pieces() const;
     std::string file_name() const;
     archive::Sidecar read_results(const WorkerResult& end) const;
     archive::Sidecar failure(int status, ErrorCode code, const std::string& reason, double seconds) const;

@@ -4,6 +4,8 @@
 #include <array>
 #include <system_error>
 
+#include "core/archive/pieces.h"
+
 namespace vvr::archive {
 
 namespace {
@@ -27,6 +29,7 @@ const NeedRow& row_of(Need need) {
 }
 
 bool files_there(const Sidecar& sidecar, const std::filesystem::path& out, const ArchiveRules& rules) {
+    if (!has_pieces(pieces_folder(out, sidecar.clip.path), sidecar.pieces)) return false;
     return std::ranges::all_of(rules.files, [&](OutputKind kind) {
         std::error_code none;
         return std::ranges::count(sidecar.files, kind) > 0 &&

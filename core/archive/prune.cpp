@@ -15,6 +15,7 @@
 
 #include "core/archive/clips.h"
 #include "core/archive/lock_file.h"
+#include "core/archive/pieces.h"
 #include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
@@ -136,6 +137,10 @@ void tidy(const fs::path& out, const Outputs& outputs) {
             if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
             fs::remove(path, none);
         }
+        const fs::path pieces = pieces_folder(folder, name);
+        std::vector<std::string> names = list_pieces(pieces);
+        std::erase_if(names, [&](const std::string& piece) { return owned.contains(pieces / piece); });
+        remove_pieces(pieces, names);
     }
 }
 

@@ -14,10 +14,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
+#include "core/archive/pieces.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
+#include "core/video/piece_names.h"
 
 namespace vvr::archive {
 
@@ -222,6 +224,15 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
     return kinds;
 }
 
+/// Names that vvr gives no piece are foreign, and are left alone.
+std::vector<std::string> pieces_of(const Json& names) {
+    std::vector<std::string> pieces;
+    for (const Json& name : names) {
+        if (video::is_piece_name(name.get<std::string>())) pieces.push_back(name.get<std::string>());
+    }
+    return pieces;
+}
+
 std::optional<Sidecar> sidecar_of(const std::string& text) {
     const Json json = parse_json(text);
     if (json.at(mark) != format_version) return std::nullopt;
@@ -241,6 +252,7 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
     sidecar.took = number(json.at("took_seconds"), longest_try);
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
+    sidecar.pieces = pieces_of(json.value("pieces", Json::array()));
     if (const auto day = json.find("day"); day != json.end()) {
         sidecar.day = Sidecar::Day{path_of_text(day->at("camera").get<std::string>()),
                                    day->at("date").get<std::string>(), whole_number(day->at("clips"))};
@@ -281,7 +293,7 @@ std::string in_lines(const Json& json) {
 /// JSON text in lines for people, with each event, and the clips of each folder of a day, on one line.
 std::string text_of(Json json) {
     std::string lists;
-    for (const char* name : {"clips", "found", "stills"}) {
+    for (const char* name : {"clips", "found", "stills", "pieces"}) {
         if (const auto list = json.find(name); list != json.end()) {
             lists += fmt::format(",\n  \"{}\": {}", name, in_lines(*list));
             json.erase(name);
@@ -338,6 +350,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
         json["files"][std::string(row->name)] =
             text_of_path(file_name(sidecar.clip.path)) + std::string(row->extension);
     }
+    if (!sidecar.pieces.empty()) json["pieces"] = sidecar.pieces;
     return text_of(json);
 }
 
@@ -403,6 +416,8 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));
         if (sidecar.day && sidecar.reason.empty()) sidecar.reason = problems_of(json.at("problems"));
+        if (const std::string not_kept = json.value("not_kept", ""); !not_kept.empty())
+            sidecar.reason += (sidecar.reason.empty() ? "" : "; ") + not_kept;
         // The index must place every clip, and names the source of the time.
         if (!sidecar.recorded) sidecar.recorded = optional_of<std::string>(json.at("input").at("written"));
         if (const Json& events = json.at("events"); !events.is_null()) {
@@ -434,6 +449,9 @@ std::vector<std::string> remove_outputs(const fs::path& out, const Sidecar& side
     for (const OutputKind kind : sidecar.files) files.push_back(output_path(out, sidecar.clip.path, kind));
     files.push_back(sidecar_path(out, sidecar.clip.path));
     std::vector<std::string> removed;
+    for (const fs::path& piece : remove_pieces(pieces_folder(out, sidecar.clip.path), sidecar.pieces)) {
+        removed.push_back(piece.lexically_relative(out).string());
+    }
     for (const fs::path& file : files) {
         if (irregular_file_at(file)) continue;
         std::error_code error;

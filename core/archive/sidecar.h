@@ -59,7 +59,8 @@ struct Sidecar {
     std::optional<ErrorCode> code;  ///< code of the error in `reason`; older sidecars have none
     std::string reason;             ///< why it failed; after success, a remaining problem
     std::vector<OutputKind> files;
-    double took = 0;  ///< seconds that the last attempt took
+    std::vector<std::string> pieces;  ///< names of its files in `pieces_folder`
+    double took = 0;                  ///< seconds that the last attempt took
 
     /// For a camera day; nothing for a clip.
     struct Day {
@@ -116,7 +117,7 @@ void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 /// What its files show: `shows`, or the clip itself unless a later attempt has failed.
 Sidecar::Shown shown_by(const Sidecar& sidecar);
 
-/// Removes the files that a sidecar names, then the sidecar. Anything but a regular file stays.
+/// Removes the files that a sidecar names, its pieces too, then the sidecar. Anything but a regular file stays.
 /// \returns what was removed, below `out`
 /// \throws Error io
 std::vector<std::string> remove_outputs(const std::filesystem::path& out, const Sidecar& sidecar);

@@ -1,6 +1,7 @@
 #include "core/base/digest.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/error.h"
+
 extern "C" {
 #include <libavutil/mem.h>
 #include <libavutil/sha.h>
@@ -20,26 +23,65 @@ namespace vvr {
 
 namespace {
 
-struct AvFree {
-    void operator()(AVSHA* sha) const { av_free(sha); }
+using Sha256 = std::array<std::byte, 32>;
+
+/// The SHA-256 of bytes that come in parts.
+class Sha256Stream {
+  public:
+    Sha256Stream() : sha_(av_sha_alloc()) {
+        if (!sha_) throw std::bad_alloc();
+        av_sha_init(sha_.get(), 256);
+    }
+
+    void add(std::string_view bytes) {
+        av_sha_update(sha_.get(), reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    }
+
+    /// Call it once.
+    Sha256 digest() {
+        Sha256 digest{};
+        av_sha_final(sha_.get(), reinterpret_cast<std::uint8_t*>(digest.data()));
+        return digest;
+    }
+
+  private:
+    struct AvFree {
+        void operator()(AVSHA* sha) const { av_free(sha); }
+    };
+
+    std::unique_ptr<AVSHA, AvFree> sha_;
 };
+
+std::string hex_of(const Sha256& digest) {
+    std::string text;
+    for (const std::byte byte : digest) text += fmt::format("{:02x}", std::to_integer<int>(byte));
+    return text;
+}
 
 }  // namespace
 
 std::array<std::byte, 32> sha256(std::string_view bytes) {
-    const std::unique_ptr<AVSHA, AvFree> sha(av_sha_alloc());
-    if (!sha) throw std::bad_alloc();
-    std::array<std::byte, 32> digest{};
-    av_sha_init(sha.get(), 256);
-    av_sha_update(sha.get(), reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    av_sha_final(sha.get(), reinterpret_cast<std::uint8_t*>(digest.data()));
-    return digest;
+    Sha256Stream sha;
+    sha.add(bytes);
+    return sha.digest();
 }
 
 std::string hex_sha256(std::string_view bytes) {
-    std::string text;
-    for (const std::byte byte : sha256(bytes)) text += fmt::format("{:02x}", std::to_integer<int>(byte));
-    return text;
+    return hex_of(sha256(bytes));
+}
+
+std::string hex_sha256_of_file(const std::filesystem::path& path) {
+    constexpr std::size_t part = std::size_t{1} << 20;
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(part, '\0');
+    Sha256Stream sha;
+    while (file) {
+        file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        sha.add(std::string_view(bytes).substr(0, static_cast<std::size_t>(file.gcount())));
+    }
+    if (!file.eof())
+        throw system_error(errno, fmt::format("cannot read '{}'", path.string()), "check its name and permissions");
+    return hex_of(sha.digest());
 }
 
 std::optional<FileDigest> digest_of(const std::string& path) {

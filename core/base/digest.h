@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ std::array<std::byte, 32> sha256(std::string_view bytes);
 
 /// In hexadecimal digits.
 std::string hex_sha256(std::string_view bytes);
+
+/// The SHA-256 of a whole file, as `sha256sum` prints it.
+/// \throws Error io if it can't be read
+std::string hex_sha256_of_file(const std::filesystem::path& path);
 
 /// Identifies a file independently of its name.
 struct FileDigest {

@@ -73,6 +73,7 @@ struct PageContent {
         double length = 0;
     };
     std::vector<Segment> segments;   ///< of a recording, in order, instead of a clip
+    std::vector<Segment> pieces{};   ///< with the events, in order, for when the footage is gone
     std::string piece_extension;     ///< extension for parts cut from the clip; empty = `vvr cut` chooses
     std::vector<std::string> names;  ///< the user's patterns of file names
     WallClock clock;                 ///< wall clock of the picture

@@ -246,6 +246,7 @@ Json page_data(const PageContent& content) {
               {"camera", content.camera.empty() ? Json() : Json(content.camera)},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"segments", Json::array()},
+              {"pieces", Json::array()},
               {"cut", {{"ending", content.piece_extension}, {"names", content.names}}},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
@@ -265,6 +266,7 @@ Json page_data(const PageContent& content) {
                         {"brick", std::ceil(live->brick_seconds)}};
     }
     for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
+    for (const PageContent::Segment& piece : content.pieces) json["pieces"].push_back(json_of(piece));
     return json;
 }
 

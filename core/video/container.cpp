@@ -162,4 +162,18 @@ std::string_view extension_for(const Input& clip, double rate) {
     return row == table.end() ? std::string_view() : row->name;
 }
 
+std::string_view extension_to_play(const Input& clip, double rate) {
+    static constexpr std::array played{
+        std::pair{AV_CODEC_ID_H264, std::string_view(".mp4")}, std::pair{AV_CODEC_ID_HEVC, std::string_view(".mp4")},
+        std::pair{AV_CODEC_ID_AV1, std::string_view(".mp4")},  std::pair{AV_CODEC_ID_VP8, std::string_view(".webm")},
+        std::pair{AV_CODEC_ID_VP9, std::string_view(".webm")},
+    };
+    const Demuxer demuxer(clip, Demuxer::Kind::video, rate);
+    const auto* const row =
+        std::ranges::find(played, demuxer.stream().codecpar->codec_id, &decltype(played)::value_type::first);
+    if (row == played.end()) return extension_for(clip, rate);
+    const auto container = std::ranges::find(table, row->second, &ContainerRow::name);
+    return holds_all(*container, demuxer.format()) ? container->name : extension_for(clip, rate);
+}
+
 }  // namespace vvr::video

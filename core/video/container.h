@@ -58,4 +58,7 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
 /// fits. Empty if none fits.
 std::string_view extension_for(const Input& clip, double rate);
 
+/// The same, but for codecs that browsers know a container that they play, if it can hold the clip's streams.
+std::string_view extension_to_play(const Input& clip, double rate);
+
 }  // namespace vvr::video

@@ -6,6 +6,8 @@ import re
 import pytest
 from browser import Page, Served
 from harness import check
+from test_archive import age
+from test_keep_events import two_events
 from test_page import FRAMES, H264, RATE, SIDE_VIEW, column_of, discs, row_of
 
 pytestmark = pytest.mark.browser
@@ -193,3 +195,38 @@ def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
         page.run("document.querySelector('#events li:nth-child(3) .relation').click()")
         page.wait("the other", "return chosen === 0")
         check(page.text_of("#events li:nth-child(3) .relation") == "came out of 1", page.text_of("#events .relation"))
+
+
+def test_page_plays_the_pieces_of_its_events_when_the_clip_is_gone(t):
+    two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
+    age(t, "in/gate/2026-11-21_20-00-00.mp4")
+    t.vvr("archive", "in", "-o", "out", "--size", "640x400", "--backend", "software", "--keep-events", "--margin", "0.5s").expect(0, "1 clip drawn")
+    page_name = "out/gate/2026-11-21_20-00-00.mp4.html"
+    with Page(t, page_name) as page:
+        page.wait("a film is open", "return film !== null")
+        check(page.source() == "the clip itself", page.source())
+    t.path("in/gate/2026-11-21_20-00-00.mp4").unlink()
+    with Page(t, page_name) as page:
+        page.wait("a film is open", "return film !== null")
+        check(page.source() == "the clip is missing or can’t be played here, so this is the pieces that were kept of its events", page.source())
+        events = page.run("return data.events.map(({first, last}) => [first, last])")
+        begins = page.run("return data.pieces.map(([, begin]) => begin)")
+        check(len(events) == 2 and len(begins) == 2, f"{events} {begins}")
+        for number, (first, last) in enumerate(events):
+            page.run(f"show({(first + last) // 2}, false)")
+            page.wait("its piece is open", f"return video.src.endsWith('event-{number + 1}.mp4') && !video.seeking && video.readyState > 1")
+            shown = page.run("return video.currentTime") + begins[number]
+            check(abs(shown * 10 - (first + last) // 2) < 1.01, f"frame {(first + last) // 2}: {shown} s is shown")
+            check(not page.hidden("video") and page.hidden("still"), "no film")
+        # Between the events there is a still, and playing goes on with the next piece.
+        between = (events[0][1] + events[1][0]) // 2
+        page.run(f"show({between}, false)")
+        page.wait("a still", "return document.getElementById('video').hidden && !document.getElementById('still').hidden")
+        check(page.run("return now") == between, f"it shows {page.run('return now')}")
+        page.run("setPlaying(true)")
+        page.wait("the next piece plays", f"return isPlaying() && now > {events[1][0] - 20} && !document.getElementById('video').hidden")
+        # An event plays to its end and stops.
+        page.press("#events .row")
+        page.wait("it plays", f"return isPlaying() && now > {events[0][0]}")
+        page.wait("it stops", "return !isPlaying() && video.paused")
+        check(page.run("return now") == events[0][1], f"it stops at {page.run('return now')}, the event ends at {events[0][1]}")

@@ -6,6 +6,7 @@ import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
 import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
 import {changed, clipKey, keyOf, readMarks, savedMarks} from '../../core/web/page/marks.js';
 import {momentOf} from '../../core/web/page/moments.js';
+import {fileAt, hasMoment, pieceFrom} from '../../core/web/page/pieces.js';
 import {Timeline} from '../../core/web/page/timeline.js';
 
 const steady = clock => new Timeline([[0, 2500, 0, 0.04]], clock ?? null);  // 100 s
@@ -46,6 +47,15 @@ test('marks are kept by the event, and what is damaged is as nothing', () => {
     assert.deepEqual(changed(marks, '3-9', {star: false, note: ''}), {});
     assert.deepEqual(readMarks(JSON.stringify(marks)), {'3-9': {star: true, note: 'who?', nothing: false}});
     for (const text of [null, '', '{', '5', 'null', '{"x": 1}', '{"3-9": 7}']) assert.deepEqual(readMarks(text), {}, String(text));
+});
+
+test('files of a recording, and pieces of its events', () => {
+    const files = [['a', 0, 10], ['b', 10, 10], ['c', 30, 5]];
+    assert.deepEqual([-1, 0, 9.9, 10, 25, 99].map(seconds => fileAt(files, seconds)[0]), ['a', 'a', 'a', 'b', 'b', 'c']);
+    const pieces = [['a', 5, 10], ['b', 20, 4]];
+    assert.deepEqual([0, 5, 15, 15.1, 24, 24.1].map(seconds => pieceFrom(pieces, seconds)?.[0]), ['a', 'a', 'a', 'b', 'b', undefined]);
+    assert.deepEqual([0, 5, 15, 15.1, 20, 24, 24.1].map(seconds => hasMoment(pieces, seconds)), [false, true, true, false, true, true, false]);
+    assert.equal(hasMoment([], 5), false);
 });
 
 const pageData = more => ({name: 'clip.mp4', camera: null, clip: './clip.mp4', size: [640, 360], times: [[0, 2500, 0, 0.04]], clock: null, ...more});

@@ -43,6 +43,7 @@
  * @property {string | null} camera
  * @property {string | null} clip URL
  * @property {Segment[]} segments
+ * @property {Segment[]} [pieces] of the events, which were kept
  * @property {{ending: string, names: string[]}} cut
  * @property {[number, number]} size
  * @property {Stretch[]} times

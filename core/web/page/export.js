@@ -7,7 +7,7 @@ import {addressOfEvent, addressOfMoment} from './address.js';
 import {cutCommand, roiOption, stillCommand, stillName} from './commands.js';
 import {numberOf, stillNear} from './events.js';
 import {tell} from './messages.js';
-import {previewUrl, video} from './player.js';
+import {hasFrame, previewUrl, video} from './player.js';
 import {savedMarks} from './marks.js';
 import {state} from './state.js';
 
@@ -41,7 +41,7 @@ const frameOfPreview = frame => frame - (frame - state.time.firstFrame) % (state
 /** @returns {Shot | null} */
 function playerNow() {
     const {film, now} = state;
-    if (!film) return null;
+    if (!film || !hasFrame(now)) return null;
     return {image: video, frame: film.isPreview ? frameOfPreview(now) : now, from: film.isPreview ? 'the preview in this page' : ''};
 }
 

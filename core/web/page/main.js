@@ -15,7 +15,7 @@ import {drawChips, drawChosen, drawClasses, drawFilters, drawList, drawLitRow, l
 import {drawAge, drawFollowing, followStream, takeKeptState} from './live.js';
 import {takeArrived} from './parts.js';
 import {drawGround, drawVeil, readPicture} from './picture.js';
-import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, drawTour, followPlayer, isPlaying, listenToPlayer, openFilm, openWaiting} from './player.js';
+import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, drawTour, followPlayer, isPlaying, listenToPlayer, openFilm, openWaiting, showsStill} from './player.js';
 import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
@@ -75,19 +75,19 @@ const parts = [
     {draw: drawCursor, from: () => [state.time, state.stripFrom, state.stripLasts, state.now]},
     {draw: drawGround, from: () => [state.ground]},
     {draw: drawStage, from: () => [state.scale, ...state.middle, ...state.contents, ...state.room]},
-    {draw: drawPlayer, from: () => [state.source, state.stills]},
+    {draw: drawPlayer, from: () => [state.source, showsStill()]},
     {draw: drawSpeed, from: () => [state.speed, state.film]},
     {draw: drawReel, from: () => [state.filmScale, ...state.filmMiddle]},
     {draw: drawTour, from: () => [state.touring]},
     {draw: drawJump, from: () => [state.jumping]},
     {draw: drawClocks, from: () => [state.data, state.now, isPlaying()]},
-    {draw: drawStill, from: () => [state.parts, state.now, state.stills]},
+    {draw: drawStill, from: () => [state.parts, state.now, showsStill()]},
     {draw: drawPlayButton, from: () => [isPlaying()]},
     {draw: drawVeil, from: () => [state.pixels, state.chosen, state.lightened, wantedEvents(), state.dark, state.ground]},
     {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked]},
     {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
-    {draw: drawRing, from: () => [state.data, state.chosen, state.now, state.stills]},
+    {draw: drawRing, from: () => [state.data, state.chosen, state.now, showsStill()]},
     {draw: drawCommands, from: () => [state.data, state.chosen]},
     {draw: openPeeker, from: () => [state.film]},
     {draw: drawPeek, from: () => [state.pointed?.frame]},

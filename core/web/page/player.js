@@ -1,4 +1,4 @@
-// The player: the clip, else the preview in this page, else stills.
+// The player: the clip, else the pieces of its events, else the preview in this page, else stills.
 
 import {at} from '../shared/dom.js';
 import {clipTime} from '../shared/durations.js';
@@ -10,6 +10,7 @@ import {wantedEvents} from './filters.js';
 import {wasDrag} from './layout.js';
 import {momentOf} from './moments.js';
 import {tell} from './messages.js';
+import {fileAt, hasMoment, pieceFrom} from './pieces.js';
 import {render, set, state} from './state.js';
 
 /**
@@ -18,7 +19,9 @@ import {render, set, state} from './state.js';
  * @property {() => string} url
  * @property {number} begin seconds of the clip
  * @property {string} says what it is
- * @property {import('./data.js').Segment} [segment] the file of a recording that is open
+ * @property {import('./data.js').Segment[]} [files] of a recording, or the pieces of its events; the player opens the one that it needs
+ * @property {import('./data.js').Segment} [segment] the file of these that is open
+ * @property {boolean} [isPieces] there is nothing between the files
  * @property {boolean} [isPreview]
  * @property {number} [offset] where its own clock is at its first frame
  * @property {string} [src] the address that is open
@@ -39,19 +42,29 @@ export function previewUrl() {
 
 /** @returns {Film[]} */
 function filmsOf() {
-    const {clip, segments} = state.data;
+    const {clip, segments, pieces} = state.data;
     const {preview} = state.parts;
     const films = [];
     if (clip) films.push({url: () => clip, begin: 0, says: 'the clip itself'});
-    // The player opens the file of a recording that it needs.
-    if (segments?.length) films.push({url: () => segments[0][0], begin: segments[0][1], says: 'the recording itself', segment: segments[0]});
+    const ofFiles = (/** @type {import('./data.js').Segment[]} */ files, /** @type {string} */ says) =>
+        ({url: () => files[0][0], begin: files[0][1], says, files, segment: files[0]});
+    if (segments?.length) films.push(ofFiles(segments, 'the recording itself'));
+    if (pieces?.length) films.push({...ofFiles(pieces, 'the pieces that were kept of its events'), isPieces: true});
     if (preview) {
         const every = preview.step > 1 ? ', one frame in ' + preview.step : '';
         films.push({url: previewUrl, begin: preview.begin, isPreview: true, says: `a small preview${every}`});
     }
     return films;
 }
-const segments = state.data.segments ?? [];
+
+/**
+ * Whether the film that is open has a frame: between the pieces of events there is none.
+ * @param {number} frame
+ */
+export const hasFrame = frame => !state.film?.isPieces || hasMoment(state.film.files ?? [], state.time.secondsOf(frame));
+
+/** Whether a still is shown instead of a film. */
+export const showsStill = () => state.stills || !hasFrame(state.now);
 
 /** What the player does, or will do once a film is open. */
 export const isPlaying = () => state.film ? !video.paused : state.wantsPlay;
@@ -133,13 +146,7 @@ export function openFilm(place, why = '') {
 }
 
 /**
- * The file of a recording that shows a moment: the last that begins by then.
- * @param {number} seconds
- */
-const segmentAt = seconds => segments.findLast(([, begin]) => begin <= seconds + 1e-6) ?? segments[0];
-
-/**
- * Shows a frame in one of the two players; of a recording it opens the file that has it.
+ * Shows a frame in one of the two players; of a recording or of pieces it opens the file that has it.
  * @param {HTMLVideoElement} player
  * @param {number} frame
  */
@@ -148,11 +155,11 @@ export function goToFrame(player, frame) {
     if (!film) return;
     const seconds = time.timeWithin(frame);
     const offset = film.offset ?? 0;
-    if (!film.segment) {
+    if (!film.files) {
         player.currentTime = Math.max(0, seconds - film.begin + offset);
         return;
     }
-    const segment = segmentAt(seconds);
+    const segment = (film.isPieces ? pieceFrom(film.files, seconds) : fileAt(film.files, seconds)) ?? film.files[film.files.length - 1];
     const inside = Math.max(0, seconds - segment[1] + offset);
     if (player === video) {
         film.segment = segment;
@@ -179,12 +186,18 @@ export function goToFrame(player, frame) {
  * @param {Partial<typeof state>} [change] of the state besides
  */
 export function show(frame, play, change = {}) {
-    const now = state.time.clamped(frame);
+    let now = state.time.clamped(frame);
+    let plays = play;
     if (state.film) {
+        if (play && !hasFrame(now)) {
+            const piece = pieceFrom(state.film.files ?? [], state.time.secondsOf(now));
+            if (piece) now = state.time.clamped(state.time.frameAt(piece[1]));
+            plays = piece !== null;
+        }
         goToFrame(video, now);
-        playFilm(play);
+        playFilm(plays);
     }
-    set({now, moved: true, wantsPlay: play, stillClock: state.time.secondsOf(now), follows: false, ...change});
+    set({now, moved: true, wantsPlay: plays, stillClock: state.time.secondsOf(now), follows: false, ...change});
 }
 
 /** @param {boolean} play */
@@ -195,6 +208,7 @@ function playFilm(play) {
 
 /** @param {boolean} play */
 export function setPlaying(play) {
+    if (play && !hasFrame(state.now)) return show(state.now, true);
     if (state.film) playFilm(play);
     set({moved: true, wantsPlay: play});
 }
@@ -303,7 +317,7 @@ export function followPlayer() {
     const {film, time, until} = state;
     const passed = (performance.now() - lastLook) / 1000;
     lastLook = performance.now();
-    if (film && state.moved && !video.seeking && video.readyState > 1) {
+    if (film && state.moved && !video.seeking && video.readyState > 1 && (!video.paused || hasFrame(state.now))) {
         set({now: time.clamped(time.frameAt(video.currentTime - (film.offset ?? 0) + film.begin))});
     } else if (state.stills && state.wantsPlay) {
         // A stream's page may have lost the moment that was shown.
@@ -328,8 +342,8 @@ function endOfEvent(last) {
 
 export function drawPlayer() {
     at('source').textContent = state.source;
-    video.hidden = state.stills;
-    still.hidden = !state.stills;
+    video.hidden = showsStill();
+    still.hidden = !showsStill();
 }
 
 export function drawClocks() {
@@ -340,7 +354,7 @@ export function drawClocks() {
 }
 
 export function drawStill() {
-    if (!state.stills) return;
+    if (!showsStill()) return;
     const nearest = stillNear(state.parts.stills, state.now);
     if (!nearest) return;
     still.src = nearest.src;
@@ -356,8 +370,10 @@ export function listenToPlayer() {
     video.addEventListener('play', () => set({moved: true}));
     video.addEventListener('pause', render);
     video.addEventListener('ended', () => {
-        const next = state.film?.segment ? segments[segments.indexOf(state.film.segment) + 1] : undefined;
-        if (next) show(state.time.frameAt(next[1]), true, {touring: state.touring, until: state.until});
+        const {film} = state;
+        const next = film?.files && film.segment ? film.files[film.files.indexOf(film.segment) + 1] : undefined;
+        const isOver = film?.isPieces && state.until !== null && !state.touring;  // the piece ends with the event
+        if (next && !isOver) show(state.time.frameAt(next[1]), true, {touring: state.touring, until: state.until});
         else if (state.touring) set({touring: false});
         else if (state.until !== null) endOfEvent(state.until);
     });

@@ -3,7 +3,7 @@
 import {at} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {deedOf, numberOf, stillNear} from './events.js';
-import {goToFrame} from './player.js';
+import {goToFrame, hasFrame} from './player.js';
 import {putRing} from './ring.js';
 import {set, state} from './state.js';
 
@@ -63,7 +63,7 @@ function placeTip(x, y) {
  * @param {number} frame
  */
 function peekAt(frame) {
-    if (!state.film || peeker.readyState < 1 || peeker.seeking) return;
+    if (!state.film || !hasFrame(frame) || peeker.readyState < 1 || peeker.seeking) return;
     peeker.dataset.frame = String(frame);
     goToFrame(peeker, frame);
 }

@@ -3,6 +3,7 @@
 import {at} from '../shared/dom.js';
 import {pointAt, stillNear} from './events.js';
 import {ofEvent} from './looks.js';
+import {showsStill} from './player.js';
 import {state} from './state.js';
 
 /**
@@ -21,6 +22,6 @@ export function putRing(ring, event, frame) {
 
 /** A ring in the player about the chosen event. */
 export function drawRing() {
-    const {now, stills, chosen, parts} = state;
-    putRing(at('ring'), chosen, stills ? stillNear(parts.stills, now)?.frame ?? now : now);
+    const {now, chosen, parts} = state;
+    putRing(at('ring'), chosen, showsStill() ? stillNear(parts.stills, now)?.frame ?? now : now);
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <sys/stat.h>
 
@@ -9,8 +10,10 @@
 
 #include "core/archive/clips.h"
 #include "core/archive/output_files.h"
+#include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/error.h"
+#include "core/video/piece_names.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -41,6 +44,64 @@ TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->code, ErrorCode::no_video_stream);
     EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->tries, 2);
     EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->state, archive::Sidecar::State::failed);
+}
+
+TEST_F(Archive, RemovesOnlyThePiecesOfAClip) {
+    archive::Sidecar sidecar = done("cam/a.avi");
+    sidecar.pieces = {"event-1.mp4", "evidence.json", "SHA256SUMS"};
+    const fs::path folder = archive::pieces_folder(out(), "cam/a.avi");
+    for (const std::string& name : sidecar.pieces) write(folder / name);
+    write(folder / "event-2.mp4");
+    write(folder / "mine.txt");
+    archive::write_sidecar(out(), sidecar);
+    const auto read = archive::read_sidecar(out(), "cam/a.avi");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->pieces, sidecar.pieces);
+    EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
+    EXPECT_TRUE(archive::has_pieces(folder, sidecar.pieces));
+    const std::vector<std::string> there{"SHA256SUMS", "event-1.mp4", "event-2.mp4", "evidence.json"};
+    EXPECT_EQ(archive::list_pieces(folder), there);
+    EXPECT_EQ(archive::remove_outputs(out(), *read).size(), 5U);
+    EXPECT_FALSE(archive::has_pieces(folder, sidecar.pieces));
+    EXPECT_EQ(archive::list_pieces(folder), std::vector<std::string>{"event-2.mp4"});
+    EXPECT_TRUE(fs::exists(folder / "mine.txt"));
+
+    // Names that vvr gives no piece are foreign, wherever they lead.
+    std::string forged = archive::format_sidecar(sidecar);
+    forged.replace(forged.find("event-1.mp4"), 11, "../a.avi.png");
+    EXPECT_EQ(archive::parse_sidecar(forged)->pieces, (std::vector<std::string>{"evidence.json", "SHA256SUMS"}));
+}
+
+TEST_F(Archive, MovesPiecesIntoNoOtherFolder) {
+    write(in() / "event-1.mp4");
+    const std::vector<std::string> names{"event-1.mp4"};
+    fs::create_directories(out() / "elsewhere");
+    const fs::path folder = archive::pieces_folder(out(), "a.avi");
+    fs::create_directory_symlink("elsewhere", folder);
+    EXPECT_THROW(archive::move_pieces(in(), folder, names), Error);
+    EXPECT_TRUE(fs::is_empty(out() / "elsewhere"));
+    write(out() / "elsewhere/event-1.mp4");
+    EXPECT_TRUE(archive::list_pieces(folder).empty());
+    EXPECT_TRUE(archive::remove_pieces(folder, names).empty());
+    EXPECT_TRUE(fs::exists(out() / "elsewhere/event-1.mp4"));
+    fs::remove(folder);
+    fs::create_directories(folder / "event-1.mp4");
+    EXPECT_THROW(archive::move_pieces(in(), folder, names), Error);
+    fs::remove(folder / "event-1.mp4");
+    archive::move_pieces(in(), folder, names);
+    EXPECT_TRUE(fs::exists(folder / "event-1.mp4"));
+    archive::remove_pieces(folder, names);
+    EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(Pieces, HaveNamesOfTheirOwn) {
+    for (const char* name : {"event-1.mp4", "event-120.webm", "event-7.avi", "evidence.json", "SHA256SUMS"})
+        EXPECT_TRUE(video::is_piece_name(name)) << name;
+    for (const char* name :
+         {"", "event-.mp4", "event-0.mp4", "event-01.mp4", "event-1", "event-1.mp4.part", "event-1.exe", "event--1.mp4",
+          "../event-1.mp4", "event-1/2.mp4", "event-99999999999999999999.mp4", "Event-1.mp4", "evidence.json2"})
+        EXPECT_FALSE(video::is_piece_name(name)) << name;
+    EXPECT_EQ(video::piece_name(12, ".mkv"), "event-12.mkv");
 }
 
 TEST_F(Archive, ReadsNoNumberThatCannotBe) {

@@ -2,13 +2,16 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
+#include "core/base/digest.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
@@ -35,6 +38,22 @@ TEST(LockFile, HasOneOwner) {
     EXPECT_EQ(lock_file(second, true), 0);
     ::close(second);
     std::filesystem::remove(path);
+}
+
+TEST(Digest, OfAFileIsThatOfItsBytes) {
+    const auto path = std::filesystem::temp_directory_path() / ("vvr-digest-" + std::to_string(::getpid()));
+    // As sha256sum prints them: of nothing, of "abc", and of 2 MiB and a byte, which are read in parts.
+    const std::pair<std::string, std::string> known[] = {
+        {"", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
+        {"abc", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"},
+        {std::string((2 << 20) + 1, 'x'), "71ac24a75f6bc57bc51b43b3d13c3009aa243986b77a92102a3097c9e53123e9"}};
+    for (const auto& [bytes, digest] : known) {
+        std::ofstream(path, std::ios::binary) << bytes;
+        EXPECT_EQ(hex_sha256_of_file(path), digest);
+        EXPECT_EQ(hex_sha256(bytes), digest);
+    }
+    std::filesystem::remove(path);
+    test::expect_error(ErrorCode::file_not_found, [&] { hex_sha256_of_file(path); }, {path.string()});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "cli/commands/write_piece.h"
+#include "cli/app/piece.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 #include "core/video/recorder_names.h"
 #include "core/video/scaler.h"
 
-namespace vvr::commands {
+namespace vvr::app {
 
 namespace {
 
@@ -115,7 +115,7 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
 /// Warns if the footage ends before the requested end of the piece.
 /// \param last time of the piece's last frame
 /// \param length of that frame
-void warn_of_end(const PieceJob& job, double last, double length, app::Observer& observer) {
+void warn_of_end(const PieceJob& job, double last, double length, Observer& observer) {
     if (!job.warns_of_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
     if (!job.span.end && !job.span.stop) return;
     observer.warn(fmt::format("'{}' ends at {:.3f} s, earlier than the requested end of the piece", job.name, last));
@@ -155,7 +155,7 @@ void check_exact(const fs::path& path) {
     encoding_for(path);
 }
 
-bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop) {
+std::optional<PieceTimes> copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
     const std::vector<video::CopyPart> parts = parts_to_copy(job);
     const video::CopyPart& first = parts.front();
     const video::CopyPart& last = parts.back();
@@ -171,10 +171,10 @@ bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_to
             if (copied.stopped) throw Stopped();
         };
         replace_file(job.path, write, [&](const fs::path& written) {
-            video::check_copy(written, parts, copied, job.input.rate, job.path);
+            video::check_copy(written, parts, copied, job.input.rate, job.shown());
         });
     } catch (const Stopped&) {
-        return false;
+        return std::nullopt;
     }
     if (last.piece.ends_early) warn_of_end(job, end, 0, observer);
     std::int64_t damaged = 0;
@@ -185,14 +185,14 @@ bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_to
     }
     if (!copied.left_out.empty()) {
         observer.info(fmt::format("'{}': left out streams that are neither video, audio nor subtitles: {}",
-                                  job.path.string(), fmt::join(copied.left_out, ", ")));
+                                  job.shown().string(), fmt::join(copied.left_out, ", ")));
     }
     const double before = first.piece.wanted - first.piece.begin;
     const std::string lead = before < 0.0005 ? "" : fmt::format(" {:.3f} s before the piece", before);
     observer.info(fmt::format("'{}': {} copied, {:.3f} s to {:.3f} s of '{}'{}; it begins at a key frame{}",
-                              job.path.string(), counted(copied.packets, "frame"), begin, end, job.name,
+                              job.shown().string(), counted(copied.packets, "frame"), begin, end, job.name,
                               day_in_words(job, begin, end), lead));
-    return true;
+    return PieceTimes{begin, end};
 }
 
 // ---- An exact piece
@@ -271,7 +271,7 @@ class PieceFrames {
 };
 
 Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::DecodedFrame> frame,
-               const WriteAt& write_at, app::Observer& observer, const std::stop_token& stop) {
+               const WriteAt& write_at, Observer& observer, const std::stop_token& stop) {
     constexpr int ticks = 90'000;
     constexpr int default_rate = 25;
     const Encoding& encoding = encoding_for(job.path);
@@ -300,7 +300,7 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
 
 }  // namespace
 
-bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop) {
+std::optional<PieceTimes> encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
     PieceFrames frames(job);
     auto frame = frames.next();
     if (!frame) video::throw_empty(job.name, job.span, std::nullopt);
@@ -311,7 +311,7 @@ bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_
             encoded = encode(job, frames, std::move(frame), write_at, observer, stop);
         });
     } catch (const Stopped&) {
-        return false;
+        return std::nullopt;
     }
     const double rate = frames.info().rate;
     warn_of_end(job, encoded.end, rate > 0 ? 1 / rate : 0, observer);
@@ -319,10 +319,26 @@ bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_
         observer.warn(fmt::format("'{}': {}; the piece has the frames that could be decoded", job.name,
                                   counted(encoded.damaged, "damaged packet")));
     }
-    observer.info(fmt::format("'{}': {} encoded again without sound, {:.3f} s to {:.3f} s of '{}'{}", job.path.string(),
-                              counted(encoded.frames, "frame"), encoded.begin, encoded.end, job.name,
-                              day_in_words(job, encoded.begin, encoded.end)));
-    return true;
+    observer.info(fmt::format("'{}': {} encoded again without sound, {:.3f} s to {:.3f} s of '{}'{}",
+                              job.shown().string(), counted(encoded.frames, "frame"), encoded.begin, encoded.end,
+                              job.name, day_in_words(job, encoded.begin, encoded.end)));
+    return PieceTimes{encoded.begin, encoded.end};
 }
 
-}  // namespace vvr::commands
+FullFrame frame_of(const PieceJob& job, double seconds) {
+    PieceJob rest = job;
+    rest.span.start = seconds;
+    // Of files that overlap, the earlier one is used.
+    std::erase_if(rest.parts, [&](const FootagePart& part) { return part.file.end <= seconds; });
+    if (!rest.parts.empty()) {
+        FootagePart& first = rest.parts.front();
+        first.span.start = std::max(first.span.start, seconds - first.file.begin - 0.0005);  // times are rounded
+    }
+    PieceFrames frames(rest);
+    const auto frame = frames.next();
+    if (!frame) video::throw_empty(job.name, rest.span, std::nullopt);
+    video::Scaler scale(frames.size(), true);
+    return {frame->pts, scale(*frame).colour};
+}
+
+}  // namespace vvr::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,17 +10,29 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "core/base/digest.h"
+#include "core/events/event.h"
+#include "core/image/picture.h"
 #include "core/video/frame_source.h"
 #include "core/video/frame_span.h"
 #include "core/video/recording.h"
 
-namespace vvr::commands {
+namespace vvr::app {
 
-/// Start and end of an event, in seconds from the first frame of the clip or recording.
-struct EventTimes {
+/// What is known of an event that is in a piece. Times are seconds from the first frame of the clip or recording.
+struct PieceEvent {
+    std::int64_t number = 1;  ///< in the picture, the report and the page
     double first = 0;
     double last = 0;
+    std::string kind{};
+    std::string what{};            ///< its class; empty = unknown
+    std::optional<double> best{};  ///< when a frame shows it best
 };
+
+/// \param place of the event in its list
+PieceEvent piece_event(const events::Event& event, std::size_t place);
+
+/// The span of a piece with everything from `first` to `last`, and `margin` seconds before and after.
+video::FrameSpan span_around(double first, double last, double margin);
 
 /// A file listed in a report.
 struct ReportedFile {
@@ -29,7 +43,8 @@ struct ReportedFile {
 /// The events of a report in the order of their numbers, and the files that contain them.
 struct ReportedEvents {
     std::vector<ReportedFile> files;
-    std::vector<EventTimes> times;
+    std::vector<PieceEvent> events;
+    image::Metadata settings{};  ///< of the run that wrote the report
 };
 
 /// Reads the events from a report of `vvr render --report`.
@@ -43,7 +58,7 @@ struct Footage {
 };
 
 /// \throws Error usage for anything but a file with time stamps or a recording of such files
-Footage find_footage(const app::InputOptions& options);
+Footage find_footage(const InputOptions& options);
 
 /// The part of a piece that lies in one file.
 struct FootagePart {
@@ -55,7 +70,7 @@ struct FootagePart {
 /// The times of each file in the recording, from its packets: the same as in a render of the recording. Skips files
 /// that begin after `until`.
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
-                                                  app::Observer& observer);
+                                                  Observer& observer);
 
 /// The times as in a report, for the files that contain the event, and for the available files that the margin reaches
 /// into.
@@ -67,4 +82,4 @@ std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const R
 /// The files that a span reaches into, in order. If files overlap in time, the earlier one is used.
 std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span);
 
-}  // namespace vvr::commands
+}  // namespace vvr::app

@@ -1,7 +1,9 @@
-#include "cli/commands/footage.h"
+#include "cli/app/footage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -20,11 +22,13 @@
 #include "core/video/input_files.h"
 #include "core/video/packet_copy.h"
 
-namespace vvr::commands {
+namespace vvr::app {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
+
+constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
 
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
     throw Error(ErrorCode::input_unsuitable,
@@ -55,6 +59,49 @@ std::vector<ReportedFile> files_of(const Json& report) {
 
 }  // namespace
 
+PieceEvent piece_event(const events::Event& event, std::size_t place) {
+    PieceEvent found{static_cast<std::int64_t>(place) + 1, event.first.seconds, event.last.seconds,
+                     std::string(events::name_of(event.kind))};
+    if (event.identity) found.what = event.identity->what->name;
+    if (event.portrait) found.best = event.portrait->at.seconds;
+    return found;
+}
+
+video::FrameSpan span_around(double first, double last, double margin) {
+    const auto rounded = [](double seconds) { return std::round(seconds * 1000) / 1000; };
+    // A span's end is exclusive, but the last frame is part of it.
+    video::FrameSpan span;
+    span.start = rounded(std::max(0.0, first - margin));
+    span.end = rounded(last + margin) + little;
+    return span;
+}
+
+namespace {
+
+/// An event of a report. Older reports have neither classes nor portraits.
+PieceEvent event_of(const Json& json, std::int64_t number) {
+    PieceEvent event{number, json.at("first").at("seconds").get<double>(), json.at("last").at("seconds").get<double>(),
+                     json.value("kind", "")};
+    const auto what = json.find("class");
+    if (what != json.end() && what->is_string()) event.what = what->get<std::string>();
+    const auto portrait = json.find("portrait");
+    if (portrait != json.end() && portrait->is_object()) event.best = portrait->at("seconds").get<double>();
+    return event;
+}
+
+/// The settings of a report, as text.
+image::Metadata settings_of(const Json& report) {
+    image::Metadata settings;
+    const auto found = report.find("settings");
+    if (found == report.end() || !found->is_object()) return settings;
+    for (const auto& [name, value] : found->items()) {
+        settings.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return settings;
+}
+
+}  // namespace
+
 ReportedEvents read_events(const std::filesystem::path& report) {
     const Json json = parse_json(read_file(report.string()));
     if (!json.is_object() || !json.contains("report") || !json.contains("events")) {
@@ -62,11 +109,9 @@ ReportedEvents read_events(const std::filesystem::path& report) {
     }
     if (!json["events"].is_array()) refuse(report, "has no list of events, because that run did not search for any");
     try {
-        ReportedEvents events{files_of(json), {}};
-        for (const Json& event : json["events"]) {
-            events.times.push_back(
-                {event.at("first").at("seconds").get<double>(), event.at("last").at("seconds").get<double>()});
-        }
+        ReportedEvents events{files_of(json), {}, settings_of(json)};
+        for (const Json& event : json["events"])
+            events.events.push_back(event_of(event, std::ssize(events.events) + 1));
         if (events.files.empty())
             refuse(
                 report,
@@ -135,8 +180,8 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 
 }  // namespace
 
-Footage find_footage(const app::InputOptions& options) {
-    app::require_input(options);
+Footage find_footage(const InputOptions& options) {
+    require_input(options);
     const video::RecorderNames layouts(options.name_patterns);
     if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
     if (auto recording = video::find_recording(options.names, layouts, options.join))
@@ -148,7 +193,7 @@ Footage find_footage(const app::InputOptions& options) {
 }
 
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
-                                                  app::Observer& observer) {
+                                                  Observer& observer) {
     const std::vector<video::Segment>& files = footage.recording.segments;
     if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
     std::vector<video::SegmentPlace> places;
@@ -170,13 +215,13 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
         }
     }
     if (places.empty()) throw Error(ErrorCode::not_video, problems.front());
-    app::report_warnings(footage.recording.warnings, problems, observer);
+    report_warnings(footage.recording.warnings, problems, observer);
     return places;
 }
 
 std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
                                                  std::size_t event, double margin, const std::string& report_name) {
-    const EventTimes& times = report.times[event];
+    const PieceEvent& times = report.events[event];
     std::vector<video::SegmentPlace> places;
     std::vector<std::string> needed;
     std::vector<std::string> missing;
@@ -213,4 +258,4 @@ std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places
     return parts;
 }
 
-}  // namespace vvr::commands
+}  // namespace vvr::app

@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/app/footage.h"
 #include "cli/app/observer.h"
-#include "cli/commands/footage.h"
+#include "core/base/plane.h"
 #include "core/base/wall_clock.h"
 
-namespace vvr::commands {
+namespace vvr::app {
 
 /// A piece of footage, completely resolved.
 struct PieceJob {
@@ -22,10 +23,19 @@ struct PieceJob {
     WallClock clock{};      ///< of the recording; none = unknown
     std::optional<std::int64_t>
         created{};  ///< without a clock: the container's creation time, seconds since 1970 (UTC)
-    app::InputOptions input;
+    InputOptions input;
     int threads = 0;
     bool warns_of_early_end = true;  ///< warn if the footage ends before the piece
     std::filesystem::path path;
+    std::filesystem::path place{};  ///< its final path, for log lines; empty = `path`
+
+    const std::filesystem::path& shown() const { return place.empty() ? path : place; }
+};
+
+/// The times of a piece that was written: of its first and its last frame, in seconds of the recording.
+struct PieceTimes {
+    double begin = 0;
+    double end = 0;
 };
 
 /// The default extension of an exact piece.
@@ -35,11 +45,22 @@ std::string_view exact_extension();
 void check_exact(const std::filesystem::path& path);
 
 /// Copies packets, from the key frame before the piece on.
-/// \returns false if it was stopped
+/// \returns nothing if it was stopped
 /// \throws Error usage, io, not_video, limit
-bool copy_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop);
+std::optional<PieceTimes> copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
 /// Encodes exactly the frames of the piece, without sound.
-bool encode_piece(const PieceJob& job, app::Observer& observer, const std::stop_token& stop);
+std::optional<PieceTimes> encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
-}  // namespace vvr::commands
+/// A frame in full size.
+struct FullFrame {
+    double seconds = 0;  ///< of the recording
+    Plane<Bgr> picture;
+};
+
+/// The frame of a piece that is shown at a time, or the next one.
+/// \param seconds of the recording
+/// \throws Error not_video if no frame decodes from there on
+FullFrame frame_of(const PieceJob& job, double seconds);
+
+}  // namespace vvr::app

@@ -1,0 +1,123 @@
+#include "cli/app/keep_events.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <stop_token>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/video/container.h"
+#include "core/video/packet_copy.h"
+#include "core/video/piece_names.h"
+
+namespace vvr::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Events that overlap in time, margins included.
+struct Group {
+    double first = 0;
+    double last = 0;
+    std::vector<PieceEvent> events;
+};
+
+std::vector<Group> group(const std::vector<events::Event>& events, double margin) {
+    std::vector<PieceEvent> sorted;
+    for (std::size_t k = 0; k < events.size(); ++k) sorted.push_back(piece_event(events[k], k));
+    std::ranges::stable_sort(sorted, {}, &PieceEvent::first);
+    std::vector<Group> groups;
+    for (const PieceEvent& event : sorted) {
+        if (groups.empty() || event.first - margin > groups.back().last + margin) {
+            groups.push_back({event.first, event.last, {}});
+        }
+        Group& last = groups.back();
+        last.last = std::max(last.last, event.last);
+        last.events.push_back(event);
+    }
+    return groups;
+}
+
+/// The files of the footage; none if it is no file.
+std::vector<video::SegmentPlace> files_of(const Plan& plan, const Observation& seen) {
+    if (!seen.info.segments.empty()) return seen.info.segments;
+    const std::string& file = plan.job.input.names.front();
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return {};
+    return {{file, 0, std::numeric_limits<double>::infinity(), 0}};
+}
+
+/// What all pieces have in common.
+PieceJob job_for(const Plan& plan, const Observation& seen, const std::string& camera) {
+    PieceJob job;
+    job.name = seen.info.name;
+    job.camera = camera;
+    job.clock = plan.clock;
+    if (plan.job.look.start_time.from != StartTime::From::none) job.created = seen.info.created;
+    job.input = plan.job.input;
+    job.threads = plan.job.fields.threads;
+    job.warns_of_early_end = false;
+    return job;
+}
+
+/// Whether an error concerns the footage only, so that other pieces may succeed.
+bool is_of_the_footage(const Error& error) {
+    return error.kind() == ErrorKind::usage || error.kind() == ErrorKind::not_video ||
+           (error.kind() == ErrorKind::io && error.code() != ErrorCode::disk_full);
+}
+
+}  // namespace
+
+KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::string& camera, Observer& observer) {
+    KeptEvents kept;
+    const OutputOptions::Pieces& output = plan.job.output.pieces;
+    const std::vector<video::SegmentPlace> files = files_of(plan, seen);
+    if (!seen.events || seen.events->events.empty() || files.empty()) return kept;
+    PieceJob job = job_for(plan, seen, camera);
+    PieceRecord record{camera, plan.clock, plan.job.settings};
+    std::set<std::string> footage;
+    std::size_t failed = 0;
+    for (Group& events : group(seen.events->events, output.margin)) {
+        try {
+            job.span = span_around(events.first, events.last, output.margin);
+            job.parts = parts_in(files, job.span);
+            if (job.parts.empty()) video::throw_empty(job.name, job.span, std::nullopt);
+            const video::Input input = video::open_input(job.parts.front().file.path);
+            const std::string_view extension = video::extension_to_play(input, job.input.rate);
+            if (extension.empty()) {
+                throw Error(ErrorCode::input_unsuitable,
+                            fmt::format("no container supports all streams of '{}'", input.name));
+            }
+            const std::string name = video::piece_name(events.events.front().number, extension);
+            job.path = output.folder / name;
+            job.place = output.place / name;
+            const auto times = copy_piece(job, observer, std::stop_token());
+            record.pieces.push_back({name, times.value(), true, std::move(events.events)});
+            for (const FootagePart& part : job.parts) footage.insert(part.file.path);
+        } catch (const Error& error) {
+            if (!is_of_the_footage(error)) throw;
+            if (failed == 0) kept.problem = error.what();
+            failed += events.events.size();
+        }
+    }
+    if (failed > 0) {
+        kept.problem = fmt::format("{} of {} could not be kept: {}", failed,
+                                   counted(std::ssize(seen.events->events), "event"), kept.problem);
+        observer.warn(kept.problem);
+    }
+    if (record.pieces.empty()) return kept;
+    record.footage.assign(footage.begin(), footage.end());
+    write_record(output.folder, record, observer);
+    kept.pieces = std::move(record.pieces);
+    return kept;
+}
+
+}  // namespace vvr::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/app/observe.h"
+#include "cli/app/observer.h"
+#include "cli/app/piece_record.h"
+#include "cli/app/plan.h"
+
+namespace vvr::app {
+
+/// The pieces of a clip or recording in which its events are.
+struct KeptEvents {
+    std::vector<WrittenPiece> pieces;  ///< in order of time
+    std::string problem{};             ///< which events have no piece, and why; empty = all have one
+};
+
+/// Copies each event, with a margin, to a file in the plan's folder of pieces, and writes the record of that folder.
+/// Events that overlap in time share a piece, named after the first of them. An event that can't be copied is left out.
+/// \param camera for the record; empty = unknown
+/// \throws Error io for a full disk or if the record can't be written, limit
+KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::string& camera, Observer& observer);
+
+}  // namespace vvr::app

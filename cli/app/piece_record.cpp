@@ -1,0 +1,104 @@
+#include "cli/app/piece_record.h"
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "core/base/json_text.h"
+#include "core/base/version.h"
+#include "core/video/piece_names.h"
+
+namespace vvr::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+
+/// Increase it when readers of older records would misread a new one.
+constexpr int format_version = 1;
+
+double rounded(double seconds) {
+    return std::round(seconds * 1000) / 1000;
+}
+
+/// A second of the footage, and its time of day.
+Json moment(const PieceRecord& record, double seconds) {
+    return {{"seconds", rounded(seconds)}, {"time", record.clock ? Json(record.clock->iso(seconds)) : Json()}};
+}
+
+Json json_of(const PieceRecord& record, const PieceEvent& event) {
+    return {{"number", event.number},
+            {"kind", event.kind},
+            {"class", event.what.empty() ? Json() : Json(event.what)},
+            {"first", moment(record, event.first)},
+            {"last", moment(record, event.last)}};
+}
+
+Json json_of(const PieceRecord& record, const WrittenPiece& piece) {
+    Json json{{"first", moment(record, piece.times.begin)},
+              {"last", moment(record, piece.times.end)},
+              {"copied", piece.copied},
+              {"events", Json::array()}};
+    for (const PieceEvent& event : piece.events) json["events"].push_back(json_of(record, event));
+    return json;
+}
+
+Json json_of(const WallClock& clock) {
+    if (!clock) return {};
+    const ClockSourceRow& source = row_of(clock->source);
+    return {
+        {"source", source.name}, {"words", source.words}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
+}
+
+/// A file with its size and SHA-256.
+Json hashed(const fs::path& path, const std::string& name) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    if (error) throw system_error(error.value(), fmt::format("cannot read '{}'", path.string()));
+    return {{"file", name}, {"bytes", bytes}, {"sha256", hex_sha256_of_file(path)}};
+}
+
+void write(const fs::path& path, const std::string& text, Observer& observer) {
+    const auto held = observer.guard();
+    replace_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+void write_record(const fs::path& folder, const PieceRecord& record, Observer& observer) {
+    std::string sums;
+    const auto add = [&](const std::string& name, Json more) {
+        Json json = hashed(folder / name, name);
+        sums += fmt::format("{}  {}\n", json["sha256"].get<std::string>(), name);
+        json.update(more);
+        return json;
+    };
+    Json json{{"evidence", format_version},
+              {"vvr", version()},
+              {"camera", record.camera.empty() ? Json() : Json(record.camera)},
+              {"clock", json_of(record.clock)},
+              {"footage", Json::array()},
+              {"pieces", Json::array()},
+              {"stills", Json::array()},
+              {"settings", Json::object()}};
+    for (const std::string& file : record.footage) json["footage"].push_back(hashed(file, file));
+    for (const WrittenPiece& piece : record.pieces) json["pieces"].push_back(add(piece.file, json_of(record, piece)));
+    if (record.still) json["stills"].push_back(add(record.still->file, moment(record, record.still->seconds)));
+    for (const auto& [name, value] : record.settings) json["settings"][name] = value;
+    const std::string text = json_text(json, 2) + "\n";
+    write(folder / video::record_name, text, observer);
+    sums += fmt::format("{}  {}\n", hex_sha256(text), video::record_name);
+    write(folder / video::sums_name, sums, observer);
+}
+
+}  // namespace vvr::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/app/footage.h"
+#include "cli/app/observer.h"
+#include "cli/app/piece.h"
+#include "core/base/wall_clock.h"
+#include "core/image/picture.h"
+
+namespace vvr::app {
+
+/// A piece that was written to a folder of pieces.
+struct WrittenPiece {
+    std::string file;  ///< its name in the folder
+    PieceTimes times;
+    bool copied = true;  ///< false = encoded again
+    std::vector<PieceEvent> events{};
+};
+
+/// Where the files of a folder of pieces come from.
+struct PieceRecord {
+    std::string camera;                  ///< empty = unknown
+    WallClock clock;                     ///< of the footage; none = unknown
+    image::Metadata settings;            ///< with which the events were found
+    std::vector<std::string> footage{};  ///< the files of the pieces
+    std::vector<WrittenPiece> pieces{};
+
+    struct Still {
+        std::string file;
+        double seconds = 0;  ///< of the footage
+    };
+    std::optional<Still> still{};
+};
+
+/// Writes evidence.json and SHA256SUMS into the folder in which the files of the record lie. Reads these files and the
+/// footage as a whole.
+/// \throws Error io
+void write_record(const std::filesystem::path& folder, const PieceRecord& record, Observer& observer);
+
+}  // namespace vvr::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+
+#include "cli/app/observer.h"
+
+namespace vvr::commands {
+
+/// A folder that appears with all its files or not at all. The files are written to a hidden folder beside it, which
+/// the destructor removes unless `publish` was called.
+class NewFolder {
+  public:
+    /// \param path must not exist, or be an empty folder
+    /// \throws Error io
+    explicit NewFolder(std::filesystem::path path);
+    ~NewFolder();
+    NewFolder(const NewFolder&) = delete;
+    NewFolder& operator=(const NewFolder&) = delete;
+
+    /// Where the files are written.
+    const std::filesystem::path& hidden() const { return hidden_; }
+
+    /// \throws Error io
+    void publish();
+
+  private:
+    std::filesystem::path path_;
+    std::filesystem::path hidden_;
+};
+
+/// \throws Error io if anything but an empty folder is at `path`
+void check_is_free(const std::filesystem::path& path);
+
+/// An observer for code that writes several files while the caller holds back signals.
+class HeldObserver final : public app::Observer {
+  public:
+    explicit HeldObserver(app::Observer& observer) : observer_(observer), held_(observer.guard()) {}
+
+    void frames(std::int64_t done, std::int64_t expected) override { observer_.frames(done, expected); }
+    void drawing() override { observer_.drawing(); }
+    void debug(const std::string& text) override { observer_.debug(text); }
+    void info(const std::string& text) override { observer_.info(text); }
+    void warn(const std::string& text, const RelatedSettings& about = {}) override { observer_.warn(text, about); }
+
+  private:
+    app::Observer& observer_;
+    std::unique_lock<std::mutex> held_;
+};
+
+}  // namespace vvr::commands

@@ -1,0 +1,281 @@
+"""Events that are kept: pieces beside the pages of an archive, and the evidence of `vvr cut`."""
+
+import hashlib
+import json
+import os
+import subprocess
+import time
+
+import pytest
+from harness import check, lock_name
+from test_archive import QUICK, age
+from test_cut import packets
+from test_sandbox import walls  # noqa: F401, a fixture
+
+H264 = ("-c:v", "libx264", "-bf", "2", "-g", "20", "-keyint_min", "20", "-sc_threshold", "0", "-pix_fmt", "yuv420p")
+RATE = 10
+CLIP = "gate/2026-11-21_20-00-00.mp4"
+
+
+def two_events(t, name, codec=H264):
+    """A clip of 16 s in which something passes at 2 s and at 11 s."""
+    def encode():
+        x = "if(between(t,2,5),(t-2)*60-40,if(between(t,11,14),(t-11)*60-40,-100))"
+        t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=160x120:rate={RATE}:duration=16", "-f", "lavfi", "-i", f"color=red:size=30x40:rate={RATE}:duration=16",
+                 "-f", "lavfi", "-i", "sine=duration=16", "-filter_complex", f"[0][1]overlay=x='{x}':y=40:eval=frame,noise=alls=4:all_seed=7[v]",
+                 "-map", "[v]", "-map", "2:a", *codec, "-c:a", "aac", "-shortest", name)
+
+    t.path(name).parent.mkdir(parents=True, exist_ok=True)
+    t.make(name, "two events", codec, how=encode)
+
+
+def archive(t, *arguments):
+    return t.vvr("archive", "in", "-o", "out", *QUICK, "--keep-events", "--margin", "0.5s", *arguments)
+
+
+def archived(t, clip=CLIP, *arguments):
+    two_events(t, f"in/{clip}")
+    age(t, f"in/{clip}")
+    archive(t, *arguments).expect(0, "1 clip drawn")
+    return t.path(f"out/{clip}.events")
+
+
+def names(folder):
+    return sorted(os.listdir(folder))
+
+
+def sha256(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def check_sums(t, folder):
+    """sha256sum agrees, and the list has all files but itself."""
+    summed = subprocess.run(["sha256sum", "-c", "SHA256SUMS"], cwd=folder, capture_output=True, text=True)
+    check(summed.returncode == 0, f"{summed}")
+    check(sorted(line.split(":")[0] for line in summed.stdout.splitlines()) == sorted(set(names(folder)) - {"SHA256SUMS"}), summed.stdout)
+
+
+def check_has(t, clip, piece, first, last):
+    """A piece has the packets of the clip that show it from one second to another, and decodes without an error."""
+    whole, part = packets(t, clip), packets(t, piece)
+    hashes = [packet[2] for packet in part]
+    check(part[0][1] == "K" and all(packet[2] in {p[2] for p in whole} for packet in part), "other packets")
+    lost = [time for time, _, data in whole if first - 1e-3 <= time <= last + 1e-3 and data not in hashes]
+    check(not lost, f"the frames at {lost} are missing")
+    check(len(part) < len(whole) / 2, f"{len(part)} of {len(whole)} packets")
+    decoded = t.run(["ffmpeg", "-v", "error", "-i", str(t.path(piece)), "-f", "null", "-"])
+    check(decoded.status == 0 and decoded.err == "", str(decoded))
+
+
+def test_archive_keeps_events(t):
+    folder = archived(t)
+    check(names(folder) == ["SHA256SUMS", "event-1.mp4", "event-2.mp4", "evidence.json"], f"{names(folder)}")
+    check_sums(t, folder)
+    report = json.loads(t.path(f"out/{CLIP}.report.json").read_text())
+    record = json.loads((folder / "evidence.json").read_text())
+    check([record["camera"], record["clock"]["source"], record["vvr"]] == ["gate", "file-name", report["vvr"]], f"{record}")
+    check(record["settings"]["size"] == "160x100" and record["settings"]["threshold"] == report["settings"]["threshold"], f"{record['settings']}")
+    footage = t.path(f"in/{CLIP}")
+    check([(one["bytes"], one["sha256"]) for one in record["footage"]] == [(footage.stat().st_size, sha256(footage))], f"{record['footage']}")
+    check(record["footage"][0]["file"].endswith(f"in/{CLIP}"), f"{record['footage']}")
+    for event, piece in zip(report["events"], record["pieces"], strict=True):
+        check(sha256(folder / piece["file"]) == piece["sha256"], f"{piece}")
+        [told] = piece["events"]
+        check([told["number"], told["kind"], told["first"]["time"]] == [event["number"], event["kind"], event["first"]["time"]], f"{told}")
+        check(piece["first"]["time"].startswith("2026-11-21T20:00:"), f"{piece}")
+        check_has(t, f"in/{CLIP}", f"out/{CLIP}.events/{piece['file']}", event["first"]["seconds"] - 0.5, event["last"]["seconds"] + 0.5)
+    known = json.loads(t.path(f"out/{CLIP}.json").read_text())
+    check(known["pieces"] == names(folder), f"{known['pieces']}")
+    # The page finds them beside it, and knows where in the clip they begin.
+    page = t.path(f"out/{CLIP}.html").read_text()
+    for piece in record["pieces"]:
+        address = f'["./2026-11-21_20-00-00.mp4.events/{piece["file"]}",{piece["first"]["seconds"]:g}'
+        check(address in page, f"{address} is not on the page")
+
+
+def test_archive_keeps_events_once(t):
+    folder = archived(t)
+    archive(t).expect(0, "nothing to do; 1 done before")
+    (folder / "event-2.mp4").unlink()
+    said = archive(t, "--dry-run").expect(0, out=None).out
+    check(said.startswith("files missing"), said)
+    archive(t).expect(0, "1 clip drawn")
+    # Other margins are other pieces: two that overlap are one. What isn't vvr's stays.
+    (folder / "mine.mp4").write_bytes(b"mine")
+    archive(t, "--margin", "10s").expect(0, "1 clip drawn")
+    check(names(folder) == ["SHA256SUMS", "event-1.mp4", "evidence.json", "mine.mp4"], f"{names(folder)}")
+    record = json.loads((folder / "evidence.json").read_text())
+    check([event["number"] for event in record["pieces"][0]["events"]] == [1, 2], f"{record['pieces']}")
+    # Without the option they go when the clip is drawn again.
+    t.vvr("archive", "in", "-o", "out", *QUICK).expect(0, "1 clip drawn")
+    check(names(folder) == ["mine.mp4"], f"{names(folder)}")
+    check("pieces" not in json.loads(t.path(f"out/{CLIP}.json").read_text()), "the sidecar lists pieces")
+
+
+def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
+    folder = archived(t)
+    t.path(f"in/{CLIP}").unlink()
+    archive(t, "--keep", "30d").expect(0, "nothing to do")
+    check("event-1.mp4" in names(folder), f"{names(folder)}")
+    sidecar = t.path(f"out/{CLIP}.json")
+    known = json.loads(sidecar.read_text())
+    sidecar.write_text(sidecar.read_text().replace(str(known["clip"]["modified_ns"]), str((int(time.time()) - 31 * 86400) * 10**9)))
+    (folder / "event-7.mp4").write_bytes(b"mine")  # the name of a piece, but no sidecar has it
+    archive(t, "--keep", "30d").expect(0, f"{CLIP}: older than --keep; removed ", f"{CLIP}.events/event-1.mp4", f"{CLIP}.events/evidence.json")
+    check(names(folder) == ["event-7.mp4"], f"{names(folder)}")
+    check(not sidecar.exists() and not t.path(f"out/{CLIP}.png").exists(), "the rest")
+
+
+def test_archive_removes_the_empty_folder_of_pieces(t):
+    folder = archived(t)
+    os.utime(t.path(f"in/{CLIP}"), (time.time() - 40 * 86400,) * 2)
+    archive(t, "--margin", "0.4s").expect(0, "1 clip drawn")
+    archive(t, "--margin", "0.4s", "--keep", "30d").expect(0, "removed")
+    check(not folder.exists(), f"{names(folder.parent)}")
+
+
+def test_archive_of_a_clip_whose_events_cannot_be_copied(t):
+    """It has no time stamps: its picture is drawn, no half piece is left, and it says so once."""
+    t.path("in").mkdir()
+    two_events(t, "in/gate/clip.avi", ("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
+    age(t, "in/gate/clip.avi")
+    result = archive(t).expect(0, "1 clip drawn", "2 of 2 events could not be kept: ")
+    check(result.err.count("could not be kept") == 1, str(result))
+    check(not t.path("out/gate/clip.avi.events").exists(), "a folder without pieces")
+    known = json.loads(t.path("out/gate/clip.avi.json").read_text())
+    check(known["state"] == "done" and "could not be kept" in known["reason"] and "pieces" not in known, f"{known}")
+    archive(t).expect(0, "nothing to do")
+
+
+def test_archive_keeps_the_events_of_a_damaged_clip(t):
+    two_events(t, "in/gate/clip.mkv")
+    data = bytearray(t.path("in/gate/clip.mkv").read_bytes())
+    for place in range(len(data) // 3, len(data) * 3 // 4, 997):
+        data[place] ^= 0xFF
+    t.write("in/gate/clip.mkv", bytes(data[:len(data) * 9 // 10]))
+    age(t, "in/gate/clip.mkv")
+    result = archive(t)
+    check(result.status in (0, 6), str(result))
+    known = json.loads(t.path("out/gate/clip.mkv.json").read_text())
+    folder = t.path("out/gate/clip.mkv.events")
+    there = names(folder) if folder.exists() else []
+    check(known.get("pieces", []) == there and not [name for name in t.files() if ".part" in name or ".vvr-" in name], f"{t.files()}")
+    for name in there:
+        if name.startswith("event-"):
+            probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", str(folder / name)])
+            check(probe.status == 0 and float(probe.out) > 0, str(probe))
+
+
+def test_kept_events_of_hostile_names(t):
+    clip = "in/ga\"te$(x)\n<script>/2026-11-21_20-00-00.mp4"
+    two_events(t, clip)
+    age(t, clip)
+    archive(t).expect(0, "1 clip drawn")
+    folder = t.path("out") / (clip[3:] + ".events")
+    check_sums(t, folder)
+    record = json.loads((folder / "evidence.json").read_text())
+    check(record["camera"] == "ga\"te$(x)%0A<script>", record["camera"])
+    check([one["file"] for one in record["footage"]] == [str(t.path(clip))] or record["footage"][0]["file"] == clip, f"{record['footage']}")
+    page = (t.path("out") / (clip[3:] + ".html")).read_text()
+    check('["./2026-11-21_20-00-00.mp4.events/event-1.mp4"' in page, "the page does not find the piece")
+
+
+def test_kept_events_of_a_day(t):
+    two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
+    t.path("in/gate/2026-11-21_20-00-16.mp4").write_bytes(t.path("in/gate/2026-11-21_20-00-00.mp4").read_bytes())
+    age(t, "in/gate/2026-11-21_20-00-00.mp4", "in/gate/2026-11-21_20-00-16.mp4")
+    archive(t, "--per", "day").expect(0, "1 clip drawn")
+    folder = t.path("out/gate/2026-11-21.events")
+    check_sums(t, folder)
+    record = json.loads((folder / "evidence.json").read_text())
+    check(len(record["footage"]) == 2 and len(record["pieces"]) >= 3 and record["camera"] == "gate", f"{record}")
+    last = record["pieces"][-1]
+    check(last["first"]["time"] > "2026-11-21T20:00:24", f"{last}")
+
+
+def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
+    found = []
+    for mode in ("off", "required"):
+        folder = archived(t, CLIP, "--sandbox", mode)
+        found.append({name: (folder / name).read_bytes() for name in names(folder)})
+        t.path("out").rename(t.path(mode))
+    check(len(found[0]) == 4 and found[0] == found[1], f"{found[0].keys()} {found[1].keys()}")
+
+
+def test_archive_keeps_no_events_where_it_may_not(t):
+    two_events(t, f"in/{CLIP}")
+    age(t, f"in/{CLIP}")
+    archive(t, "--prune").expect(1, "--prune", "--keep AGE", code="options-conflict")
+    archive(t, "--filter", "edges").expect(1, "filter 'edges'", "--keep-events", code="options-conflict")
+    archive(t, "--margin", "2h").expect(1, "margin", code="option-value-out-of-range")
+    # A link leads elsewhere: nothing is written there.
+    t.path("elsewhere").mkdir()
+    t.path("out/gate").mkdir(parents=True)
+    t.path(f"out/{CLIP}.events").symlink_to(t.path("elsewhere"))
+    archive(t).expect(6, ".events': it is a link", code="not-a-folder")
+    check(names(t.path("elsewhere")) == [] and not t.path(f"out/{CLIP}.png").exists(), "written through a link")
+
+
+def test_a_killed_archive_leaves_no_pieces(t):
+    folder = archived(t)
+    (folder / "mine.txt").write_text("mine")
+    t.path(f"out/{CLIP}.json").unlink()
+    name = os.path.basename(CLIP)
+    t.write(f"out/gate/{lock_name(name)}", name)
+    t.path(f"in/{CLIP}").unlink()
+    t.vvr("archive", "-o", "out", "--write", "index").expect(0)
+    check(names(folder) == ["mine.txt"] and not t.path(f"out/{CLIP}.png").exists(), f"{names(folder)}")
+
+
+# ---- vvr cut --evidence
+
+
+NAMED = "gate_2026-11-21_20-00-00.mp4"  # without an archive, only the name can tell the camera
+
+
+def test_cut_writes_evidence(t):
+    two_events(t, NAMED)
+    t.vvr("render", NAMED, "--report", "report.json").expect(0)
+    event = json.loads(t.path("report.json").read_text())["events"][1]
+    t.vvr("cut", NAMED, "--event", "2", "--report", "report.json", "--margin", "1s", "--evidence", "case").expect(
+        0, "frames copied", "'case': event-2.mp4, event-2.png, evidence.json and SHA256SUMS")
+    folder = t.path("case")
+    check(names(folder) == ["SHA256SUMS", "event-2.mp4", "event-2.png", "evidence.json"], f"{names(folder)}")
+    check_sums(t, folder)
+    record = json.loads((folder / "evidence.json").read_text())
+    check([one["sha256"] for one in record["footage"]] == [sha256(t.path(NAMED))], f"{record['footage']}")
+    check([record["camera"], record["clock"]["source"]] == ["gate", "file-name"], f"{record}")
+    [piece], [still] = record["pieces"], record["stills"]
+    check([one["number"] for one in piece["events"]] == [2] and piece["copied"], f"{piece}")
+    check(record["settings"]["threshold"] == json.loads(t.path("report.json").read_text())["settings"]["threshold"], f"{record['settings']}")
+    check_has(t, NAMED, "case/event-2.mp4", event["first"]["seconds"] - 1, min(15.9, event["last"]["seconds"] + 1))
+    # The still is the frame of the event's portrait, of full size.
+    check(t.picture_size("case/event-2.png") == (160, 120), f"{t.picture_size('case/event-2.png')}")
+    check(abs(still["seconds"] - event["portrait"]["seconds"]) < 0.05, f"{still} {event['portrait']}")
+    box = event["portrait"]["box"]
+    red = t.rgb("case/event-2.png")[box["y"] + box["height"] // 2][box["x"] + box["width"] // 2]
+    check(red[0] > 200 and red[1] < 90, f"{red}")
+    # The same with a search, and without an event.
+    t.vvr("cut", NAMED, "--event", "2", "--margin", "1s", "--evidence", "searched").expect(0)
+    check(sha256(t.path("searched/event-2.mp4")) == sha256(t.path("case/event-2.mp4")), "another piece")
+    t.vvr("cut", NAMED, "--start", "11s", "--end", "13s", "--exact", "--evidence", "between/").expect(0)
+    check(names(t.path("between")) == ["SHA256SUMS", "evidence.json", "piece.mp4", "piece.png"], f"{names(t.path('between'))}")
+    record = json.loads(t.path("between/evidence.json").read_text())
+    check([record["pieces"][0]["copied"], record["pieces"][0]["events"]] == [False, []], f"{record}")
+
+
+def test_cut_writes_evidence_as_a_whole_or_not_at_all(t):
+    two_events(t, NAMED)
+    t.path("full").mkdir()
+    t.write("full/mine.txt", "mine")
+    t.write("file", "mine")
+    span = ("--start", "1s", "--end", "2s")
+    t.vvr("cut", NAMED, *span, "--evidence", "full").expect(2, "'full'", code="folder-not-empty")
+    t.vvr("cut", NAMED, *span, "--evidence", "file").expect(2, "'file'", code="not-a-folder")
+    t.vvr("cut", NAMED, *span, "--evidence", "none/case").expect(2, "none/case", code="file-not-found")
+    t.vvr("cut", NAMED, *span, "--evidence", "case", "-o", "x.mp4").expect(1, "--evidence", code="options-conflict")
+    t.vvr("cut", NAMED, "--start", "99s", "--end", "100s", "--evidence", "case").expect(1, code="span-empty")
+    two_events(t, "clip.avi", ("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
+    t.vvr("cut", "clip.avi", *span, "--evidence", "case").expect(3)
+    check(not t.path("case").exists() and not [name for name in t.files() if ".vvr-" in name], f"{t.files()}")
+    check(names(t.path("full")) == ["mine.txt"] and t.path("file").read_text() == "mine", "a file was changed")
