@@ -227,6 +227,17 @@ class Page:
     def click(self, x, y):
         self._to(x, y).click().perform()
 
+    def move(self, x, y):
+        """The pointer on a point of the window."""
+        from selenium.webdriver.common.action_chains import ActionChains
+        actions = ActionChains(self.driver, duration=0)
+        actions.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+        actions.perform()
+
+    def touch(self, kind, *points):
+        """What fingers do: "touchStart", "touchMove", "touchEnd"; each is at a point of the window."""
+        self.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
+
     def press(self, selector):
         """A real click by mouse on the middle of an element."""
         from selenium.webdriver.common.by import By

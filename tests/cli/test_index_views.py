@@ -132,6 +132,104 @@ def test_index_by_days(t):
         check(page.text("count") == "1 of 54 clips · Mon 16 Nov", page.text("count"))
 
 
+def gallery_page(t):
+    """A clip of the archive whose card has a picture of each of its events."""
+    t.scene("walkers", "walkers.y4m", "--size", "192x144", "--frames", "300", "--seed", "5")
+    t.path("clips/gate").mkdir(parents=True)
+    t.ffmpeg("-i", "walkers.y4m", "-c:v", "mpeg4", "-q:v", "3", "clips/gate/20261120T080000.avi")
+    t.archive("clips", "-o", "out", "--size", "320x200", "--backend", "software").expect(0)
+
+
+def told_of(page):
+    """What a card says of the event that it shows; '' = it shows the clip."""
+    return page.text_of(".card .of")
+
+
+def numbers_of(t):
+    """The numbers of the events of the only clip, in the order of the index."""
+    [day] = [path.read_text() for path in t.path("out").glob("index.????-??-??.js")]
+    [(_, rows, *_)] = json.loads(day[day.index(",") + 1:day.rindex(")")])
+    return [row[1] for row in rows]
+
+
+def test_index_card_shows_each_event(t):
+    """The pointer's place, keys and swipes choose the event; it plays, and the card leads to it."""
+    gallery_page(t)
+    with opened(t) as page:
+        page.wait("the card", "return document.querySelector('.card .images img')?.naturalWidth > 0")
+        check(told_of(page) == "" and page.count(".card .now") == 0, "a card shows an event before one asks for it")
+        count = page.count(".card .ticks i")
+        check(count >= 3, f"the clip has {count} events")
+        shown = "return document.querySelector('.card .of').textContent.startsWith(arguments[0])"
+
+        def hover(share):
+            left, top, right, bottom = page.box(".card")
+            page.move(left + share * (right - left), (top + bottom) / 2)
+
+        hrefs = []
+        for place in range(count):
+            hover((place + 0.5) / count)
+            page.wait(f"event {place + 1}", shown.replace("arguments[0]", f"'{place + 1} of {count} · 08:00:'"))
+            check(page.run("return [...document.querySelectorAll('.card .ticks i')].findIndex(i => i.className === 'now')") == place, "another mark")
+            check(page.count(".card .tile .spot") == 1, "nothing shows where it is")
+            hrefs.append(page.run("return document.querySelector('.card').hash"))
+        numbers = numbers_of(t)
+        check(hrefs == [f"#event={number}" for number in numbers], f"{hrefs} for {numbers}")
+        # It plays: its pictures follow one another, and begin again.
+        looks = "const i = document.querySelector('.card .tile:not(.single) img'); return [i.style.left, i.style.top].join()"
+        first = page.run(looks)
+        page.wait("it plays", f"return (() => {{ {looks} }})() !== '{first}'")
+        page.wait("it begins again", f"return (() => {{ {looks} }})() === '{first}'")
+        # Away from it the clip is shown again.
+        page.move(2, 2)
+        page.wait("the clip", "return document.querySelector('.card .of').textContent === ''")
+        check(page.count(".card .tile") == 1 and page.run("return document.querySelector('.card').hash") == "", "the event stays")
+        # Keys.
+        page.run("document.querySelector('#order').focus()")
+        while page.run("return document.activeElement.className") != "card":
+            page.key("\ue004")
+        page.wait("the first event", f"return document.querySelector('.card .of').textContent.startsWith('1 of {count}')")
+        page.key("\ue012")
+        check(told_of(page).startswith(f"1 of {count}"), "before the first there is another one")
+        page.key("\ue014")
+        check(told_of(page).startswith(f"2 of {count}"), told_of(page))
+        check(page.run("return document.querySelector('.card').ariaDescription ?? document.querySelector('.card').getAttribute('aria-description')")
+              == told_of(page), "a screen reader is not told")
+        page.key("\ue007")
+        page.wait("the clip's page", "return document.documentElement.dataset.ready !== undefined && vvr.state.chosen !== null")
+        check(page.run("return location.hash") == hrefs[1], "another event than that on the card")
+        check(page.complaints() == [], str(page.complaints()))
+
+
+def test_index_card_turns_by_swipes(t):
+    gallery_page(t)
+    with opened(t) as page:
+        page.window(390, 844, mobile=True)
+        page.wait("the card", "return innerWidth === 390 && document.querySelector('.card .images img')?.naturalWidth > 0")
+        count = page.count(".card .ticks i")
+        page.run("document.querySelector('.card').scrollIntoView({block: 'center'})")
+
+        def swipe(begin, end):
+            left, top, right, bottom = page.box(".card .images")
+            middle = (top + bottom) / 2
+            page.touch("touchStart", (left + begin * (right - left), middle))
+            for k in range(1, 6):
+                page.touch("touchMove", (left + (begin + (end - begin) * k / 5) * (right - left), middle))
+            page.touch("touchEnd")
+
+        for begin, end, wanted in ((0.8, 0.3, 2), (0.8, 0.3, 3), (0.2, 0.7, 2)):
+            swipe(begin, end)
+            page.wait(f"event {wanted}", f"return document.querySelector('.card .of').textContent.startsWith('{wanted} of {count}')")
+        check(page.run("return document.title") == "Video archive", "a swipe opens the clip")
+        wanted = page.run("return document.querySelector('.card').hash")
+        left, top, right, bottom = page.box(".card .images")
+        time.sleep(0.5)  # a tap just after a swipe only ends its movement, in every page
+        page.touch("touchStart", ((left + right) / 2, (top + bottom) / 2))
+        page.touch("touchEnd")
+        page.wait("a tap opens it", "return document.documentElement.dataset.ready !== undefined && vvr.state.chosen !== null")
+        check(page.run("return location.hash") == wanted and wanted.startswith("#event="), f"it leads to {page.run('return location.hash')}")
+
+
 def scene_page(t, clips=30, of_each=20):
     """An index with the view of a scene, and the paths by camera: (clip, number): path."""
     chance = random.Random(3)

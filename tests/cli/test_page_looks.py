@@ -161,10 +161,6 @@ def test_page_fits_every_window(t):
             check(0.97 < max(used) < 1.03, f"{width}: what is drawn takes {used} of the view")
 
 
-def touch(page, kind, *points):
-    page.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
-
-
 def expect_in_sight(page):
     page.wait("the player is in sight", """const box = document.getElementById('screen').getBoundingClientRect();
         return box.top >= -1 && box.bottom <= innerHeight + 1;""", 5)
@@ -180,8 +176,8 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
         pixel, wide, high = page.run("return [pixels.frames.findIndex((frame, k) => k > pixels.frames.length / 2 && frame >= 0), ...pictureSize]")
         left, top, right, bottom = page.box("#picture")
         x, y = left + (pixel % wide + 0.5) / wide * (right - left), top + (pixel // wide + 0.5) / high * (bottom - top)
-        touch(page, "touchStart", (x, y))
-        touch(page, "touchEnd")
+        page.touch("touchStart", (x, y))
+        page.touch("touchEnd")
         page.wait("it goes there", "return moved", 5)
         expect_in_sight(page)
         page.run("scrollTo(0, document.documentElement.scrollHeight)")
@@ -192,10 +188,10 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
         left, top, right, bottom = page.box("#view")
         mid = ((left + right) / 2, (top + bottom) / 2)
         before = page.run("return scale")
-        touch(page, "touchStart", (mid[0] - 20, mid[1]), (mid[0] + 20, mid[1]))
+        page.touch("touchStart", (mid[0] - 20, mid[1]), (mid[0] + 20, mid[1]))
         for apart in range(25, 85, 5):
-            touch(page, "touchMove", (mid[0] - apart, mid[1]), (mid[0] + apart, mid[1]))
-        touch(page, "touchEnd")
+            page.touch("touchMove", (mid[0] - apart, mid[1]), (mid[0] + apart, mid[1]))
+        page.touch("touchEnd")
         after = page.run("return scale")
         check(before == 1 and 2.5 < after < 5, f"two fingers that go from 40 to 160 pixels apart zoom from {before} to {after}")
         check(page.run("return visualViewport.scale") == 1, "the window zooms too")

@@ -6,7 +6,6 @@ import time
 import pytest
 from browser import Page, Served
 from harness import check
-from test_page_looks import touch
 from test_page_player import bag, crowd, with_events
 
 pytestmark = pytest.mark.browser
@@ -25,15 +24,15 @@ def test_page_plays_at_a_tap(t):
             page.run("setPlaying(false); choose(null); scrollTo(0, 0)")
             left, top, right, bottom = page.run("""const box = document.querySelectorAll('#letters .portrait')[arguments[0]].getBoundingClientRect();
                 return [box.left, box.top, box.right, box.bottom];""", number)
-            touch(page, "touchStart", ((left + right) / 2, (top + bottom) / 2))
-            touch(page, "touchEnd")
+            page.touch("touchStart", ((left + right) / 2, (top + bottom) / 2))
+            page.touch("touchEnd")
             page.wait("it plays", "return chosen !== null && isPlaying() && !video.paused && now > events[chosen].first")
             check(page.run("return document.getElementById('play').ariaLabel") == "Pause", "the button says something else")
         # A tap on nothing shows all again, and fingers have room.
         page.run("setPlaying(false); scrollTo(0, 0)")
         left, top, right, _ = page.box("#view")
-        touch(page, "touchStart", (right - 12, top + 100))
-        touch(page, "touchEnd")
+        page.touch("touchStart", (right - 12, top + 100))
+        page.touch("touchEnd")
         page.wait("nothing is chosen", "return chosen === null", 5)
         small = page.run("""return [...document.querySelectorAll('button, select, summary')].filter(e => e.checkVisibility())
             .map(e => [e.id || e.textContent, e.getBoundingClientRect().height]).filter(([, high]) => high < 44)""")

@@ -1,7 +1,7 @@
 // The picture of a clip's card: a large still of what tells most. Under the pointer, or with the focus, there is one of each
 // event, which plays: the place of the pointer, the arrow keys or a swipe say which.
 
-import {element} from '../shared/dom.js';
+import {element, sharesWithin} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {timeText} from '../shared/wall_clock.js';
 import {pointOnWay} from '../shared/ways.js';
@@ -12,14 +12,11 @@ import {eventsIn, loadEventsOf, stillsOf} from './events.js';
 import {nearestStill, stillsBetween} from './sheet.js';
 import {data, search, wallOf} from './state.js';
 import {Tile, playOn} from './tiles.js';
+import {markOf, pictureOfEvent, placeUnder, spanOf, turnOfKey, turnOfSwipe} from './turning.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
 const mostTicks = 40;
-const swipe = 30;  // pixels: a shorter move is a tap
-
-/** @param {import('./answers.js').SceneEvent} event */
-const spanOf = event => [event.way[0] / 10, event.way[event.way.length - 3] / 10];
 
 /** @param {import('./answers.js').SceneEvent} event */
 const lengthOf = event => spanOf(event)[1] - spanOf(event)[0];
@@ -49,6 +46,7 @@ class Gallery {
         /** @type {Tile | null} */
         this.tile = null;  // shows the events
         this.place = 0;  // of the event that is shown, in the list of events
+        this.share = 0;  // of the card's width, where the pointer is
         this.ticks = element('span', 'ticks');
         this.note = element('small', 'of');
         this.isWanted = false;  // under the pointer, with the focus, or swiped
@@ -76,6 +74,7 @@ class Gallery {
         await loadEventsOf(this.clip);
         const count = stillsOf(this.clip).length;
         if (!this.isWanted || this.tile || !count || !this.events.length) return;
+        this.place = placeUnder(this.share, this.events.length);  // the pointer went on while the events came
         this.tile = new Tile(this.clip, count);
         this.base.window.after(this.tile.window);
         this.show();
@@ -89,21 +88,21 @@ class Gallery {
         const event = this.events[this.place];
         if (!this.tile || !event) return;
         const stills = stillsOf(this.clip);
-        const [from, to] = spanOf(event);
-        const shown = still ?? nearestStill(stills, (from + to) / 2, from, to);
+        const {still: shown, at} = pictureOfEvent(event, stills, still);
         this.tile.show(shown);
-        const isIn = stills[shown] >= from - 0.5 && stills[shown] <= to + 0.5;
-        this.tile.mark(null, isIn ? pointOnWay(event.way, clamp(stills[shown], from, to) * 10) : null);
+        this.tile.mark(null, at === null ? null : pointOnWay(event.way, at * 10));
         const nth = this.events.length > 1 ? `${this.place + 1} of ${this.events.length} · ` : '';
         this.note.textContent = `${nth}${timeText(wallOf(this.clip.begins + stills[shown]))} · ${event.kind.words}`;
-        [...this.ticks.children].forEach((tick, k) => { tick.className = k === this.place ? 'now' : ''; });
+        const ticks = [...this.ticks.children];
+        const mark = markOf(this.place, this.events.length, ticks.length);
+        ticks.forEach((tick, k) => { tick.className = k === mark ? 'now' : ''; });
         this.card.href = urlOf(this.clip, addressWith(addressOfClip(search()), event.number));
     }
 
     /** @param {number} place of an event */
     turnTo(place) {
         const next = clamp(place, 0, this.events.length - 1);
-        if (next === this.place) return;
+        if (!this.tile || next === this.place) return;
         this.place = next;
         this.show();
         this.card.setAttribute('aria-description', this.note.textContent ?? '');
@@ -121,7 +120,7 @@ class Gallery {
         this.isWanted = false;
         this.tile?.window.remove();
         this.tile = null;
-        this.place = 0;
+        this.place = this.share = 0;
         this.note.textContent = '';
         for (const tick of this.ticks.children) tick.className = '';
         this.card.href = urlOfCard(this.clip);
@@ -135,12 +134,12 @@ function listenTo(gallery) {
     card.addEventListener('focus', () => gallery.open());
     card.addEventListener('pointermove', event => {
         if (event.pointerType === 'touch') return;
-        const {left, width} = card.getBoundingClientRect();
-        gallery.turnTo(Math.floor((event.clientX - left) / width * gallery.events.length));
+        [gallery.share] = sharesWithin(card, event);
+        gallery.turnTo(placeUnder(gallery.share, gallery.events.length));
     });
     card.addEventListener('keydown', event => {
-        const by = {ArrowLeft: -1, ArrowRight: 1}[event.key];
-        if (!by || event.altKey || event.ctrlKey || event.metaKey) return;
+        const by = turnOfKey(event);
+        if (!by) return;
         event.preventDefault();
         gallery.turnTo(gallery.place + by);
     });
@@ -151,9 +150,9 @@ function listenTo(gallery) {
         wasSwipe = false;
     });
     window.addEventListener('pointerup', event => {
-        const by = event.clientX - from;
-        wasSwipe = event.pointerType === 'touch' && Math.abs(by) > swipe;
-        if (wasSwipe) gallery.open().then(() => gallery.turnTo(gallery.place - Math.sign(by)));
+        const by = event.pointerType === 'touch' ? turnOfSwipe(event.clientX - from) : 0;
+        wasSwipe = by !== 0;
+        if (wasSwipe) gallery.open().then(() => gallery.turnTo(gallery.place + by));
     });
     card.addEventListener('dragstart', event => event.preventDefault());
     card.addEventListener('click', event => {
