@@ -1,4 +1,5 @@
-"""A page in a real browser: Chromium without a window, driven by Selenium, with no network."""
+"""A page in a real browser: Chromium without a window, driven by Selenium, with no network. VVR_BROWSER=firefox takes Firefox
+instead; tests of what only Chromium's own protocol can do are skipped then."""
 
 import http.server
 import json
@@ -8,6 +9,7 @@ import re
 import threading
 import time
 
+import firefox
 import pytest
 from harness import check
 
@@ -60,8 +62,16 @@ return [found, count];
 PACKAGES = "chromium chromium-driver python3-selenium"
 
 
+def is_firefox():
+    return os.environ.get("VVR_BROWSER") == "firefox"
+
+
 def driver_of(folder, *arguments):
     """A browser with a profile of its own; skips the test where there is none."""
+    if is_firefox():
+        if arguments:
+            pytest.skip(f"Firefox has no {' '.join(arguments)}")
+        return firefox.driver(folder)
     try:
         from selenium import webdriver
         from selenium.webdriver.chrome.options import Options
@@ -258,9 +268,17 @@ class Page:
 
     def cdp(self, command, **values):
         """A command of the browser's own protocol, for what a window of another kind does."""
+        if is_firefox():
+            pytest.skip(f"Firefox has no {command}")
         return self.driver.execute_cdp_cmd(command, values)
 
     def window(self, width, height, mobile=False):
+        if is_firefox() and not mobile:
+            chrome = self.run("return outerHeight - innerHeight")
+            self.driver.set_window_rect(0, 0, width, height + chrome)
+            if self.run("return innerWidth") > width:
+                pytest.skip(f"no window of Firefox is {width} pixels wide")
+            return
         self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
         if mobile:  # taking fingers away again would not bring the mouse back
             self.cdp("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
@@ -291,11 +309,15 @@ class Page:
         return clock, shown
 
     def complaints(self):
-        """What the console says."""
+        """What the console says; Firefox tells nobody."""
+        if is_firefox():
+            return []
         return [entry["message"] for entry in self.driver.get_log("browser")]
 
     def requests(self):
         """Every address that was asked for, but for the browser's own pages."""
+        if is_firefox():
+            pytest.skip("Firefox does not say what it asks for")
         messages = [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
         urls = [message["params"]["request"]["url"] for message in messages if message["method"] == "Network.requestWillBeSent"]
         return [url for url in urls if not url.startswith("chrome:")]

@@ -232,4 +232,8 @@ def test_index_is_seen_in_forced_colours(t):
         page.press("#views [value=days]")
         colour = "return getComputedStyle(document.querySelector(arguments[0])).backgroundColor"
         check(page.run(colour, "td .busy") != page.run(colour, "td button"), "the hours vanish")
+        page.press("#cameras button")
+        count, ground = page.run("""const b = document.querySelector('#cameras [aria-pressed=true]');
+            return [getComputedStyle(b.querySelector('i')).color, getComputedStyle(b).color];""")
+        check(count == ground, f"the count of the chosen camera is {count}, its name {ground}")
         check(page.run(colour, "#views [aria-pressed=true]") != page.run(colour, "#views [aria-pressed=false]"), "what is chosen can't be seen")

@@ -124,6 +124,30 @@ def test_live_page_follows_now_unless_one_looks_back(t):
         check(page.run("return [now === time.lastFrame, isPlaying()]") == [True, False], "it does not go to now")
 
 
+def test_live_page_does_not_talk_each_second(t):
+    """A screen reader reads what changes in a status; the age changes each second, and is none."""
+    page_of(t, "live.html", 4)
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        page.run("""window.said = [];
+            window.ages = 0;
+            new MutationObserver(() => said.push(livestate.textContent)).observe(livestate, {childList: true, characterData: true, subtree: true});
+            new MutationObserver(() => ++ages).observe(age, {childList: true, characterData: true, subtree: true});""")
+        page.wait("its age", "return window.ages >= 3", 10)
+        check(page.run("return window.said") == [], f"it says {page.run('return window.said')}")
+        check(page.run("return age.closest('[role=status], [aria-live]')") is None, "the age is a status")
+
+
+def test_live_page_says_how_long_an_event_has_lasted(t):
+    """Not only within the last bricks, which are all that the page shows."""
+    t.scene("stands", "stands.y4m", "--size", "192x144", "--frames", "400")
+    t.ffmpeg("-i", "stands.y4m", "-c:v", "libx264", "-preset", "ultrafast", "-pix_fmt", "yuv420p", "-g", "25", "cam.ts")
+    Watch(t, "cam.ts", "-o", "live.html", "--brick", "1s", "--window", "4", "--size", "480x300", "--backend", "software").end()
+    with Live(t, "live.html") as page:
+        first, begins, lasts, still = page.run("return [events[0].first, time.firstFrame, time.whenOf(events[0].last) - time.whenOf(events[0].first), events[0].still]")
+        check(first < begins and lasts > still > 4, f"it stood for {still} of {lasts} s, from frame {first} on; the page begins at {begins}")
+        check(page.texts("#events .lasts")[0] == f" · {lasts:.0f} s", f"{page.texts('#events .lasts')}: {lasts} s")
+
+
 def test_live_page_says_when_the_stream_has_ended(t):
     page_of(t, "live.html", 4, ended=True)
     with Served(t.folder) as served, Live(t, served.url("live.html")) as page:

@@ -217,7 +217,16 @@ def test_page_is_printed_whole(t):
             check(len(rows) == 60 and all(high > 10 and right <= width and low <= end for high, right, low in rows), f"{end}: {rows}")
             faint, _ = page.faint()
             check(faint == [], f"{faint}")
+            # The strip is below the picture, before the list; nothing has the size for fingers.
+            check(page.box("#picture")[3] <= page.box("#strip")[1] and page.box("#strip")[3] <= page.box("#heading")[1], "another order")
+        page.run("choose(3)")
+        veiled = "return veilWords.some(word => word !== 0) && document.getElementById('veil').checkVisibility()"
+        check(page.run(veiled), "what is not chosen is printed as what is")
         page.media("print", "dark")
+        page.run("dispatchEvent(new Event('beforeprint'))")
+        page.wait("light", "return !dark")
+        page.run("dispatchEvent(new Event('afterprint'))")
+        page.wait("as on the screen", "return dark")
         check(page.run("return getComputedStyle(document.documentElement).backgroundColor") == "rgb(255, 255, 255)", "dark paper")
         faint, _ = page.faint()
         check(faint == [], f"printed from a dark window: {faint}")

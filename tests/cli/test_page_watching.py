@@ -209,6 +209,16 @@ def test_page_searches_by_keyboard(t):
         page.wait("a shape is there", "return drawn !== null && drawn.kind === 'box'", 5)
         page.run("askPlace({kind: 'box', from: [0.2, 0.2], to: [0.8, 0.8]})")
         check(page.run("return document.querySelector('#lines .asked') !== null"), "the area is not on the map")
+        # A line, moved and searched by keys alone.
+        page.run("askPlace(null); document.activeElement.blur()")
+        page.key("d")
+        page.wait("a line is there", "return drawn !== null && drawn.kind === 'line' && document.activeElement.dataset.end === 'from'", 5)
+        begin = page.run("return drawn.from[0]")
+        page.key("\ue012", "\ue012", "\ue012")
+        page.wait("its end moves", f"return Math.abs({begin} - drawn.from[0] - 0.03) < 1e-6", 5)
+        page.key("\ue007")
+        page.wait("it is searched", "return asked !== null && asked.kind === 'line' && drawn === null", 5)
+        check(page.text("heading").split()[1:2] == ["of"] or "event" in page.text("heading"), page.text("heading"))
 
 
 def test_page_of_few_lines_scrolls(t):
@@ -222,6 +232,13 @@ def test_page_of_few_lines_scrolls(t):
             hit = page.run("""const b = document.querySelector('#events li:last-child .row').getBoundingClientRect();
                 return document.elementFromPoint(b.left + 40, b.top + b.height / 2)?.closest('#events') !== null && document.documentElement.scrollWidth <= innerWidth;""")
             check(hit, f"{width}x{height}: the list is covered, or too wide")
+            # The wheel scrolls there, over the picture too, and zooms with Ctrl alone.
+            page.run("scrollTo(0, 0)")
+            kept = page.run("""const wheel = ctrlKey => new WheelEvent('wheel', {deltaY: 100, ctrlKey, bubbles: true, cancelable: true});
+                return ['view', 'strip', 'screen'].map(id => document.getElementById(id)).flatMap(e => [e.dispatchEvent(wheel(false)), e.dispatchEvent(wheel(true))]);""")
+            check(kept == [True, False] * 3, f"the page keeps the wheel for itself: {kept}")
+            high = page.run("return view.getBoundingClientRect().height")
+            check(high >= 200, f"{width}x{height}: the picture has {high} pixels, too few for its text")
 
 
 def luminance(rgb):

@@ -134,6 +134,12 @@ test('an event in words', () => {
     assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'went into'}]);
 });
 
+test('an event that began before a stream’s page does has its whole length', () => {
+    const stream = new Timeline([[250, 100, 10, 0.04]], null);
+    assert.deepEqual([stream.whenOf(50), stream.secondsOf(50), stream.whenOf(250), stream.whenOf(349)], [2, 10, 10, 13.96]);
+    assert.deepEqual(factsOf({...events[1], class: null, deed: 'stood 8 s', first: 50, last: 300}, stream, kindOf('stood'), null), ['10 s']);
+});
+
 test('numbers are not places', () => {
     const numbered = [event('moved', 0, 1, {number: 7}), event('moved', 0, 1)];
     assert.deepEqual([numberOf(numbered, 0), numberOf(numbered, 1)], [7, 2]);
@@ -239,7 +245,7 @@ test('keys', () => {
     const keys = [['ArrowRight', 'step', 1], ['ArrowDown', 'step', 1], ['ArrowLeft', 'step', -1], ['ArrowUp', 'step', -1], [' ', 'togglePlaying'],
                   ['k', 'togglePlaying'], ['K', 'togglePlaying'], ['j', 'goBy', -5], ['L', 'goBy', 5], [',', 'stepFrame', -1], ['.', 'stepFrame', 1],
                   ['0', 'showWhole'], ['<', 'changeSpeed', -1], ['>', 'changeSpeed', 1], ['e', 'toggleTour'], ['g', 'askTime'], ['f', 'toggleFullScreen'],
-                  ['x', 'swapPlaces'], ['a', 'searchByArea'], ['?', 'showHelp'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
+                  ['x', 'swapPlaces'], ['a', 'searchByArea'], ['d', 'searchByLine'], ['?', 'showHelp'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
     for (const [key, ...action] of keys) assert.deepEqual(pageAction({key}), action, key);
     assert.deepEqual(pageAction({key: 'ArrowRight', shiftKey: true}), ['pan', -80, 0]);
     assert.deepEqual(pageAction({key: 'ArrowUp', shiftKey: true}), ['pan', 0, 80]);

@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {whyNot} from '../../core/web/page/unplayable.js';
 import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
 import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
 import {changed, clipKey, keyOf, readMarks, savedMarks} from '../../core/web/page/marks.js';
@@ -95,4 +96,13 @@ test('cross-sections, and places in them', () => {
 test('texts have room, the first ones first', () => {
     const box = (left, top) => ({left, top, right: left + 10, bottom: top + 10});
     assert.deepEqual(roomFor([box(0, 0), box(5, 5), box(10, 0), box(0, 10)]), [true, false, true, true]);
+});
+
+test('why a clip can’t be played', () => {
+    const [gone, unknown] = ['the clip is not where it was', 'this browser doesn’t play this kind of file'];
+    assert.deepEqual(['MEDIA_ELEMENT_ERROR: Format error', '404: Not Found', '2152857618: Request failed'].map(text => whyNot(text, './a.mp4')), [gone, gone, gone]);
+    assert.deepEqual(['PipelineStatus::DEMUXER_ERROR_NO_SUPPORTED_STREAMS: FFmpegDemuxer: no supported streams', 'Failed to init decoder'].map(text => whyNot(text, './a.mp4')),
+                     [unknown, unknown]);
+    // Of a page that was opened as a file some browsers say nothing.
+    assert.deepEqual(['./a.avi', './a.MP4', ''].map(name => whyNot('', name)), [unknown, 'the clip is missing or can’t be played here', unknown]);
 });

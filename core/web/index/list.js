@@ -33,7 +33,8 @@ function badgesOf(clip) {
  * @param {Clip} clip
  */
 export function stretchOf(clip) {
-    const hours = clip.drawn ? clip.time.slice(0, 5) + ' to ' + timeText(wallOf(clip.begins + clip.seconds)).slice(0, 5) : '';
+    const [from, to] = [clip.time, timeText(wallOf(clip.begins + clip.seconds))].map(time => time.slice(0, 5));
+    const hours = !clip.drawn ? '' : from === to ? from : `${from} to ${to}`;
     if (!clip.night) return hours || 'the day';
     return `Night of ${clip.day}` + (hours && ', ' + hours);
 }

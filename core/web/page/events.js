@@ -37,7 +37,7 @@ export function placeOfNumber(events, number) {
 export const deedOf = event => event.deed ?? event.kind;
 
 /** @type {(event: PageEvent, time: Timeline) => number} */
-export const secondsFor = (event, time) => time.secondsOf(event.last) - time.secondsOf(event.first);
+export const secondsFor = (event, time) => time.whenOf(event.last) - time.whenOf(event.first);
 
 /** @type {(event: PageEvent, name: string) => boolean} */
 export const isOf = (event, name) => name === '' || (name === '?' ? !event.class : event.class === name || event.group === name);

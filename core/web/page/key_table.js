@@ -26,6 +26,7 @@ const pageKeys = {
     f: ['toggleFullScreen'],
     x: ['swapPlaces'],
     a: ['searchByArea'],
+    d: ['searchByLine'],
     '?': ['showHelp'],
     Escape: ['leave'],
     ArrowLeft: ['step', -1],

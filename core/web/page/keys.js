@@ -21,7 +21,8 @@ function leave() {
 
 /** @type {Record<string, (...values: number[]) => void>} */
 const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, stepFrame, leave, step, pan,
-    changeSpeed, toggleTour, askTime, toggleFullScreen, swapPlaces, searchByArea: () => askByKeys('box'), showHelp: () => at('help').toggleAttribute('open')};
+    changeSpeed, toggleTour, askTime, toggleFullScreen, swapPlaces, searchByArea: () => askByKeys('box'), searchByLine: () => askByKeys('line'),
+    showHelp: () => at('help').toggleAttribute('open')};
 
 /**
  * @param {EventTarget | null} target

@@ -2,7 +2,7 @@
 
 import {at, press, sharesWithin} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
-import {zoomedAbout} from './zoom.js';
+import {wheelZooms, zoomedAbout} from './zoom.js';
 import {set, state} from './state.js';
 
 const main = /** @type {HTMLElement} */ (document.querySelector('main'));
@@ -81,6 +81,7 @@ function listenToReel() {
     /** @type {Map<number, {clientX: number, clientY: number}>} */
     const fingers = new Map();
     screen.addEventListener('wheel', event => {
+        if (!wheelZooms(event)) return;
         event.preventDefault();
         zoomFilm(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.04 : 0.0016)), event);
     }, {passive: false});

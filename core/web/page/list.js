@@ -120,7 +120,7 @@ function itemOf(place) {
     row.tabIndex = -1;
     const words = element('span', 'words');
     const [lasts, ...facts] = factsOf(event, time, kind, answerOf(event));
-    const head = element('b', '', time.clockOf(time.secondsOf(event.first), false));
+    const head = element('b', '', time.clockOf(time.whenOf(event.first), false));
     head.prepend(ofEvent(element('span', 'number', String(numberOf(events, place))), place), ' ');
     head.append(element('span', 'lasts', ' · ' + lasts));
     words.append(head, element('span', 'kind ' + kind.emphasis, deedOf(event)));

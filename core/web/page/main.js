@@ -121,7 +121,11 @@ for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToVi
 linkIndex();
 takeArrival();
 addEventListener('hashchange', followAddress);
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', ({matches}) => set({dark: matches}));
+const dark = matchMedia('(prefers-color-scheme: dark)');
+dark.addEventListener('change', ({matches}) => set({dark: matches}));
+// Paper is light: what is not chosen is veiled in its colour.
+addEventListener('beforeprint', () => set({dark: false}));
+addEventListener('afterprint', () => set({dark: dark.matches}));
 takeKeptState();
 followStream();
 performance.mark('usable');

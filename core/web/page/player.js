@@ -12,6 +12,7 @@ import {momentOf} from './moments.js';
 import {tell} from './messages.js';
 import {fileAt, hasMoment, pieceFrom} from './pieces.js';
 import {render, set, state} from './state.js';
+import {whyNot} from './unplayable.js';
 
 /**
  * What the player can open.
@@ -93,12 +94,6 @@ export function openWaiting() {
     if (waiting) openFilm(waiting.place, waiting.why);
 }
 
-/** Browsers don't tell a missing file from one that they can't play. */
-function whyNot() {
-    const name = state.data.clip ?? state.data.segments?.[0]?.[0] ?? '';
-    return /\.(mp4|m4v|webm|mov)$/i.test(name) ? 'the clip is missing or can’t be played here' : 'browsers don’t play this kind of file';
-}
-
 /**
  * @param {number} place among the films
  * @param {string} [why] the one before can't be played
@@ -129,7 +124,7 @@ export function openFilm(place, why = '') {
         set({film, source: because + film.says});
         if (state.moved) show(state.now, plays);
     };
-    video.onerror = () => next(whyNot());
+    video.onerror = () => next(whyNot(video.error?.message ?? '', state.data.clip ?? state.data.segments?.[0]?.[0] ?? ''));
     video.onloadedmetadata = () => {
         if (!isTheClip(film)) next('the file of that name is another clip');
     };

@@ -11,6 +11,7 @@ import {stripAction} from './key_table.js';
 import {goBy, goTo, show} from './player.js';
 import {point} from './pointing.js';
 import {kindOf, set, state} from './state.js';
+import {wheelZooms} from './zoom.js';
 
 export const strip = at('strip');
 
@@ -135,6 +136,7 @@ function barsOf(places, {rows, count}, isNumbered) {
     return places.flatMap((place, k) => {
         const event = state.events[place];
         const number = element('b', '', String(numberOf(state.events, place)));
+        number.dataset.number = String(place);
         const left = shareOfFrame(event.first);
         number.className = left * state.stripWidth > 20 ? 'before' : 'inside';
         number.style.left = left * 100 + '%';
@@ -175,6 +177,7 @@ function columnsOf(places) {
 export function markChosen() {
     for (const bar of at('bars').children) {
         bar.classList.toggle('chosen', state.chosen !== null && eventOf(bar) === state.chosen && !bar.classList.contains('stay'));
+        bar.classList.toggle('ofchosen', bar.tagName === 'B' && bar.dataset.number === String(state.chosen));
         bar.classList.toggle('pale', state.chosen !== null && eventOf(bar) !== null && eventOf(bar) !== state.chosen);
     }
 }
@@ -218,6 +221,7 @@ export function listenToStrip() {
         show(state.time.frameAt(secondsOnStrip(event)), true, {until: place === null ? null : state.events[place].last});
     });
     strip.addEventListener('wheel', event => {
+        if (!wheelZooms(event)) return;
         event.preventDefault();
         if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
             const from = state.stripFrom + (event.deltaX || event.deltaY) / 600 * state.stripLasts;

@@ -9,7 +9,7 @@ import {bringIntoSight, show} from './player.js';
 import {point} from './pointing.js';
 import {say} from './messages.js';
 import {pictureSize, set, state} from './state.js';
-import {placed, zoomedAbout} from './zoom.js';
+import {placed, wheelZooms, zoomedAbout} from './zoom.js';
 
 export const view = at('view');
 const stage = at('stage');
@@ -161,6 +161,7 @@ export function listenToView() {
     });
     view.addEventListener('pointerleave', () => point(null));
     view.addEventListener('wheel', event => {
+        if (!wheelZooms(event)) return;
         event.preventDefault();
         zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.04 : 0.0016)), event.clientX, event.clientY);
     }, {passive: false});

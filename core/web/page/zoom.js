@@ -38,3 +38,9 @@ export function zoomedAbout({scale, middle}, factor, point) {
     const wanted = clamp(scale * factor, 1, 16);
     return {scale: wanted, middle: middle.map((value, k) => point[k] + (value - point[k]) * scale / wanted)};
 }
+
+/**
+ * Whether the wheel zooms: in a window of few lines, as of a page that is magnified, it scrolls unless Ctrl is held.
+ * @param {WheelEvent} event
+ */
+export const wheelZooms = event => event.ctrlKey || !matchMedia('(max-height: 520px)').matches;
