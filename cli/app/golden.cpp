@@ -115,6 +115,7 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
     }
     const image::Samples expected = image::without_pixel_data(image::read_samples(golden));
     const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
+    if (options.compared) options.compared(comparison);
     if (comparison.has_numbers() && !how.diff.empty())
         image::write_picture(how.diff, image::difference_picture(expected, comparison));
     show_other_differences(golden, image::settings_of(expected), metadata, observer);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,8 +59,9 @@ struct ComparisonOptions {
 
 /// The reference of a picture.
 struct GoldenOptions {
-    std::filesystem::path path;  ///< empty = none
-    bool bless = false;          ///< replace the golden picture
+    std::filesystem::path path;                                ///< empty = none
+    bool bless = false;                                        ///< replace the golden picture
+    std::function<void(const image::Comparison&)> compared{};  ///< called with the result of a comparison
     ComparisonOptions comparison;
 };
 
@@ -81,12 +83,18 @@ struct OutputOptions {
         double margin = 0;             ///< seconds before and after an event
     };
     Pieces pieces{};
-    bool plain_name = false;       ///< `path` contains no pattern field
-    std::optional<int> animate;    ///< number of pictures with moving texture
-    std::optional<int> slide;      ///< film of the sliding window: pictures per brick
-    std::filesystem::path report;  ///< empty = none
-    events::EventChoice events;    ///< which events the report and the page list
+    bool plain_name = false;           ///< `path` contains no pattern field
+    std::optional<int> animate;        ///< number of pictures with moving texture
+    std::optional<int> slide;          ///< film of the sliding window: pictures per brick
+    std::filesystem::path report;      ///< empty = none
+    std::filesystem::path events_csv;  ///< the events as a table; empty = none
+    std::filesystem::path tracks;      ///< the objects' boxes in each frame; empty = none
+    bool tells_events = false;         ///< of a stream: each event is told when it has ended
+    events::EventChoice events;        ///< which events the report and the page list
     GoldenOptions golden;
+
+    /// Whether a file lists the events; it needs no picture.
+    bool lists_events() const { return !report.empty() || !events_csv.empty() || !tracks.empty(); }
 };
 
 /// Default number of pictures of an animation.

@@ -155,10 +155,11 @@ const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fiel
 ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
       keeps_crops_(needs.full_size),
+      keeps_boxes_(!plan.job.output.tracks.empty()),
       voxel_colours_(plan) {
     if (plan.finds_objects)
         finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
-                                                                  .labels = plan.colours_objects()});
+                                                                  .labels = plan.colours_objects() || keeps_boxes_});
     if (plan.finds_objects && plan.detector) {
         identifier_.emplace(*plan.detector, plan.job.fields.threads);
         seen.crops = glance::Crops(most_looks);
@@ -191,6 +192,7 @@ const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& fra
         events::TrackedFrame tracked =
             finder->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         labels_ = std::move(tracked.labels);
+        if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
         for (const events::TrackPortrait& best : tracked.portraits) {
             if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
         }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/app/event_tables.h"
 #include "cli/app/identify.h"
 #include "cli/app/objects.h"
 #include "cli/app/observer.h"
@@ -37,6 +38,7 @@ struct Observation {
     std::vector<KeyFrame> keyframes{};                                  ///< between these
     std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
     std::optional<ShownEvents> events{};                ///< none = not searched for
+    std::vector<TrackBox> track_boxes{};                ///< of all frames, if they are written
     events::Findings findings{};                        ///< all that was found besides the chosen events
     bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
     glance::Crops crops{};                              ///< pictures of the objects
@@ -99,6 +101,7 @@ class ObservationBuilder {
 
   private:
     bool keeps_crops_;
+    bool keeps_boxes_;
     VoxelColours voxel_colours_;
     events::FrameLabels labels_;  ///< of the last field
     std::optional<Identifier> identifier_;

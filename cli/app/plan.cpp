@@ -109,7 +109,7 @@ Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) 
     }
     products.pictures = std::max(pictures_of(output), purpose == Purpose::caller ? 1 : 0);
     // Events need a filter that marks objects.
-    products.events = (page || !output.report.empty()) && marks_objects;
+    products.events = (page || output.lists_events()) && marks_objects;
     products.portraits = page && products.events;
     return products;
 }
@@ -271,7 +271,8 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
               .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};
     plan.detector = std::move(detector);
     plan.products = products_of(job, marks_objects, purpose);
-    plan.finds_objects = plan.products.events || plan.colours_objects() || job.look.show.any(&PartRow::needs_events);
+    plan.finds_objects = plan.products.events || job.output.tells_events || plan.colours_objects() ||
+                         job.look.show.any(&PartRow::needs_events);
     plan.nonuniform = !plan.products.series && wants_room_for_motion(job.bricks, clip);
     plan.layout = space::make_layout(job.layout, space::shape_for(clip.field_size, job.shape));
     plan.glyphs.time_velocity = job.look.traces.time_velocity;

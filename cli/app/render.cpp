@@ -81,7 +81,8 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
     return {std::move(seen), std::move(composed), std::move(run)};
 }
 
-Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink) {
+Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
+                      const EndedSink& ended) {
     RunFacts run;
     RenderThread thread;
     thread.run([&](Drawing& drawing) {
@@ -92,7 +93,7 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
     Composition composed;
     bool never_moves = true;
     bool frames_missing = false;
-    Window window(plan, source, [&](const Observation& seen, std::int64_t brick) {
+    const auto full = [&](const Observation& seen, std::int64_t brick) {
         run.stages.end("fields");
         composed = compose(plan, seen);
         run.stages.end("scene");
@@ -109,7 +110,8 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
             sink(std::move(picture));
             run.stages.end("write");
         }
-    });
+    };
+    Window window(plan, source, full, ended);
     std::int64_t frames = 0;
     fields::FieldSummary summary =
         source.read(window.needs(), [&](const video::SharedFrame& frame, const fields::Field& field) {
@@ -137,9 +139,9 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     Writer writer(files, watch(job.output, fields), on_picture, observer);
     check_memory(plan.extent);
 
-    const auto run = plan.products.series ? render_series : render_clip;
-    const Outcome done =
-        run(plan, *fields.source, observer, [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); });
+    const PictureSink write = [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); };
+    const Outcome done = plan.products.series ? render_series(plan, *fields.source, observer, write)
+                                              : render_clip(plan, *fields.source, observer, write);
     require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     writer.finish({plan, done.seen, done.composed, done.run}, took.count());

@@ -2,6 +2,7 @@
 
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
+#include "cli/app/window.h"
 #include "cli/app/write.h"
 
 /// The whole application: a job as input; pictures, a page, a report and the comparison with a golden picture as
@@ -36,7 +37,9 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
 /// k + 1 to j; the first pictures show fewer, from the start of the horseshoe. Time scale and camera are the same in
 /// all pictures. Memory depends only on the window.
 /// \param sink called with each picture and its brick's number
+/// \param ended called with each event that has ended; may be empty. It needs a plan that finds objects
 /// \returns the last window's observation, with the frames, damage and events of the whole clip
-Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
+Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
+                      const EndedSink& ended = {});
 
 }  // namespace vvr::app

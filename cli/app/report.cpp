@@ -11,10 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/app/settings.h"
+#include "cli/app/video_scale.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/events/event.h"
+#include "core/events/event_line.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 
@@ -26,38 +28,6 @@ using Json = nlohmann::ordered_json;
 
 /// Increase it when readers of older reports would misread a new one.
 constexpr int format_version = 1;
-
-/// Converts field pixels to video pixels.
-class Scale {
-  public:
-    Scale(Size field, Size video)
-        : video_(video),
-          x_(static_cast<double>(video.width) / field.width),
-          y_(static_cast<double>(video.height) / field.height) {}
-
-    glm::dvec2 operator()(const glm::dvec2& place) const {
-        return {(place.x + 0.5) * x_ - 0.5, (place.y + 0.5) * y_ - 0.5};
-    }
-
-    PixelBox operator()(const PixelBox& box) const {
-        return {static_cast<int>(std::floor(box.left * x_)), static_cast<int>(std::floor(box.top * y_)),
-                std::min(video_.width, static_cast<int>(std::ceil(box.right * x_))),
-                std::min(video_.height, static_cast<int>(std::ceil(box.bottom * y_)))};
-    }
-
-    double length(const std::vector<events::PathPoint>& path) const {
-        double length = 0;
-        for (std::size_t k = 1; k < path.size(); ++k) {
-            length += glm::distance((*this)(path[k - 1].place), (*this)(path[k].place));
-        }
-        return length;
-    }
-
-  private:
-    Size video_;
-    double x_;
-    double y_;
-};
 
 /// Rounds to the accuracy of places and times, which keeps the report short.
 double rounded(double value) {
@@ -120,7 +90,7 @@ Json json_of(const glm::dvec2& place) {
     return {{"x", rounded(place.x)}, {"y", rounded(place.y)}};
 }
 
-Json json_of(const events::Stay& stay, const Scale& scale) {
+Json json_of(const events::Stay& stay, const VideoScale& scale) {
     return {{"first", json_of(stay.first)},
             {"last", json_of(stay.last)},
             {"seconds", rounded(stay.last.seconds - stay.first.seconds)},
@@ -134,7 +104,7 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place + 1) : Json();
 }
 
-Json json_of(const std::optional<events::Portrait>& portrait, const Scale& scale) {
+Json json_of(const std::optional<events::Portrait>& portrait, const VideoScale& scale) {
     if (!portrait) return {};
     Json json = json_of(portrait->at);
     json["box"] = json_of(scale(portrait->box));
@@ -157,7 +127,7 @@ Json json_of(const events::Evidence& evidence) {
             {"refuted", evidence.refuted ? Json(events::name_of(*evidence.refuted)) : Json()}};
 }
 
-Json json_of(const events::Change& change, const Scale& scale) {
+Json json_of(const events::Change& change, const VideoScale& scale) {
     return {{"first", json_of(change.first)},
             {"last", json_of(change.last)},
             {"box", json_of(scale(change.box))},
@@ -165,7 +135,7 @@ Json json_of(const events::Change& change, const Scale& scale) {
             {"evidence", json_of(change.evidence)}};
 }
 
-Json json_of(const events::Event& event, std::size_t place, const Scale& scale, const Place& where) {
+Json json_of(const events::Event& event, std::size_t place, const VideoScale& scale, const Place& where) {
     Json json{{"number", place + 1},
               {"kind", events::name_of(event.kind)},
               {"class", Json()},
@@ -183,6 +153,7 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
               {"portrait", json_of(event.portrait, scale)},
               {"box", json_of(scale(event.box))},
               {"field_box", json_of(event.box)},
+              {"direction", Json()},
               {"path_length", rounded(scale.length(event.path))},
               {"field_path_length", rounded(event.path_length)}};
     if (const auto& identity = event.identity) {
@@ -191,6 +162,8 @@ Json json_of(const events::Event& event, std::size_t place, const Scale& scale, 
         json["score"] = rounded(identity->score);
         json["looks"] = identity->looks;
     }
+    if (const std::string_view direction = events::direction_of(event); !direction.empty())
+        json["direction"] = direction;
     json["path"] = Json::array();
     for (const events::PathPoint& point : event.path) {
         Json there = json_of(point.at);
@@ -324,7 +297,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     for (const char* key : {"events", "changes", "overlays"}) json[key] = Json();
     if (seen.events) {
         for (const char* key : {"events", "changes", "overlays"}) json[key] = Json::array();
-        const Scale scale(field, info.size);
+        const VideoScale scale(field, info.size);
         for (const events::Change& change : seen.findings.changes) json["changes"].push_back(json_of(change, scale));
         for (const PixelBox& box : seen.findings.overlays) {
             json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});

@@ -20,11 +20,13 @@
 #include "cli/app/render.h"
 #include "cli/app/report.h"
 #include "cli/app/settings.h"
+#include "cli/app/video_scale.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
 #include "core/fields/reference.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
+#include "core/page/html.h"
 #include "core/page/moments.h"
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
@@ -188,7 +190,8 @@ RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
 
 }  // namespace
 
-StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer) : observer_(observer) {
+StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
+    : observer_(observer), options_(options) {
     validate(job);
     validate_series(job);
     auto detector = open_detector(job.detector);
@@ -200,6 +203,10 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     if (is_file && !grows(name)) {
         observer.warn(fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
     }
+    if (options_.camera.empty()) {
+        const video::RecorderNames names(job.input.name_patterns);
+        options_.camera = job.look.title.empty() && is_file ? names.camera_of(name) : job.look.title;
+    }
     OpenedFields opened;
     opened.span = job.fields.span;
     opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
@@ -209,14 +216,38 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
 }
 
+events::EventLine StreamWatch::line_of(const events::Event& event, std::size_t number) const {
+    const video::VideoInfo& info = stream_->info();
+    const WallClock& clock = plan_->clock;
+    const auto time = [&](double seconds) {
+        return clock ? std::optional(clock->iso(seconds)) : std::optional<std::string>();
+    };
+    events::EventLine line{
+        .camera = options_.camera, .clip = redact_secrets(info.name), .number = number, .kind = event.kind};
+    if (event.identity) line.what = event.identity->what;
+    line.first = event.first.seconds;
+    line.last = event.last.seconds;
+    line.begin = time(line.first);
+    line.end = time(line.last);
+    line.box = VideoScale(plan_->clip.field_size, info.size)(event.box);
+    line.direction = events::direction_of(event);
+    if (const fs::path& page = page_of(plan_->job.output); !page.empty())
+        line.page = fmt::format("{}#event={}", page::url_of_path(page.filename().string()), number);
+    return line;
+}
+
 std::int64_t StreamWatch::run() {
     check_memory(plan_->extent);
     const video::VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
     LivePictures pictures(*plan_, *stream_, *fields_, observer_);
-    const Outcome done = render_series(*plan_, *fields_, observer_,
-                                       [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); });
+    EndedSink ended;
+    if (options_.on_event) {
+        ended = [this](const events::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };
+    }
+    const Outcome done = render_series(
+        *plan_, *fields_, observer_, [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); }, ended);
     pictures.end();
     observer_.info(pictures.summary(done.seen));
     return pictures.count();

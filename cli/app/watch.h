@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
+#include "core/events/event_line.h"
 #include "core/fields/field_source.h"
 #include "core/page/moments.h"
 #include "core/video/live_source.h"
@@ -16,6 +19,9 @@ namespace vvr::app {
 struct StreamOptions {
     std::optional<double> duration{};                 ///< seconds; none = unlimited
     double patience = video::LiveOptions{}.patience;  ///< as in LiveOptions
+    std::string camera{};                             ///< for events; empty = from the title or the file's name
+    /// Called with each event that has ended, on the thread that calls run(); may be empty.
+    std::function<void(const events::EventLine&)> on_event{};
 };
 
 /// Watches a stream and draws its picture again after each brick.
@@ -36,7 +42,10 @@ class StreamWatch {
     const std::string& name() const { return stream_->info().name; }
 
   private:
+    events::EventLine line_of(const events::Event& event, std::size_t number) const;
+
     Observer& observer_;
+    StreamOptions options_;
     std::unique_ptr<const Plan> plan_;
     std::unique_ptr<page::RecentMoments> fields_;
     video::LiveSource* stream_;  ///< owned by fields_

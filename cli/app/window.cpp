@@ -4,9 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/events/event_options.h"
+
 namespace vvr::app {
 
-Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink full)
+Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink full, EndedSink ended)
     : plan_(plan),
       needs_(needs_of(plan, source, plan.window.frames())),
       builder_(plan,
@@ -15,7 +17,8 @@ Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink ful
                 .span = plan.window.layers()},
                needs_),
       seen_(builder_.seen),
-      full_(std::move(full)) {
+      full_(std::move(full)),
+      ended_(std::move(ended)) {
     seen_.info = source.info();
     needs_.scene = builder_.scene_sink();
     needs_.find_living = builder_.living_finder();
@@ -38,7 +41,11 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (frames_of_newest_ > 0) complete_newest(Draw::yes);
     if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
-    if (plan_.products.events) {
+    if (ended_ && builder_.finder) {
+        builder_.set_findings(builder_.finder->finish());
+        builder_.identify();
+        tell_ended(events::choose_events(std::move(seen_.findings.events), plan_.job.output.events), true);
+    } else if (plan_.products.events) {
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
         const std::vector<events::Event> events =
@@ -105,10 +112,34 @@ void Window::complete_newest(Draw wanted) {
     frames_of_newest_ = 0;
 }
 
+std::size_t Window::number_of(const events::Event& event) {
+    return numbers_.try_emplace(event.tracks.front(), numbers_.size() + 1).first->second;
+}
+
+/// Passes on the events that have ended for good: none of their tracks is followed, and no later one can be linked.
+/// \param all also those that the end of the stream has cut
+void Window::tell_ended(const std::vector<events::Event>& events, bool all) {
+    std::set<std::size_t> told;
+    for (const events::Event& event : events) {
+        const std::size_t first = event.tracks.front();
+        const double ago = seen_.last->pts - event.last.seconds;
+        // Of a group, the same person may come out again.
+        const double wait = event.into ? events::thresholds.memory : events::thresholds.link.seconds;
+        const bool is_over = all || (ago > wait && !builder_.finder->follows(event.tracks));
+        const bool before = told_.contains(first);
+        if (is_over && !before) ended_(event, number_of(event));
+        if (is_over || before) told.insert(first);
+    }
+    told_ = std::move(told);  // the others have been forgotten
+}
+
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
-    constexpr double link_seconds = 60;  // a person who returns within this time may be the same object
-    if (!plan_.products.events) builder_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
+    constexpr double link_seconds = events::thresholds.memory;  // whoever returns within it may be the same object
+    // After a gap in the signal, the last look may be long ago: what ended since then isn't told yet.
+    const double kept = ended_ ? std::min(seen_.begin.seconds, looked_) : seen_.begin.seconds;
+    if (!plan_.products.events) builder_.finder->forget_ended_before(kept - link_seconds);
+    looked_ = seen_.last->pts;
     events::EventFinder until_now = *builder_.finder;
     builder_.set_findings(until_now.finish());
     builder_.identify();
@@ -118,12 +149,13 @@ void Window::look_at_events() {
     for (std::size_t k = 0; k < shown.events.size(); ++k) {
         const std::vector<std::size_t>& tracks = shown.events[k].tracks;
         // Once shown, an object keeps its number. Its colour is that of its voxels.
-        shown.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
+        shown.numbers[k] = number_of(shown.events[k]);
         for (const std::size_t track : tracks) {
             shown.colours[k] = objects_.colour_of(track).value_or(shown.colours[k]);
             objects_.give_number(track, shown.numbers[k]);
         }
     }
+    if (ended_) tell_ended(events, false);
     seen_.events = std::move(shown);
     seen_.scene = video::picture_of(*seen_.first);
 }

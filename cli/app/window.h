@@ -4,10 +4,15 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <set>
+#include <vector>
 
 #include "cli/app/observe.h"
 
 namespace vvr::app {
+
+/// Called once for each event when it has ended for good, with the number that pictures and pages show.
+using EndedSink = std::function<void(const events::Event& event, std::size_t number)>;
 
 /// The observation of a window that slides over a clip: frames are added, and old bricks are removed.
 class Window {
@@ -15,7 +20,8 @@ class Window {
     /// Called when a brick is full, with the window's observation.
     using FullSink = std::function<void(const Observation& seen, std::int64_t brick)>;
 
-    Window(const Plan& plan, const fields::FieldSource& source, FullSink full);
+    /// \param ended called when an event has ended for good; may be empty
+    Window(const Plan& plan, const fields::FieldSource& source, FullSink full, EndedSink ended = {});
 
     /// What the window needs from the fields.
     const fields::FieldNeeds& needs() const { return needs_; }
@@ -35,12 +41,17 @@ class Window {
     void add_missing(std::int64_t index, double pts, Draw wanted);
     void complete_newest(Draw wanted);
     void look_at_events();
+    std::size_t number_of(const events::Event& event);
+    void tell_ended(const std::vector<events::Event>& events, bool all);
 
     const Plan& plan_;
     fields::FieldNeeds needs_;
     ObservationBuilder builder_;
     Observation& seen_;
     FullSink full_;
+    EndedSink ended_;
+    std::set<std::size_t> told_;  ///< the first tracks of the events that `ended_` has got
+    double looked_ = 0;           ///< seconds; the last frame when events were last looked at
     LiveObjects objects_;
     std::map<std::size_t, std::size_t> numbers_;      ///< of the events already shown, by first track
     std::optional<Moment> begin_;                     ///< of the clip

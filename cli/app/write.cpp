@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/event_tables.h"
 #include "cli/app/golden.h"
 #include "cli/app/input.h"
 #include "cli/app/overlay.h"
@@ -30,6 +31,16 @@ constexpr int pictures_per_second = 20;  // a GIF's frame time is a whole number
 constexpr int thumbnail_side = 400;
 constexpr int thumbnail_quality = 80;
 constexpr int sheet_quality = 66;
+
+void write_text(const std::filesystem::path& file, const std::string& text, Observer& observer) {
+    const auto bytes = std::as_bytes(std::span(text));
+    const auto held = observer.guard();
+    if (is_standard_output(file)) {
+        write_standard_output(bytes);
+    } else {
+        replace_file(file, bytes);
+    }
+}
 
 }  // namespace
 
@@ -231,16 +242,10 @@ void Writer::finish(const RunContext& context, double seconds) {
     observer_.info(fmt::format("{}, {:.1f} s", result_text(context), seconds));
     if (context.plan.products.events && context.seen.events)
         observer_.info(events_summary(context.seen.events->events, context.plan.clock));
-    if (!output.report.empty()) {
-        const std::string text = format_report(context, advice, seconds, {tiles_, kept_.problem});
-        const auto bytes = std::as_bytes(std::span(text));
-        const auto held = observer_.guard();
-        if (is_standard_output(output.report)) {
-            write_standard_output(bytes);
-        } else {
-            replace_file(output.report, bytes);
-        }
-    }
+    if (!output.report.empty())
+        write_text(output.report, format_report(context, advice, seconds, {tiles_, kept_.problem}), observer_);
+    if (!output.events_csv.empty()) write_text(output.events_csv, events_table(context), observer_);
+    if (!output.tracks.empty()) write_text(output.tracks, tracks_table(context), observer_);
     if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(context), observer_);
 }
 

@@ -86,6 +86,7 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(text::keep_events, archive.keep_events);
     add(text::margin, archive.margin);
     add(text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
+    options::add_events_to_option(line, options::Group::archive, archive.events_to);
     const options::AddOptions add_worker(line, options::Group::workers);
     add_worker(text::jobs, archive.jobs);
     add_worker(text::timeout, archive.timeout);
@@ -113,6 +114,10 @@ void check(const workers::ArchiveOptions& options) {
                     fmt::format("--write index writes only the index; drop {}", options.prune  ? "--prune"
                                                                                 : options.keep ? "--keep"
                                                                                                : "--dry-run"));
+    }
+    if (!options.draws() && !options.events_to.empty()) {
+        throw Error(ErrorCode::options_conflict,
+                    "--write index draws nothing, so there are no new events; drop --events-to");
     }
     if (options.day && !options.grouping().days) {
         throw Error(ErrorCode::options_conflict,
@@ -221,6 +226,7 @@ class Archive final : public Command {
                                         filter.name),
                             {"filter", text::keep_events.name});
             }
+            options::check_events_to(options_.events_to, job_);
             app::open_detector(job_.detector);
         }
         workers::PictureSettings pictures;

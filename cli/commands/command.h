@@ -48,6 +48,7 @@ std::unique_ptr<Command> make_inspect();
 std::unique_ptr<Command> make_cut();
 std::unique_ptr<Command> make_archive();
 std::unique_ptr<Command> make_compare();
+std::unique_ptr<Command> make_golden();
 std::unique_ptr<Command> make_info();
 std::unique_ptr<Command> make_config();
 std::unique_ptr<Command> make_doctor();
@@ -62,6 +63,7 @@ inline constexpr std::array command_rows{
     CommandRow{"cut", "cut an event, or any other piece, out of a clip", make_cut},
     CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
     CommandRow{"compare", "compare two pictures within a tolerance", make_compare},
+    CommandRow{"golden", "draw the golden pictures of a folder again, and compare them", make_golden},
     CommandRow{"info", "describe a video, and what a render of it does and needs", make_info},
     CommandRow{"config", "show the active config file, and what it sets", make_config},
     CommandRow{"doctor", "show what works on this machine, and how to fix the rest", make_doctor},

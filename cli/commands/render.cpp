@@ -1,4 +1,4 @@
-#include "cli/app/render.h"
+#include "cli/commands/render.h"
 
 #include <filesystem>
 #include <string>
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/app/input.h"
+#include "cli/app/render.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
@@ -20,9 +21,7 @@ namespace {
 class Render final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        options::add_output_options(line, job_.output);
-        options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
-        options::add_picture_options(line, job_);
+        add_render_options(line, job_);
         line.examples({{"vvr render clip.avi -o clip.png", "the whole clip as one picture"},
                        {"vvr render clip.avi -o clip.html --report clip.json",
                         "a page to watch the clip from, and its events for programs"},
@@ -32,10 +31,7 @@ class Render final : public Command {
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         check_meant_output();
-        options::check(job_.output);
-        options::finish(line, job_, app::is_series(job_.output));
-        options::check_outputs(job_);
-        app::require_input(job_.input);
+        prepare_render(line, job_);
         cli::Console console(environment);
         app::require_whole(app::render(job_, console).info);
         return cli::ExitStatus::done;
@@ -46,7 +42,7 @@ class Render final : public Command {
     void check_meant_output() const {
         const app::OutputOptions& output = job_.output;
         const std::vector<std::string>& names = job_.input.names;
-        if (!output.path.empty() || !output.report.empty() || !output.golden.path.empty() || names.size() < 2) return;
+        if (!output.path.empty() || output.lists_events() || !output.golden.path.empty() || names.size() < 2) return;
         std::error_code none;
         const std::string& last = names.back();
         if (std::filesystem::exists(last, none)) return;
@@ -60,6 +56,19 @@ class Render final : public Command {
 };
 
 }  // namespace
+
+void add_render_options(options::CommandLine& line, app::RenderJob& job) {
+    options::add_output_options(line, job.output);
+    options::add_recording_options(line, job.input, options::clip_or_extraction_input);
+    options::add_picture_options(line, job);
+}
+
+void prepare_render(const options::CommandLine& line, app::RenderJob& job) {
+    options::check(job.output);
+    options::finish(line, job, app::is_series(job.output));
+    options::check_outputs(job);
+    app::require_input(job.input);
+}
 
 std::unique_ptr<Command> make_render() {
     return std::make_unique<Render>();

@@ -13,6 +13,7 @@
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/event_file.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "core/base/error.h"
@@ -113,11 +114,14 @@ class Watch final : public Command {
             "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a growing file, - for stdin, "
             "@FILE for a URL in a file");
         options::add_picture_options(line, job_);
+        options::add_events_to_option(line, options::Group::output, events_to_);
         options::AddOptions(line, options::Group::look)(setting::stream_clock, job_.look.start_time);
         line.examples(
             {{"vvr watch rtsp://camera/stream -o gate.html", "a page of the last 80 seconds"},
              {"vvr watch rtsp://camera/stream -o gate.png --brick 1m --window 10 --duration 8h",
               "a picture of the last ten minutes, for eight hours"},
+             {"vvr watch rtsp://camera/stream -o gate.html --events-to events.jsonl",
+              "also a line of JSON for each event that has ended"},
              {"vvr watch rtsp://camera/stream -o 'gate.{brick:6}.png'", "one picture every 10 seconds, all kept"}});
     }
 
@@ -125,7 +129,14 @@ class Watch final : public Command {
         check_stream(job_);
         job_.input.names = {address_of(app::only_input(job_.input))};
         options::finish(line, job_, true);
+        options::check_events_to(events_to_, job_);
         cli::Console console(environment, false);
+        cli::EventFile events(events_to_, environment.log);
+        job_.output.tells_events = !events_to_.empty();
+        if (job_.output.tells_events) {
+            options_.on_event = [&events](const events::EventLine& one) { events.add(one); };
+            options_.camera = line.cameras().chosen;
+        }
         app::StreamWatch watch(job_, options_, console);
         const cli::GracefulShutdown stop(environment.signals, [&watch] { watch.stop(); });
         if (watch.run() == 0 && !stop.asked()) {
@@ -137,11 +148,12 @@ class Watch final : public Command {
                                              "longer, or choose --reference first or a picture"
                                            : "watch it for longer, or choose a shorter --brick"));
         }
-        return cli::ExitStatus::done;
+        return events.finish() ? cli::ExitStatus::done : cli::ExitStatus::io;
     }
 
   private:
     app::RenderJob job_;
+    std::filesystem::path events_to_;
     app::StreamOptions options_;
 };
 

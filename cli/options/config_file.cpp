@@ -14,6 +14,7 @@
 
 #include "cli/options/presets.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/setting.h"
 #include "core/video/recorder_names.h"
 
@@ -139,13 +140,17 @@ class GivenSettings : public CLI::ConfigTOML {
     std::span<const std::pair<std::string, std::string>> settings_;
 };
 
-/// The camera of a section [camera.NAME]; a name may have quotes and dots. Empty for other sections.
-std::string camera_of(const CLI::ConfigItem& item) {
-    if (item.parents.size() < 2 || item.parents.front() != camera_section) return {};
-    std::string name = fmt::format("{}", fmt::join(item.parents.begin() + 1, item.parents.end(), "."));
+/// The name of a section, which may have quotes.
+std::string unquoted(const std::string& name) {
     const bool is_quoted =
         name.size() > 2 && name.front() == name.back() && (name.front() == '"' || name.front() == '\'');
     return is_quoted ? name.substr(1, name.size() - 2) : name;
+}
+
+/// The camera of a section [camera.NAME]; a name may have quotes and dots. Empty for other sections.
+std::string camera_of(const CLI::ConfigItem& item) {
+    if (item.parents.size() < 2 || item.parents.front() != camera_section) return {};
+    return unquoted(fmt::format("{}", fmt::join(item.parents.begin() + 1, item.parents.end(), ".")));
 }
 
 void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
@@ -271,6 +276,30 @@ std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/)
 }
 
 }  // namespace
+
+std::vector<Section> read_sections(const std::filesystem::path& file) {
+    std::istringstream text(read_file(file.string(), most_bytes::text));
+    CLI::ConfigTOML format;
+    format.comment('\0');
+    std::vector<Section> sections;
+    const auto section = [&](const std::vector<std::string>& parents) -> Section& {
+        const std::string name = unquoted(fmt::format("{}", fmt::join(parents, ".")));
+        const auto known = std::ranges::find(sections, name, &Section::name);
+        return known == sections.end() ? sections.emplace_back(name) : *known;
+    };
+    try {
+        std::istringstream plain = without_comments(text);
+        for (const CLI::ConfigItem& item : format.from_config(plain)) {
+            // Marks have no values.
+            Section& in = section(item.parents);
+            if (!is_mark(item)) in.settings.emplace_back(item.name, item.inputs);
+        }
+    } catch (const CLI::Error& error) {
+        throw Error(ErrorCode::config_invalid, fmt::format("cannot read '{}': {}; write lines such as `size = 320x200`",
+                                                           file.string(), error.what()));
+    }
+    return sections;
+}
 
 ConfigChoice find_config(std::span<const std::string> arguments) {
     if (const auto file = given_file(arguments)) {

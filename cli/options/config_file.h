@@ -23,6 +23,16 @@ struct CommandNames {
     std::function<std::vector<std::string>()> camera_options{};  ///< those that make sense for one camera
 };
 
+/// A section of a file that has the format of config files.
+struct Section {
+    std::string name;                                                          ///< empty = before the first section
+    std::vector<std::pair<std::string, std::vector<std::string>>> settings{};  ///< name and values
+};
+
+/// Reads such a file, without checking its names. Parts of a section that is continued are joined.
+/// \throws Error usage for another format; io when it can't be read
+std::vector<Section> read_sections(const std::filesystem::path& file);
+
 /// Returns the names for every command. A function, because only a config file needs them.
 using NamesOfCommands = std::function<std::vector<CommandNames>()>;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 
 #include "cli/app/job.h"
 #include "cli/options/command_line.h"
@@ -34,6 +35,12 @@ void add_recording_options(CommandLine& line, app::InputOptions& options, const 
 
 /// The part of the clip to read.
 void add_span_options(CommandLine& line, video::FrameSpan& span);
+
+/// The file for the lines of events that have ended.
+void add_events_to_option(CommandLine& line, Group group, std::filesystem::path& file);
+
+/// \throws Error usage if the file for the lines is given, but the filter marks no objects
+void check_events_to(const std::filesystem::path& file, const app::RenderJob& job);
 
 /// Filter, flow and seeds.
 void add_field_options(CommandLine& line, fields::FieldOptions& options);

@@ -43,8 +43,17 @@ constexpr Setting still{"still", "FILE",
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
+constexpr Setting events_csv{"events-csv", "FILE",
+                             "the events as a table with commas, one line per event; needs no -o"};
+constexpr Setting tracks{"tracks", "FILE",
+                         "where each event's object is in each frame, in the format of MOT Challenge; needs no -o"};
 constexpr Setting events{
-    "events", "LIST", "kinds of events in the report and on the page; a time leaves out shorter ones: moved,left,5s"};
+    "events", "LIST",
+    "kinds of events in the report, in tables and on the page; a time leaves out shorter ones: moved,left,5s"};
+constexpr Setting events_to{
+    "events-to", "FILE",
+    "append a line of JSON for each event when it has ended, for other programs; a file, a named pipe, or - = "
+    "standard output"};
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
@@ -73,13 +82,14 @@ struct Named {
 
 void check_names(const app::OutputOptions& options) {
     const Named outputs[] = {
-        {"--report", options.report, "report.json"},     {"--page", options.page, "page.html"},
+        {"--report", options.report, "report.json"},     {"--events-csv", options.events_csv, "events.csv"},
+        {"--tracks", options.tracks, "tracks.txt"},      {"--page", options.page, "page.html"},
         {"--still", options.still, "still.jpg"},         {"-o", options.path, "picture.png"},
         {"--golden", options.golden.path, "golden.png"}, {"--diff", options.golden.comparison.diff, "diff.png"}};
     for (const Named& a : outputs) {
         for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
             // check_golden checks these pairs.
-            if (&a - outputs > 2 || !same_file(a.path, b.path)) continue;
+            if (&a - outputs > 4 || !same_file(a.path, b.path)) continue;
             throw Error(ErrorCode::options_conflict,
                         fmt::format("{} and {} both name '{}'; use another name for the {}, such as {}", a.option,
                                     b.option, b.path.string(), a.option + 2, a.better));
@@ -181,6 +191,19 @@ void add_event_options(CommandLine& line, Group group, events::EventChoice& choi
     add(text::events, choice);
 }
 
+void add_events_to_option(CommandLine& line, Group group, std::filesystem::path& file) {
+    const AddOptions add(line, group);
+    add(text::events_to, file, {.standard_output = true, .use = FileUse::written});
+}
+
+void check_events_to(const std::filesystem::path& file, const app::RenderJob& job) {
+    const fields::FilterRow& filter = *job.fields.filter;
+    if (file.empty() || filter.traits.shows_object) return;
+    throw Error(ErrorCode::options_conflict,
+                fmt::format("--events-to needs a filter that marks objects, and --filter {} does not; drop one of them",
+                            filter.name));
+}
+
 void add_output_options(CommandLine& line, app::OutputOptions& options) {
     const AddOptions add(line, Group::output);
     add(text::output, options.path,
@@ -199,6 +222,8 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     add(text::page, options.page, {.use = FileUse::written});
     add(text::still, options.still, {.use = FileUse::written});
     add(text::report, options.report, {.standard_output = true, .use = FileUse::written});
+    add(text::events_csv, options.events_csv, {.use = FileUse::written});
+    add(text::tracks, options.tracks, {.use = FileUse::written});
     add_event_options(line, Group::output, options.events);
     const AddOptions add_comparison(line, Group::comparison);
     add_comparison(text::golden, options.golden.path, {.use = FileUse::compared});
@@ -227,12 +252,15 @@ void check(const app::OutputOptions& options) {
     check_golden(options.golden);
     check_standard_output(options);
     if (!options.report.empty() && !is_standard_output(options.report)) check_file_path(options.report);
+    for (const std::filesystem::path* const table : {&options.events_csv, &options.tracks}) {
+        if (!table->empty()) check_file_path(*table);
+    }
     check_names(options);
     check_companions(options);
     const std::string text = options.path.string();
     const bool compared = !options.golden.path.empty();
     const std::string animations = fmt::format("{}", fmt::join(image::animation_extensions(), " "));
-    obey({{text.empty() && !compared && options.report.empty(), ErrorCode::output_missing,
+    obey({{text.empty() && !compared && !options.lists_events(), ErrorCode::output_missing,
            "no output given; name the file for the picture with -o FILE"},
           {options.slide && options.animate, ErrorCode::options_conflict,
            "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, stripes "

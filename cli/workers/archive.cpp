@@ -258,6 +258,9 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     make_folder(options.out);
     std::vector<PlannedClip> work = found.planned;
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
+    cli::EventFile events(options.events_to, environment.log);
+    job.tells_clips = !options.events_to.empty();
+    job.tells_days = job.tells_clips && !options.grouping().clips;  // else each event would be told twice
     ArchiveOutcome outcome;
     if (!work.empty()) {
         const Shares shares = split_for_threads(options, work.size());
@@ -268,7 +271,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
                             job.sandbox->summary());
         environment.log.debug("{} at a time, each with {} and {} MB", counted(shares.workers, "clip"),
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
-        outcome = draw_clips(job, work, shares.workers, environment);
+        outcome = draw_clips(job, work, shares.workers, events, environment);
     }
     // Write the index even if pruning failed.
     const bool pruned =
@@ -279,7 +282,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
-    if (!pruned || !aged || !indexed) return cli::ExitStatus::io;
+    const bool told = events.finish();
+    if (!pruned || !aged || !indexed || !told) return cli::ExitStatus::io;
     return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;
 }
 

@@ -68,6 +68,7 @@ struct ArchiveOptions {
     std::chrono::seconds redraw{900};       ///< least time between two drawings of a day that still gets clips
     bool dry_run = false;
     bool prune = false;
+    std::filesystem::path events_to{};           ///< where new events are written; empty = nowhere
     std::optional<std::chrono::seconds> keep{};  ///< how long files are kept; none = for ever
     bool keep_events = false;                    ///< copy each event to a piece beside its page
     double margin = 5;                           ///< seconds before and after a kept event

@@ -21,11 +21,13 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.h"
+#include "core/archive/event_lines.h"
 #include "core/archive/output_files.h"
 #include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
+#include "core/page/html.h"
 
 namespace vvr::workers {
 
@@ -365,6 +367,27 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     return sidecar;
 }
 
+/// Call it while the older report is still in its place.
+std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
+    const bool told = day() != nullptr ? job_->tells_days : job_->tells_clips;
+    if (!told || !sidecar.events) return {};
+    const archive::OlderReport older =
+        before_ ? archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report))
+                : archive::OlderReport{};
+    std::vector<events::EventLine> lines =
+        archive::new_events(staged(archive::OutputKind::report), older,
+                            day() != nullptr ? archive::Reported::day : archive::Reported::clip);
+    const bool has_page = std::ranges::count(sidecar.files, archive::OutputKind::page) > 0;
+    const fs::path page = archive::output_path("", clip_.path, archive::OutputKind::page);
+    for (events::EventLine& line : lines) {
+        line.camera = camera();
+        const fs::path file = fs::path(line.clip).lexically_relative(job_->in);
+        line.clip = archive::text_of_path(file.string());
+        if (has_page) line.page = fmt::format("{}#event={}", page::url_of_path(page.string()), line.number);
+    }
+    return lines;
+}
+
 /// The sidecar of a clip that failed. It keeps what is known about files of an earlier run.
 archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string& reason, double seconds) const {
     archive::Sidecar sidecar;
@@ -411,6 +434,7 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
     try {
         sidecar = failed(end) ? failure(status_of(end), code_of(end), reason_of(end, job_->limits), end.seconds)
                               : read_results(end);
+        if (!failed(end)) new_events_ = find_new_events(sidecar);
     } catch (const Error& error) {
         sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, error.what(), end.seconds);
     } catch (const std::bad_alloc&) {

@@ -13,6 +13,7 @@
 #include "core/archive/lock_file.h"
 #include "core/archive/need.h"
 #include "core/base/error.h"
+#include "core/events/event_line.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::workers {
@@ -36,6 +37,8 @@ struct ArchiveJob {
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     std::optional<double> pieces_margin{};             ///< seconds around each kept event; none = events aren't kept
     int threads = 1;                                   ///< per worker
+    bool tells_clips = false;                          ///< the new events of clips are told
+    bool tells_days = false;                           ///< those of days
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 
@@ -71,6 +74,9 @@ class ClipTask {
     /// \throws Error when every other clip would fail too: io for a full disk, limit when no worker can start
     archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
+    /// After `finish`: the events that no earlier run has told, if they are to be told.
+    const std::vector<events::EventLine>& new_events() const { return new_events_; }
+
   private:
     ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
              archive::LockFile claim);
@@ -81,6 +87,7 @@ class ClipTask {
     std::filesystem::path staged_pieces() const;
     std::string file_name() const;
     archive::Sidecar read_results(const WorkerResult& end) const;
+    std::vector<events::EventLine> find_new_events(const archive::Sidecar& sidecar) const;
     archive::Sidecar failure(int status, ErrorCode code, const std::string& reason, double seconds) const;
     const archive::CameraDay* day() const;
     std::string camera() const;
@@ -89,6 +96,7 @@ class ClipTask {
     archive::Clip clip_;
     std::optional<archive::Sidecar> before_;
     archive::LockFile lock_;
+    std::vector<events::EventLine> new_events_;
     bool finished_ = false;
 };
 

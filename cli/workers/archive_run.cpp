@@ -175,9 +175,10 @@ namespace {
 /// second worker that reads no clip then tests OpenGL, and the failed clips wait for its result.
 class Drawing {
   public:
-    Drawing(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
+    Drawing(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers, cli::EventFile& events,
             const cli::Environment& environment)
         : job_(job),
+          events_(events),
           environment_(environment),
           tally_(clips.size(), environment.log),
           bar_(environment),
@@ -255,10 +256,14 @@ class Drawing {
 
     void finish(const Drawn& drawn) {
         const auto sidecar = finish_task(*drawn.task, drawn.clip, drawn.end, tally_, environment_.signals);
-        if (sidecar) tally_.add(*sidecar, drawn.end.message.warnings);
+        if (!sidecar) return;
+        tally_.add(*sidecar, drawn.end.message.warnings);
+        const auto held = environment_.signals.hold();
+        for (const events::EventLine& line : drawn.task->new_events()) events_.add(line);
     }
 
     const ArchiveJob& job_;
+    cli::EventFile& events_;
     const cli::Environment& environment_;
     ClipTally tally_;
     ArchiveBar bar_;
@@ -272,8 +277,8 @@ class Drawing {
 }  // namespace
 
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
-                          const cli::Environment& environment) {
-    Drawing drawing(job, clips, workers, environment);
+                          cli::EventFile& events, const cli::Environment& environment) {
+    Drawing drawing(job, clips, workers, events, environment);
     for (const PlannedClip& planned : clips) drawing.draw(planned.clip);
     return drawing.wait_for_all();
 }

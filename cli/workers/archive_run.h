@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/console.h"
+#include "cli/event_file.h"
 #include "cli/workers/archive_clip.h"
 #include "core/archive/clips.h"
 #include "core/video/recorder_names.h"
@@ -31,8 +32,9 @@ struct ArchiveOutcome {
 
 /// Draws the clips, several at a time.
 /// \throws Error when the cause is not a clip, such as a full disk; the rest is then not tried
+/// \param events where new events are written
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
-                          const cli::Environment& environment);
+                          cli::EventFile& events, const cli::Environment& environment);
 
 /// Writes the index from the sidecars if it has changed, and removes what killed runs left behind.
 void write_index(const ArchiveJob& job, const cli::Environment& environment);

@@ -328,6 +328,12 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }
 
+bool EventFinder::follows(std::span<const std::size_t> tracks) const {
+    return std::ranges::any_of(tracks_, [&](const Track& track) {
+        return !track.is_over() && std::ranges::find(tracks, track.number()) != tracks.end();
+    });
+}
+
 TrackedFrame EventFinder::tracked(const Moment& now) const {
     TrackedFrame frame{{now, {}}, {}};
     for (const Track& track : tracks_) {

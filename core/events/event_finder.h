@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,9 @@ class EventFinder {
     void forget_ended_before(double seconds) {
         std::erase_if(ended_, [&](const Tracklet& tracklet) { return tracklet.end.at.seconds < seconds; });
     }
+
+    /// Whether one of these tracks is still followed, and may go on.
+    bool follows(std::span<const std::size_t> tracks) const;
 
     /// The empty scene that the fields are compared with. Without one, nothing is said to have been left or taken.
     void set_scene(fields::Planes scene) { scene_ = std::move(scene); }

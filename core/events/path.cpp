@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "core/events/event_options.h"
@@ -69,6 +70,13 @@ double straightness_of(const std::vector<PathPoint>& path) {
         all += glm::length(before) * glm::length(here);
     }
     return all > 0 ? along / all : 1;
+}
+
+std::optional<std::size_t> heading_of(std::span<const PathPoint> path, double length) {
+    const glm::dvec2 way = path.back().place - path.front().place;
+    if (glm::length(way) < 0.2 * length) return std::nullopt;
+    const double eighths = std::atan2(way.y, way.x) / (2 * std::numbers::pi) * 8;
+    return static_cast<std::size_t>(std::lround(eighths) + 8) % 8;
 }
 
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame) {

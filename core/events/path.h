@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,6 +42,11 @@ double length_of(const std::vector<PathPoint>& path);
 /// The mean cosine between consecutive steps, weighted by their lengths: 1 on a straight path, 0 or less where it jumps
 /// about. 1 for fewer than four points.
 double straightness_of(const std::vector<PathPoint>& path);
+
+/// The direction from the first to the last place in eighths of a turn, clockwise from the right: 0 to 7. Nothing if
+/// they are near each other compared with the length of the path: the object went to and fro.
+/// \param path not empty
+std::optional<std::size_t> heading_of(std::span<const PathPoint> path, double length);
 
 /// The place at a frame, interpolated linearly.
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame);

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "core/events/path.h"
+
 namespace vvr::glance {
 
 namespace {
@@ -38,11 +40,10 @@ std::int64_t area_of(const events::Event& event) {
 /// The direction from the first to the last position in the frame.
 std::vector<std::string> direction_texts(const events::Event& event) {
     if (event.path.empty()) return {std::string(events::name_of(event.kind))};
-    const glm::dvec2 way = event.path.back().place - event.path.front().place;
-    if (glm::length(way) < 0.2 * event.path_length) return {"to and fro", "⇄"};
+    const std::optional<std::size_t> heading = events::heading_of(event.path, event.path_length);
+    if (!heading) return {"to and fro", "⇄"};
     constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};
-    const double eighths = std::atan2(way.y, way.x) / (2 * std::numbers::pi) * 8;
-    const std::string_view arrow = arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
+    const std::string_view arrow = arrows[*heading];
     return {fmt::format("went {}", arrow), std::string(arrow)};
 }
 

@@ -1,0 +1,100 @@
+#include "cli/app/event_tables.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/app/report.h"
+#include "cli/app/video_scale.h"
+#include "core/events/event.h"
+#include "core/events/event_line.h"
+
+namespace vvr::app {
+
+namespace {
+
+constexpr std::string_view heading =
+    "number,kind,class,score,begin,end,first_frame,last_frame,first,last,seconds,still,x,y,width,height,direction,"
+    "path_length,from,into,by\n";
+
+/// The box around two boxes.
+PixelBox around(const PixelBox& a, const PixelBox& b) {
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
+std::string time_of(const WallClock& clock, double seconds) {
+    return clock ? clock->iso(seconds) : std::string();
+}
+
+std::string number_of(const std::optional<std::size_t>& place) {
+    return place ? fmt::to_string(*place + 1) : std::string();
+}
+
+}  // namespace
+
+void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes) {
+    const auto begin = std::ssize(boxes);
+    for (const fields::LabelRun& run : labels.runs) {
+        const PixelBox box{run.first, run.row, run.last + 1, run.row + 1};
+        const auto of_frame = boxes.begin() + begin;
+        const auto known =
+            std::find_if(of_frame, boxes.end(), [&](const TrackBox& one) { return one.track == run.track; });
+        if (known == boxes.end()) {
+            boxes.push_back({labels.at.frame, run.track, box});
+        } else {
+            known->box = around(known->box, box);
+        }
+    }
+}
+
+// No value has a comma or a quote: names come from tables, the rest are numbers and times.
+std::string events_table(const RunContext& context) {
+    const auto& [plan, seen, composed, run] = context;
+    std::string text(heading);
+    if (!seen.events) return text;
+    const VideoScale scale(plan.clip.field_size, seen.info.size);
+    const WallClock& clock = plan.clock;
+    for (std::size_t k = 0; k < seen.events->events.size(); ++k) {
+        const events::Event& event = seen.events->events[k];
+        const PixelBox box = scale(event.box);
+        text += fmt::format("{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{},{},{:.1f},{},{},{}\n",
+                            k + 1, events::name_of(event.kind), event.identity ? event.identity->what->name : "",
+                            event.identity ? fmt::format("{:.3f}", event.identity->score) : "",
+                            time_of(clock, event.first.seconds), time_of(clock, event.last.seconds), event.first.frame,
+                            event.last.frame, event.first.seconds, event.last.seconds,
+                            event.last.seconds - event.first.seconds, events::stationary_seconds(event), box.left,
+                            box.top, box.width(), box.height(), events::direction_of(event), scale.length(event.path),
+                            number_of(event.from), number_of(event.into), number_of(event.by));
+    }
+    return text;
+}
+
+std::string tracks_table(const RunContext& context) {
+    const auto& [plan, seen, composed, run] = context;
+    if (!seen.events) return {};
+    const std::vector<std::optional<std::size_t>> events = events::events_of_tracks(seen.events->events);
+    // A track may begin before the object came, when its place differed from the empty scene.
+    std::map<std::pair<std::int64_t, std::size_t>, PixelBox> boxes;
+    for (const TrackBox& one : seen.track_boxes) {
+        if (one.track >= events.size() || !events[one.track]) continue;
+        const events::Event& event = seen.events->events[*events[one.track]];
+        if (one.frame < event.first.frame || one.frame > event.last.frame) continue;
+        const auto [at, is_new] = boxes.try_emplace({one.frame, *events[one.track]}, one.box);
+        if (!is_new) at->second = around(at->second, one.box);
+    }
+    const VideoScale scale(plan.clip.field_size, seen.info.size);
+    std::string text;
+    for (const auto& [place, field_box] : boxes) {
+        const PixelBox box = scale(field_box);
+        text += fmt::format("{},{},{},{},{},{},1,-1,-1,-1\n", place.first + 1, place.second + 1, box.left + 1,
+                            box.top + 1, box.width(), box.height());
+    }
+    return text;
+}
+
+}  // namespace vvr::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/app/job.h"
+#include "cli/options/command_line.h"
+
+namespace vvr::commands {
+
+/// The file of a folder of golden pictures that says how each is drawn.
+inline constexpr const char* golden_list = "golden.toml";
+
+/// How `vvr golden` treats all pictures.
+struct GoldenRun {
+    std::filesystem::path folder;
+    bool bless = false;
+    bool diffs = false;  ///< write a picture of the differences beside each golden picture
+};
+
+/// One golden picture: what is drawn, and what it is compared with.
+struct GoldenCase {
+    explicit GoldenCase(std::string name);
+
+    std::string name;  ///< of its section; the picture is NAME.png in the folder
+    app::RenderJob job;
+    options::CommandLine line;
+};
+
+/// Reads the folder's list. Every section is a picture; what comes before the first section holds for all of them.
+/// \param wanted names of sections; empty = all
+/// \throws Error usage for anything that can't be drawn as it is written; io when the list can't be read
+std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run, std::span<const std::string> wanted);
+
+}  // namespace vvr::commands

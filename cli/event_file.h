@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+
+#include <spdlog/logger.h>
+
+#include "core/events/event_line.h"
+
+namespace vvr::cli {
+
+/// Where other programs read the events of a run, one line of JSON each: a file to which lines are appended, a named
+/// pipe, or standard output (`-`). A line that can't be written is lost; the log says so once, and the run goes on.
+class EventFile {
+  public:
+    /// \param path empty = nowhere
+    /// \throws Error io if it can't be written, or if it is a file of another kind
+    EventFile(std::filesystem::path path, spdlog::logger& log);
+    ~EventFile();
+    EventFile(const EventFile&) = delete;
+    EventFile& operator=(const EventFile&) = delete;
+
+    void add(const events::EventLine& line);
+
+    /// Logs how many lines were lost.
+    /// \returns whether none was
+    bool finish();
+
+  private:
+    void reopen_moved_file();
+    int write_text(std::string_view text);
+
+    std::filesystem::path path_;
+    spdlog::logger& log_;
+    int file_ = -1;
+    bool is_file_ = false;       ///< not a pipe or standard output
+    bool is_open_line_ = false;  ///< the last line was written in part
+    int error_ = 0;              ///< of the last line that was lost, as in errno
+    std::size_t lost_ = 0;
+};
+
+}  // namespace vvr::cli

@@ -1,0 +1,121 @@
+#include "core/archive/event_lines.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/archive/output_files.h"
+#include "core/base/error.h"
+#include "core/base/json_text.h"
+#include "core/detector/classes.h"
+#include "core/events/event_kind.h"
+
+namespace vvr::archive {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A worker wrote the report, and a malicious clip may have taken it over: everything is checked.
+Json parsed(const fs::path& report) {
+    return parse_json(read_own(report, "{", largest_report).text.value_or(""));
+}
+
+std::optional<std::string> time_of(const Json& moment) {
+    constexpr std::size_t longest = 40;  // "2026-11-21T08:00:07+01:00" and a fraction
+    const auto time = moment.find("time");
+    if (time == moment.end() || !time->is_string() || time->get_ref<const std::string&>().size() > longest) return {};
+    return time->get<std::string>();
+}
+
+std::string file_of(const Json& moment) {
+    const auto file = moment.find("file");
+    return file == moment.end() ? std::string() : file->get<std::string>();
+}
+
+/// The file of a recording that has only one, or of a clip.
+std::string only_file_of(const Json& report) {
+    return report.at("input").at("name").get<std::string>();
+}
+
+/// \throws Error io for anything but a whole number that a picture or a list of events can have
+int count_of(const Json& json) {
+    constexpr std::int64_t most = 1'000'000;
+    if (json.is_number_integer()) {
+        const auto number = json.get<std::int64_t>();
+        if (number >= 0 && number <= most) return static_cast<int>(number);
+    }
+    throw Error(ErrorCode::worker_result_invalid, "a number of an event in the report of a worker is out of range");
+}
+
+PixelBox box_of(const Json& box) {
+    const int left = count_of(box.at("x"));
+    const int top = count_of(box.at("y"));
+    return {left, top, left + count_of(box.at("width")), top + count_of(box.at("height"))};
+}
+
+events::EventLine line_of(const Json& event) {
+    events::EventLine line;
+    const auto name = event.at("kind").get<std::string>();
+    const auto kind = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
+    if (kind == events::event_kinds.end())
+        throw Error(ErrorCode::worker_result_invalid, fmt::format("there is no kind of event '{}'", name));
+    line.kind = kind->kind;
+    line.number = static_cast<std::size_t>(count_of(event.at("number")));
+    const Json& first = event.at("first");
+    const Json& last = event.at("last");
+    line.first = first.at("seconds").get<double>();
+    line.last = last.at("seconds").get<double>();
+    line.begin = time_of(first);
+    line.end = time_of(last);
+    line.clip = file_of(first);
+    line.box = box_of(event.at("box"));
+    if (const Json& what = event.at("class"); !what.is_null())
+        line.what = detector::find_class(what.get<std::string>());
+    if (const Json& direction = event.at("direction"); !direction.is_null()) {
+        const auto words = direction.get<std::string>();
+        const auto known = std::ranges::find(events::heading_names, words);
+        line.direction = known == events::heading_names.end() ? events::to_and_fro : *known;
+    }
+    return line;
+}
+
+}  // namespace
+
+OlderReport read_older_report(const fs::path& report) {
+    try {
+        const Json json = parsed(report);
+        OlderReport older{true, json.at("span").at("last").get<double>()};
+        for (const Json& segment : json.at("segments")) older.files.insert(segment.at("file").get<std::string>());
+        if (older.files.empty()) older.files.insert(only_file_of(json));
+        return older;
+    } catch (const Json::exception&) {
+        return {};
+    }
+}
+
+std::vector<events::EventLine> new_events(const fs::path& report, const OlderReport& older, Reported about) {
+    try {
+        const Json json = parsed(report);
+        std::vector<events::EventLine> lines;
+        for (const Json& event : json.at("events")) {
+            events::EventLine line = line_of(event);
+            if (line.clip.empty()) line.clip = only_file_of(json);
+            const bool is_old = about == Reported::clip ? line.first <= older.end : older.files.contains(line.clip);
+            if (!older.exists || !is_old) lines.push_back(std::move(line));
+        }
+        return lines;
+    } catch (const Json::exception& error) {
+        throw Error(ErrorCode::worker_result_invalid,
+                    fmt::format("cannot read the events in the report '{}' of a worker: {}; draw the clip again",
+                                report.string(), error.what()));
+    }
+}
+
+}  // namespace vvr::archive

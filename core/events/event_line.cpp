@@ -1,0 +1,59 @@
+#include "core/events/event_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_text.h"
+#include "core/events/path.h"
+
+namespace vvr::events {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text_or_null(std::string_view text) {
+    return text.empty() ? Json() : Json(text);
+}
+
+/// Milliseconds are the accuracy of a report.
+double rounded(double seconds) {
+    return std::round(seconds * 1000) / 1000;
+}
+
+}  // namespace
+
+std::string_view direction_of(const Event& event) {
+    if (row_of(event.kind).is_thing || event.path.size() < 2 || !(event.path_length > 0)) return {};
+    const std::optional<std::size_t> heading = heading_of(event.path, event.path_length);
+    return heading ? heading_names[*heading] : to_and_fro;
+}
+
+bool is_direction(std::string_view text) {
+    return text == to_and_fro || std::ranges::find(heading_names, text) != heading_names.end();
+}
+
+std::string format_event_line(const EventLine& line) {
+    constexpr std::string_view here = "./";  // of relative URLs, which programs put behind an address
+    const std::string_view page = line.page;
+    const Json json{
+        {"camera", text_or_null(line.camera)},
+        {"clip", line.clip},
+        {"number", line.number},
+        {"kind", name_of(line.kind)},
+        {"class", line.what != nullptr ? Json(line.what->name) : Json()},
+        {"begin", line.begin ? Json(*line.begin) : Json()},
+        {"end", line.end ? Json(*line.end) : Json()},
+        {"first", rounded(line.first)},
+        {"last", rounded(line.last)},
+        {"seconds", rounded(line.last - line.first)},
+        {"box",
+         {{"x", line.box.left}, {"y", line.box.top}, {"width", line.box.width()}, {"height", line.box.height()}}},
+        {"direction", text_or_null(line.direction)},
+        {"page", text_or_null(page.starts_with(here) ? page.substr(here.size()) : page)}};
+    return json_text(json) + "\n";
+}
+
+}  // namespace vvr::events

@@ -1,0 +1,57 @@
+"""--events-csv and --tracks: the events of a clip as tables."""
+
+import csv
+import json
+
+from harness import check
+
+FAST = ("--flow", "none", "--backend", "software")
+
+
+def clip(t):
+    """A square that crosses a scene of 384x288 pixels: the field is 192x144."""
+    t.make("clip.mkv", "tables", how=lambda: t.ffmpeg(
+        "-f", "lavfi", "-i", "color=gray:size=384x288:rate=10:duration=8", "-f", "lavfi", "-i",
+        "testsrc2=size=60x80:rate=10:duration=8", "-filter_complex",
+        "[0][1]overlay=x='if(between(t,2,6),20+60*(t-2),-100)':y=100:eval=frame", "-c:v", "ffv1", "clip.mkv"))
+
+
+def test_tables_agree_with_the_report(t):
+    clip(t)
+    t.vvr("render", "clip.mkv", *FAST, "--field-size", "192x144", "--start-time", "2026-11-21 08:00:00", "--report", "r.json",
+          "--events-csv", "events.csv", "--tracks", "tracks.txt").expect(0)
+    events = json.loads(t.path("r.json").read_text(encoding="utf-8"))["events"]
+    with open(t.path("events.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    check(len(rows) == len(events) == 1, f"{rows}")
+    row, event = rows[0], events[0]
+    check(row["number"] == "1" and row["kind"] == event["kind"] and row["direction"] == "right" and row["class"] == "", f"{row}")
+    check(row["begin"] == event["first"]["time"] and float(row["last"]) == event["last"]["seconds"], f"{row}")
+    check({key: int(row[key]) for key in event["box"]} == event["box"], f"{row} {event['box']}")
+    tracks = [[int(value) for value in line.split(",")] for line in t.path("tracks.txt").read_text().splitlines()]
+    check(all(len(line) == 10 and line[1] == 1 and line[6:] == [1, -1, -1, -1] for line in tracks), f"{tracks[:3]}")
+    frames = [line[0] for line in tracks]
+    check(frames == sorted(set(frames)) and len(frames) > 30, f"{frames}")
+    check(frames[0] == event["first"]["frame"] + 1 and frames[-1] <= event["last"]["frame"] + 1, f"{frames}")
+    # In pixels of the video, from 1: where the square was drawn.
+    for frame, _, left, top, width, height, *_ in tracks:
+        x = 20 + 60 * ((frame - 1) / 10 - 2)
+        check(abs(left - 1 - x) < 12 and abs(top - 1 - 100) < 8, f"frame {frame}: {left},{top}, not {x},100")
+        check(abs(width - 60) < 16 and abs(height - 80) < 14, f"frame {frame}: {width}x{height}")
+    # A series has the same.
+    t.vvr("render", "clip.mkv", *FAST, "--field-size", "192x144", "--size", "160x100", "-o", "s.{brick}.png", "--tracks", "series.txt").expect(0)
+    check(t.path("series.txt").read_text() == t.path("tracks.txt").read_text(), "another table")
+
+
+def test_tables_without_events(t):
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=10:duration=3", "-c:v", "ffv1", "still.mkv")
+    t.vvr("render", "still.mkv", *FAST, "--events-csv", "events.csv", "--tracks", "tracks.txt").expect(0)
+    check(t.path("events.csv").read_text().count("\n") == 1 and t.path("tracks.txt").read_text() == "", "lines")
+
+
+def test_tables_of_one_name(t):
+    clip(t)
+    t.vvr("render", "clip.mkv", "--events-csv", "x", "--tracks", "x").expect(
+        1, "--events-csv and --tracks both name 'x'", code="options-conflict")
+    t.vvr("render", "clip.mkv", "--tracks", "none/x").expect(2, "none/x", code="file-not-found")
+    t.vvr("render", "clip.mkv", "--tracks", "clip.mkv").expect(1, "would overwrite the input", code="output-replaces-input")
