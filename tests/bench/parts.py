@@ -11,7 +11,6 @@ PARTS = {
     "options": whole_runs.options,
     "startup": whole_runs.startup,
     "context": whole_runs.context,
-    "kernels": computing.kernels,
     "peers": computing.peers,
     "table1": pictures.table1,
 }

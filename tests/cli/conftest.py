@@ -43,7 +43,7 @@ def t(request, tmp_path, monkeypatch, made):
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        if item.get_closest_marker("slow"):
+        if item.get_closest_marker("slow") and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(1800))
 
 

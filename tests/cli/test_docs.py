@@ -145,7 +145,7 @@ def test_anchors_are_there(t):
 
 def test_scripts_are_sound(t):
     jobs = sorted((t.source / "scripts" / "cluster").iterdir())
-    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "lib.sh", "fuzz", "faults", "package",
+    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "lib.sh", "fuzz", "package",
                                                           "figures", "reading-figures")] + jobs:
         done = t.run(["bash", "-n", str(script)])
         check(done.status == 0, str(done))

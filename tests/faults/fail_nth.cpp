@@ -248,23 +248,7 @@ int open(const char* path, int flags, ...) {
     return open_at(AT_FDCWD, path, flags, mode);
 }
 
-int open64(const char* path, int flags, ...) {
-    va_list rest;
-    va_start(rest, flags);
-    const mode_t mode = takes_mode(flags) ? va_arg(rest, mode_t) : 0;
-    va_end(rest);
-    return open_at(AT_FDCWD, path, flags, mode);
-}
-
 int openat(int folder, const char* path, int flags, ...) {
-    va_list rest;
-    va_start(rest, flags);
-    const mode_t mode = takes_mode(flags) ? va_arg(rest, mode_t) : 0;
-    va_end(rest);
-    return open_at(folder, path, flags, mode);
-}
-
-int openat64(int folder, const char* path, int flags, ...) {
     va_list rest;
     va_start(rest, flags);
     const mode_t mode = takes_mode(flags) ? va_arg(rest, mode_t) : 0;
@@ -276,16 +260,8 @@ int __open_2(const char* path, int flags) {
     return open_at(AT_FDCWD, path, flags, 0);
 }
 
-int __open64_2(const char* path, int flags) {
-    return open_at(AT_FDCWD, path, flags, 0);
-}
-
 FILE* fopen(const char* path, const char* mode) {
     return fails(call_open) ? nullptr : next<decltype(&fopen)>("fopen")(path, mode);
-}
-
-FILE* fopen64(const char* path, const char* mode) {
-    return fails(call_open) ? nullptr : next<decltype(&fopen64)>("fopen64")(path, mode);
 }
 
 int mkostemp(char* pattern, int flags) {
@@ -301,10 +277,6 @@ ssize_t writev(int file, const iovec* parts, int count) {
 }
 
 ssize_t pwrite(int file, const void* bytes, std::size_t size, off_t offset) {
-    return fails(call_write) ? -1 : ::syscall(SYS_pwrite64, file, bytes, size, offset);
-}
-
-ssize_t pwrite64(int file, const void* bytes, std::size_t size, off64_t offset) {
     return fails(call_write) ? -1 : ::syscall(SYS_pwrite64, file, bytes, size, offset);
 }
 
@@ -328,10 +300,6 @@ ssize_t pread(int file, void* bytes, std::size_t size, off_t offset) {
     return fails(call_read) ? -1 : ::syscall(SYS_pread64, file, bytes, size, offset);
 }
 
-ssize_t pread64(int file, void* bytes, std::size_t size, off64_t offset) {
-    return fails(call_read) ? -1 : ::syscall(SYS_pread64, file, bytes, size, offset);
-}
-
 void* malloc(std::size_t size) noexcept {
     return fails(call_malloc) ? nullptr : __libc_malloc(size);
 }
@@ -348,10 +316,6 @@ void* memalign(std::size_t alignment, std::size_t size) noexcept {
     return fails(call_malloc) ? nullptr : __libc_memalign(alignment, size);
 }
 
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-    return fails(call_malloc) ? nullptr : __libc_memalign(alignment, size);
-}
-
 int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
     if (fails(call_malloc)) return ENOMEM;
     *place = __libc_memalign(alignment, size);
@@ -359,11 +323,6 @@ int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexce
 }
 
 void* mmap(void* place, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
-    if (fails(call_mmap)) return MAP_FAILED;
-    return reinterpret_cast<void*>(::syscall(SYS_mmap, place, size, protection, flags, file, offset));
-}
-
-void* mmap64(void* place, std::size_t size, int protection, int flags, int file, off64_t offset) noexcept {
     if (fails(call_mmap)) return MAP_FAILED;
     return reinterpret_cast<void*>(::syscall(SYS_mmap, place, size, protection, flags, file, offset));
 }
@@ -391,6 +350,16 @@ std::time_t time(std::time_t* place) noexcept {
     if (place != nullptr) *place = now.tv_sec;
     return now.tv_sec;
 }
+
+// Where addresses have 64 bits these are the same.
+int open64(const char*, int, ...) __attribute__((alias("open")));
+int openat64(int, const char*, int, ...) __attribute__((alias("openat")));
+int __open64_2(const char*, int) __attribute__((alias("__open_2")));
+FILE* fopen64(const char*, const char*) __attribute__((alias("fopen")));
+ssize_t pwrite64(int, const void*, std::size_t, off64_t) __attribute__((alias("pwrite")));
+ssize_t pread64(int, void*, std::size_t, off64_t) __attribute__((alias("pread")));
+void* mmap64(void*, std::size_t, int, int, int, off64_t) noexcept __attribute__((alias("mmap")));
+void* aligned_alloc(std::size_t, std::size_t) noexcept __attribute__((alias("memalign")));
 
 }  // extern "C"
 
