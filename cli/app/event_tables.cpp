@@ -1,15 +1,13 @@
 #include "cli/app/event_tables.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cli/app/report.h"
+#include "cli/app/track_boxes.h"
 #include "cli/app/video_scale.h"
 #include "core/events/event.h"
 #include "core/events/event_line.h"
@@ -22,11 +20,6 @@ constexpr std::string_view heading =
     "number,kind,class,score,begin,end,first_frame,last_frame,first,last,seconds,still,x,y,width,height,direction,"
     "path_length,from,into,by\n";
 
-/// The box around two boxes.
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 std::string time_of(const WallClock& clock, double seconds) {
     return clock ? clock->iso(seconds) : std::string();
 }
@@ -36,21 +29,6 @@ std::string number_of(const std::optional<std::size_t>& place) {
 }
 
 }  // namespace
-
-void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes) {
-    const auto begin = std::ssize(boxes);
-    for (const fields::LabelRun& run : labels.runs) {
-        const PixelBox box{run.first, run.row, run.last + 1, run.row + 1};
-        const auto of_frame = boxes.begin() + begin;
-        const auto known =
-            std::find_if(of_frame, boxes.end(), [&](const TrackBox& one) { return one.track == run.track; });
-        if (known == boxes.end()) {
-            boxes.push_back({labels.at.frame, run.track, box});
-        } else {
-            known->box = around(known->box, box);
-        }
-    }
-}
 
 // No value has a comma or a quote: names come from tables, the rest are numbers and times.
 std::string events_table(const RunContext& context) {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "cli/app/event_tables.h"
 #include "cli/app/identify.h"
 #include "cli/app/objects.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
+#include "cli/app/track_boxes.h"
 #include "core/bricks/layer.h"
 #include "core/bricks/volume.h"
 #include "core/events/event_finder.h"
