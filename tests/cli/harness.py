@@ -1,14 +1,18 @@
 """What the command line's tests share: the means to make clips, run vvr and check what it did."""
 
+import contextlib
 import hashlib
+import http.server
 import json
 import os
 import pathlib
 import re
 import shutil
 import subprocess
+import threading
 import time
 from dataclasses import dataclass
+
 
 def check(condition, text):
     """Fails the test with a text where a condition doesn't hold."""
@@ -92,6 +96,15 @@ class Bench:
         self.age(clips)
         return self.vvr("archive", clips, *arguments, **options)
 
+    def old_clips(self, *names, seconds=1):
+        """Copies of one clip below the folder in, written a day ago."""
+        self.clip("one.avi", seconds)
+        for name in names:
+            self.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(self.path("one.avi"), self.path(f"in/{name}"))
+            os.utime(self.path(f"in/{name}"), (time.time() - 86400,) * 2)
+        self.path("one.avi").unlink()
+
     def age(self, folder):
         """Makes files that were just written two minutes older."""
         for path in self.path(folder).rglob("*"):
@@ -171,6 +184,38 @@ class Bench:
     def expect_picture(self, name="out.png", size=(160, 100)):
         check(os.path.exists(self.path(name)), f"there is no {name}")
         check(self.picture_size(name) == size, f"{name} is {self.picture_size(name)}, not {size}")
+
+
+def page_data(text):
+    """What a page or an index, given as its text, has for its scripts."""
+    return json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+
+
+def send(request, content, status=200):
+    """An answer of HTTP."""
+    request.send_response(status)
+    request.send_header("Content-Length", str(len(content)))
+    request.end_headers()
+    request.wfile.write(content)
+
+
+@contextlib.contextmanager
+def http_server(answer):
+    """A server on this machine that answers each request by `answer(request)`, or with these bytes. Gives HOST:PORT."""
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            if callable(answer):
+                answer(self)
+            else:
+                send(self, answer)
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"127.0.0.1:{server.server_port}"
+        server.shutdown()
 
 
 def without_colours(t, folder):

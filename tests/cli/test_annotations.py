@@ -5,7 +5,7 @@ import json
 import os
 import re
 
-from harness import check
+from harness import check, page_data
 
 NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
 
@@ -75,7 +75,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     check(report["input"]["written"] == "2026-11-21 07:30:00", str(report["input"]))
     check(all("time" not in event["first"] for event in report["events"]), str(report["events"]))
     page = t.path("out.html").read_text(encoding="utf-8")
-    data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+    data = page_data(page)
     check(data["clock"] is None and '<p id="summary">0:00 to 0:12, 120 frames; time of day not known</p>' in page, page[-3000:])
 
     told = t.vvr("info", "dated.mp4")
@@ -93,7 +93,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
         check(report["clock"]["source"] == asked and report["clock"]["first"] == f"2026-11-21T{first}+00:00", str(report["clock"]))
         check(report["input"]["recorded_by"] == asked and report["input"]["recorded"] == f"2026-11-21 {first}", str(report["input"]))
         page = t.path("out.html").read_text(encoding="utf-8")
-        data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+        data = page_data(page)
         check(data["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
 
 

@@ -8,7 +8,7 @@ import subprocess
 import time
 
 import pytest
-from harness import check, moving_clip
+from harness import check, moving_clip, page_data
 
 MIDNIGHT = datetime.datetime(2026, 11, 21, 23, 59, 40)
 LOOK = ("--size", "320x200", "--backend", "software", "--title", "gate", "--start-time", "none")
@@ -140,8 +140,7 @@ def test_recording_tells_which_file_an_event_is_in(t):
             check(moment["file"] in names, f"{moment}")
             check(abs(places[moment["file"]]["first"] + moment["offset"] - moment["seconds"]) < 0.002, f"{moment}")
     t.render("day", output="day.html").expect(0)
-    text = t.path("day.html").read_text(encoding="utf-8")
-    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    data = page_data(t.path("day.html").read_text(encoding="utf-8"))
     check(data["clip"] is None and [row[0] for row in data["segments"]] == [f"./{name}" for name in names], f"{data['segments']}")
     check([row[1:] for row in data["segments"]] == [[0, 10], [10, 10], [20, 10], [30, 10]], f"{data['segments']}")
 
@@ -217,8 +216,7 @@ def test_recording_has_the_clock_of_the_day(t):
         told = datetime.datetime.fromisoformat(event["first"]["time"])
         check(abs((told - begin).total_seconds() - event["first"]["seconds"]) <= 1, f"{event['first']}")
     t.render("day", output="day.html").expect(0)
-    text = t.path("day.html").read_text(encoding="utf-8")
-    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    data = page_data(t.path("day.html").read_text(encoding="utf-8"))
     check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1", "by": "by file name"}, f"{data['clock']}")
     # To summer time: names on the local clock leap by an hour, time does not.
     names = []

@@ -5,7 +5,7 @@ import re
 
 import jsonschema
 
-from harness import check
+from harness import check, page_data
 
 
 def read(t, name="report.json"):
@@ -234,6 +234,6 @@ def test_a_stay_is_told_with_one_number_everywhere(t):
     check(text in texts, f"no {text!r} in the picture: {texts}")
     check(text in told.err, f"no {text!r} in the log: {told}")
     page = t.path("page.html").read_text(encoding="utf-8")
-    data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+    data = page_data(page)
     check(abs(data["events"][stood["number"] - 1]["still"] - seconds) < 1e-3, str(data["events"]))
     check(f": {text}</li>" in page, f"no {text!r} in the page's list")

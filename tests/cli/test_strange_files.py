@@ -1,6 +1,5 @@
 """Files that are not what their names say, have no end, or go away while they are read."""
 
-import http.server
 import json
 import os
 import random
@@ -8,11 +7,10 @@ import resource
 import shutil
 import struct
 import subprocess
-import threading
 import time
 import zlib
 
-from harness import check
+from harness import check, http_server, send
 
 SMALL = ("--size", "160x100", "--backend", "software", "--quiet")
 # What a run may end with: a status of its own, never a signal.
@@ -189,49 +187,22 @@ def test_an_archive_whose_workers_have_too_little_memory(t):
     check("0x8cdd" not in run.err and "no clip can be drawn" not in run.err, str(run))
 
 
-class Server:
-    """A server of HTTP that does what a function says."""
-
-    def __init__(self, answer):
-        self.asked = []
-        server = self
-
-        class Handler(http.server.BaseHTTPRequestHandler):
-            def do_GET(self):
-                server.asked.append(self.path)
-                answer(self)
-
-            def log_message(self, *_):
-                pass
-
-        self.http = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        threading.Thread(target=self.http.serve_forever, daemon=True).start()
-        self.address = f"http://127.0.0.1:{self.http.server_port}"
-
-
 def test_a_server_leads_to_no_other_host(t):
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=25:duration=2", "-c:v", "mpeg2video", "clip.ts")
     content = t.path("clip.ts").read_bytes()
 
-    def send(request):
-        request.send_response(200)
-        request.send_header("Content-Length", str(len(content)))
-        request.end_headers()
-        request.wfile.write(content)
-
     def lead(request):
         if request.path == "/clip.ts":
-            return send(request)
+            return send(request, content)
         request.send_response(302)
-        request.send_header("Location", "/clip.ts" if request.path == "/own" else f"{other.address}/clip.ts")
+        request.send_header("Location", "/clip.ts" if request.path == "/own" else f"http://{other}/clip.ts")
         request.end_headers()
 
-    other, first = Server(send), Server(lead)
-    watch = ("-o", "out.png", "--size", "160x100", "--backend", "software", "--reference", "first")
-    t.vvr("watch", first.address + "/own", *watch, timeout=60).expect(0, "1 picture of 25 frames")
-    os.remove(t.path("out.png"))
-    host = other.address.removeprefix("http://")
-    t.vvr("watch", first.address + "/other", *watch, timeout=60).expect(2, f"'{host}'", code="stream-unreachable")
+    with http_server(content) as other, http_server(lead) as first:
+        watch = ("-o", "out.png", "--size", "160x100", "--backend", "software", "--reference", "first")
+        t.vvr("watch", f"http://{first}/own", *watch, timeout=60).expect(0, "1 picture of 25 frames")
+        os.remove(t.path("out.png"))
+        t.vvr("watch", f"http://{first}/other", *watch, timeout=60).expect(2, f"'{other}'", code="stream-unreachable")
     check(not t.path("out.png").exists(), "a picture of another host")
 
 

@@ -1,16 +1,14 @@
 """Names, files and texts that somebody made on purpose: nothing is replaced, forged, told or waited for without end."""
 
 import fcntl
-import http.server
 import json
 import os
 import resource
 import signal
 import subprocess
-import threading
 import time
 
-from harness import check, lock_name
+from harness import check, http_server, lock_name, send
 
 SMALL = ("--size", "320x200", "--backend", "software", "--quiet")
 
@@ -53,71 +51,40 @@ def test_names_forge_no_lines(t):
 
 def test_addresses_tell_no_secrets(t):
     """A server whose playlist is fine and whose first segment is missing: libav's words have the whole address."""
-    class Playlist(http.server.BaseHTTPRequestHandler):
-        def do_GET(self):
-            text = b"#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nmissing.ts?token=abc\n#EXT-X-ENDLIST\n"
-            good = self.path.startswith("/p.m3u8")
-            self.send_response(200 if good else 404)
-            self.end_headers()
-            self.wfile.write(text if good else b"")
-
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Playlist)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    address = f"http://user:s3cret@127.0.0.1:{server.server_port}/p.m3u8?key=k3y"
-    for command in (("render", address, "-o", "out.png"), ("info", address), ("render", address, "--report", "r.json")):
-        run = t.vvr(*command, "--log-file", "log.txt")
-        check(run.status != 0, "the stream has no segment")
-        for text in (run.out, run.err, t.path("log.txt").read_text()):
-            check(not any(secret in text for secret in ("s3cret", "user:", "token", "k3y")), text)
+    playlist = b"#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nmissing.ts?token=abc\n#EXT-X-ENDLIST\n"
+    with http_server(lambda request: send(request, playlist, 200 if request.path.startswith("/p.m3u8") else 404)) as host:
+        address = f"http://user:s3cret@{host}/p.m3u8?key=k3y"
+        for command in (("render", address, "-o", "out.png"), ("info", address), ("render", address, "--report", "r.json")):
+            run = t.vvr(*command, "--log-file", "log.txt")
+            check(run.status != 0, "the stream has no segment")
+            for text in (run.out, run.err, t.path("log.txt").read_text()):
+                check(not any(secret in text for secret in ("s3cret", "user:", "token", "k3y")), text)
     check("127.0.0.1" in run.err, run.err)
-    server.shutdown()
-
-
-def server_of(content):
-    """An HTTP server that gives the same bytes for every address."""
-    class File(http.server.BaseHTTPRequestHandler):
-        def do_GET(self):
-            self.send_response(200)
-            self.send_header("Content-Length", str(len(content)))
-            self.end_headers()
-            self.wfile.write(content)
-
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), File)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    return server
 
 
 def test_no_output_tells_the_secrets_of_an_address(t):
     """A stream that is read, a reference and a title: each file that vvr writes, and all that it says."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=96x64:rate=10:duration=2", "-c:v", "mpeg2video", "clip.ts")
-    content = t.path("clip.ts").read_bytes()
-    server = server_of(content)
     secrets = ("Wh0-Is-It", "s3cret-w0rd", "t0ken-0f-mine")
-    address = "http://{}:{}@127.0.0.1:{}/hall.ts?token={}".format(*secrets[:2], server.server_port, secrets[2])
     outputs = ("-o", "a.png", "--page", "a.html", "--still", "s.jpg", "--report", "a.json", "--log-file", "log")
-    runs = {
-        ("info", address): 0, ("info", address, "--json"): 0,
-        ("render", address, *outputs, "--size", "320x200", "--backend", "software", "--verbose"): 0,
-        ("render", address, "-o", "n.{brick}.png", "--report", "n.json", "--brick", "1s", *SMALL[:4], "--log-format", "json"): 0,
-        ("render", "clip.ts", "--reference", address, "-o", "r.png", "--page", "r.html", "--report", "r.json", *SMALL): 0,
-        ("extract", address, "-o", "data"): 0, ("render", "data", "-o", "d.png", "--report", "d.json", *SMALL): 0,
-        ("inspect", address, "--frame", "5f", "-o", "inspect.png"): None,
-        ("watch", address, "-o", "w.png", "--log-file", "watch.log", "--duration", "2s", *SMALL[:4]): None,
-        ("render", address, "-o", "late.png", "--start", "100s"): None, ("render", address, address, "-o", "two.png"): 1,
-        ("seeds", address, "-o", "seeds"): None, ("cut", address, "--start", "0", "-o", "cut.avi"): 1,
-        ("archive", address, "-o", "out"): None}
-    for command, status in runs.items():
-        run = t.vvr(*command)
-        check(status in (None, run.status), f"{run}")
-        told = [secret for secret in secrets if secret in run.out + run.err]
-        check(not told, f"{command}: {told} in what it says")
-    server.shutdown()
+    with http_server(t.path("clip.ts").read_bytes()) as host:
+        address = "http://{}:{}@{}/hall.ts?token={}".format(*secrets[:2], host, secrets[2])
+        runs = {
+            ("info", address): 0, ("info", address, "--json"): 0,
+            ("render", address, *outputs, "--size", "320x200", "--backend", "software", "--verbose"): 0,
+            ("render", address, "-o", "n.{brick}.png", "--report", "n.json", "--brick", "1s", *SMALL[:4], "--log-format", "json"): 0,
+            ("render", "clip.ts", "--reference", address, "-o", "r.png", "--page", "r.html", "--report", "r.json", *SMALL): 0,
+            ("extract", address, "-o", "data"): 0, ("render", "data", "-o", "d.png", "--report", "d.json", *SMALL): 0,
+            ("inspect", address, "--frame", "5f", "-o", "inspect.png"): None,
+            ("watch", address, "-o", "w.png", "--log-file", "watch.log", "--duration", "2s", *SMALL[:4]): None,
+            ("render", address, "-o", "late.png", "--start", "100s"): None, ("render", address, address, "-o", "two.png"): 1,
+            ("seeds", address, "-o", "seeds"): None, ("cut", address, "--start", "0", "-o", "cut.avi"): 1,
+            ("archive", address, "-o", "out"): None}
+        for command, status in runs.items():
+            run = t.vvr(*command)
+            check(status in (None, run.status), f"{run}")
+            told = [secret for secret in secrets if secret in run.out + run.err]
+            check(not told, f"{command}: {told} in what it says")
     files = [path for path in t.folder.rglob("*") if path.is_file()]
     told = [(str(path), secret) for path in files for secret in secrets if secret.encode() in path.read_bytes()]
     check(not told, f"{told}")
@@ -164,14 +131,11 @@ def test_watch_waits_for_no_writer(t):
 def test_a_file_on_a_server_is_waited_for(t):
     """It comes all at once: no frame is late, and --reference first is not advised to who has given it."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=25:duration=4", "-c:v", "mpeg2video", "clip.ts")
-    content = t.path("clip.ts").read_bytes()
-    server = server_of(content)
-    address = f"http://127.0.0.1:{server.server_port}/clip.ts"
-    watch = ("watch", address, "-o", "out.png", "--size", "160x100", "--backend", "software")
-    t.vvr(*watch, "--brick", "1s", "--reference", "first").expect(0, "3 pictures of 75 frames", "0 frames dropped")
-    run = t.vvr(*watch, "--brick", "1h", "--reference", "first", "--quiet")
+    with http_server(t.path("clip.ts").read_bytes()) as host:
+        watch = ("watch", f"http://{host}/clip.ts", "-o", "out.png", "--size", "160x100", "--backend", "software")
+        t.vvr(*watch, "--brick", "1s", "--reference", "first").expect(0, "3 pictures of 75 frames", "0 frames dropped")
+        run = t.vvr(*watch, "--brick", "1h", "--reference", "first", "--quiet")
     check("--reference first" not in run.err, run.err)
-    server.shutdown()
 
 
 def test_what_is_damaged_is_no_wrong_address(t):
@@ -217,18 +181,9 @@ def test_archive_keeps_to_its_folder(t):
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 
 
-def old_clips(t, *names):
-    """Clips that were written yesterday."""
-    t.clip("one.avi", seconds=1)
-    for name in names:
-        t.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
-        t.path(f"in/{name}").write_bytes(t.path("one.avi").read_bytes())
-        os.utime(t.path(f"in/{name}"), (time.time() - 86400, time.time() - 86400))
-
-
 def test_a_clip_with_absurd_times_holds_up_no_archive(t):
     """Its clock jumps by 30 million years; and sidecars say the like."""
-    old_clips(t, "a.avi")
+    t.old_clips("a.avi")
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=3", "-c:v", "mpeg4", "b.mkv")
     t.ffmpeg("-i", "b.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,15),N*100,1000000000000000000+N*100)'", "in/jump.mkv")
     os.utime(t.path("in/jump.mkv"), (time.time() - 86400, time.time() - 86400))
@@ -249,7 +204,7 @@ def test_a_clip_with_absurd_times_holds_up_no_archive(t):
 
 def test_archive_writes_through_no_link(t):
     """What a link in PICTURES leads to is not the archive's."""
-    old_clips(t, "a/a.avi", "b/b.avi", "c/c.avi", "d/d.avi")
+    t.old_clips("a/a.avi", "b/b.avi", "c/c.avi", "d/d.avi")
     t.path("victim/dir").mkdir(parents=True)
     victims = ["victim/sidecar", "victim/index", "victim/day", "victim/picture", "victim/dir/b.avi.png"]
     for name in victims:
@@ -273,7 +228,7 @@ def test_archive_writes_through_no_link(t):
 
 def test_what_is_no_sidecar_stops_no_archive(t):
     """A pipe that nobody writes to, a device, and a file of holes with the right beginning."""
-    old_clips(t, "a.avi", "b.avi")
+    t.old_clips("a.avi", "b.avi")
     t.path("out").mkdir()
     for name in ("q.json", "a.avi.json", "index.2026-11-21.js"):
         os.mkfifo(t.path(f"out/{name}"))
@@ -291,7 +246,7 @@ def test_what_is_no_sidecar_stops_no_archive(t):
 
 def test_a_signal_ends_the_wait_for_a_lock(t):
     """One that somebody holds for good, too."""
-    old_clips(t, "a.avi")
+    t.old_clips("a.avi")
     t.vvr("archive", "in", "-o", "out", *QUICK).expect(0)
     lock = open(t.path(f"out/{lock_name('index.html')}"), "w", encoding="utf-8")
     fcntl.flock(lock, fcntl.LOCK_EX)
