@@ -1,7 +1,6 @@
 """The pages in Firefox: what people mostly do. The tests are those that Chromium runs."""
 
 import pytest
-import test_index_search
 import test_index_views
 import test_page
 import test_page_asking
@@ -27,8 +26,6 @@ TESTS = (
     test_page_watching.test_page_goes_to_a_typed_time,
     test_index_views.test_index_card_shows_each_event,
     test_index_views.test_index_leads_from_clip_to_clip,
-    test_index_search.test_index_who_crossed_this_line_on_tuesday_after_eight,
-    test_index_search.test_index_searches_by_keyboard,
 )
 
 
