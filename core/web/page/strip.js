@@ -177,7 +177,7 @@ function columnsOf(places) {
 export function markChosen() {
     for (const bar of at('bars').children) {
         bar.classList.toggle('chosen', state.chosen !== null && eventOf(bar) === state.chosen && !bar.classList.contains('stay'));
-        bar.classList.toggle('ofchosen', bar.tagName === 'B' && bar.dataset.number === String(state.chosen));
+        bar.classList.toggle('ofchosen', bar.getAttribute('data-number') === String(state.chosen));
         bar.classList.toggle('pale', state.chosen !== null && eventOf(bar) !== null && eventOf(bar) !== state.chosen);
     }
 }
