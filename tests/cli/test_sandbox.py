@@ -10,7 +10,7 @@ import time
 
 import pytest
 from harness import check
-from test_archive import age, archive, clips, complete, outputs, sidecar
+from test_archive import age, archive, complete, outputs, sidecar
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 NEEDED = {"read its clip", "write and rename beside its picture", "remove beside its picture", "start a thread", "compile code"}
@@ -57,7 +57,7 @@ def hijacked():
 
 def hijack(t, mode, *arguments):
     """What a worker is refused that a clip has taken over, by what it tried."""
-    clips(t, "gate/own.avi", "gate/other.avi")
+    t.old_clips("gate/own.avi", "gate/other.avi")
     t.write("private", "of the user\n")
     t.path("out").mkdir(exist_ok=True)
     places = {"HIJACK_CLIP": "in/gate/own.avi", "HIJACK_OTHER": "in/gate/other.avi", "HIJACK_OUTSIDE": "private", "HIJACK_OUT": "out/gate"}
@@ -98,7 +98,7 @@ def test_a_hijacked_worker_without_a_sandbox_does_as_it_likes(t):
 def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     """Each by a clip of its own, in one run; the clip that asks for nothing is drawn."""
     calls = ["execve", "execveat", "ptrace", "peek", "mount", "unshare", "bpf", "userfaultfd", "int80", "x32"]
-    clips(t, "good.avi", *[f"{call}.avi" for call in calls])
+    t.old_clips("good.avi", *[f"{call}.avi" for call in calls])
     archive(t, "--sandbox", "required", env=hijacked()).expect(6, f"1 clip drawn, {len(calls)} failed", code="worker-killed")
     shut = {call: sidecar(t, f"{call}.avi")["status"] for call in calls}
     if os.uname().machine == "x86_64":
@@ -120,7 +120,7 @@ def test_no_worker_ends_the_run(t, mode):
             "done": (2, "worker-result-invalid", "cannot read the report"), "broken": (2, "worker-result-invalid", "cannot read the report"),
             "sparse": (2, "worker-result-invalid", "100000000"), "closed": (3, "not-video", "without an error message"),
             "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the limit of 4000 MB")}
-    clips(t, "good.avi", *[f"{deed}.avi" for deed in said])
+    t.old_clips("good.avi", *[f"{deed}.avi" for deed in said])
     os.utime(t.path("in/good.avi"), (1, 1))  # so that it comes last
     for tries in (1, 2):
         done = archive(t, "--sandbox", mode, env=hijacked()).expect(6, f"{len(said)} failed")
@@ -154,7 +154,7 @@ def no_process_of(folder, seconds):
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["kill", "term", "int"])
 def test_a_hijacked_worker_does_not_outlive_the_run(t, walls, number):
     """It asks not to end with its parent, and to be in a group of its own, and ignores what it can."""
-    clips(t, "stay.avi")
+    t.old_clips("stay.avi")
     run = subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required"], cwd=t.folder,
                            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=hijacked())
     time.sleep(1.5)
@@ -191,7 +191,7 @@ def test_a_worker_lives_within_its_walls(t, walls):
 
 
 def test_the_sandbox_changes_no_byte(t, walls):
-    clips(t, "gate/one.avi", "two.avi")
+    t.old_clips("gate/one.avi", "two.avi")
     for mode in ("off", "required"):
         archive(t, "--sandbox", mode).expect(0, "2 clips drawn")
         t.path("out").rename(t.path(mode))
@@ -202,7 +202,7 @@ def test_the_sandbox_changes_no_byte(t, walls):
 
 
 def test_the_sandbox_is_said_once_a_run(t, walls):
-    clips(t, "a.avi", "b.avi", "c.avi")
+    t.old_clips("a.avi", "b.avi", "c.avi")
     done = archive(t, "--match", "[ab].avi").expect(0, *ALL_WALLS, f"(Landlock {landlock()})")
     check(done.err.count("Landlock") == 1, str(done))
     check("Landlock" not in archive(t, "--match", "[ab].avi").expect(0, "nothing to do").err, "nobody was shut in")
@@ -215,7 +215,7 @@ def test_the_sandbox_is_said_once_a_run(t, walls):
     ("landlock,seccomp", ["no sandbox: this kernel has no Landlock (Function not implemented)", "this kernel has no seccomp filters"]),
 ], ids=["landlock", "seccomp", "both"])
 def test_an_older_kernel_draws_with_what_it_has(t, walls, features, said):
-    clips(t, "one.avi")
+    t.old_clips("one.avi")
     without(features, t).expect(0, "vvr: warning: ", *said, "1 clip drawn, 0 failed")
     complete(t, ["one.avi"])
 
@@ -224,7 +224,7 @@ def test_an_older_kernel_draws_with_what_it_has(t, walls, features, said):
                                            ("seccomp", "this kernel has no seccomp filters (Invalid argument)")],
                          ids=["landlock", "seccomp"])
 def test_a_sandbox_that_is_required_and_not_there(t, feature, said):
-    clips(t, "one.avi")
+    t.old_clips("one.avi")
     if feature == "seccomp" and landlock() == 0:
         pytest.skip("this kernel has no Landlock, which is what is missing first")
     without(feature, t, "--sandbox", "required").expect(
@@ -262,7 +262,7 @@ def test_the_sandbox_lets_a_day_through(t, walls):
 
 def test_the_sandbox_needs_no_home(t, walls):
     """A service has a home that is not there, a folder for temporary files of its own, and no cache."""
-    clips(t, "one.avi")
+    t.old_clips("one.avi")
     environment = {"PATH": "/usr/bin:/bin", "HOME": "/nonexistent", "TMPDIR": str(t.path("in")), "VVR_CONFIG": "",
                    "MESA_SHADER_CACHE_DIR": str(t.path("no/cache"))}
     archive(t, "--sandbox", "required", env=environment).expect(0, "1 clip drawn, 0 failed")
