@@ -102,6 +102,7 @@ def test_help_lists_only_what_the_command_accepts(t, command):
     # What render has in the same words is looked at there.
     commands = t.help()
     shared = [] if command in ("render", "watch") else commands["render"]["options"]
+    together = TOGETHER if command != "golden" else TOGETHER | {"--bless": []}  # it compares always
     rounds = []  # of options that are given together, each with one value
     for option in commands[command]["options"]:
         name = option["name"]
@@ -114,7 +115,7 @@ def test_help_lists_only_what_the_command_accepts(t, command):
 
     def check_accepted(options):
         """All at once, or, as some exclude each other, one half after the other."""
-        beside = [word for option, in options for word in TOGETHER.get(option.partition("=")[0], [])]
+        beside = [word for option, in options for word in together.get(option.partition("=")[0], [])]
         needs = [] if "-o" in beside else example  # a run has one -o
         done = t.vvr(command, missing, *needs, *beside, *(option for option, in options))
         # --write index reads no clips.
@@ -161,6 +162,10 @@ def test_examples_of_help_run(t, command):
     if command == "compare":
         for picture in ("golden.png", "out.png"):
             t.render("clip.avi", output=picture).expect(0)
+    if command == "golden":
+        t.path("tests/golden").mkdir(parents=True)
+        t.write("tests/golden/golden.toml", '[hall]\ninput = "../../clip.avi"\nsize = "160x100"\n')
+        t.vvr("golden", "tests/golden", "--bless").expect(0)
     examples = t.help()[command]["examples"]
     check(examples, f"vvr {command} --help has no examples")
     for line in (example["command"] for example in examples):
