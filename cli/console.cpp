@@ -21,16 +21,10 @@ void print(std::string_view text) {
     write_standard_output(std::as_bytes(std::span(text)));
 }
 
-namespace {
-
-constexpr std::string_view clear_line = "\r\033[K";
-
-void write_stderr(std::string_view text) {
+void write_on_terminal(std::string_view text) {
     // Ignore write errors: the run goes on without its terminal.
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
-
-}  // namespace
 
 std::string progress_text(std::string_view what, std::int64_t done, std::int64_t total, double seconds) {
     if (total <= 0) return fmt::format("{} {}", what, done);
@@ -47,14 +41,14 @@ std::string progress_text(std::string_view what, std::int64_t done, std::int64_t
 Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
 
 Progress::~Progress() {
-    write_stderr(clear_line);
+    write_on_terminal(clear_line);
 }
 
 void Progress::set(std::int64_t done) {
     if (Clock::now() < next_) return;
     next_ = Clock::now() + std::chrono::milliseconds(100);
     const std::chrono::duration<double> seconds = Clock::now() - begin_;
-    write_stderr(fmt::format("{}{}", clear_line, progress_text(what_, done, total_, seconds.count())));
+    write_on_terminal(fmt::format("{}{}", clear_line, progress_text(what_, done, total_, seconds.count())));
 }
 
 bool stderr_is_terminal() {
@@ -78,7 +72,7 @@ void Console::drawing() {
     if (!bar_) return;
     const std::lock_guard lock(mutex_);
     progress_.emplace("drawing", 0);
-    write_stderr("drawing");
+    write_on_terminal("drawing");
 }
 
 void Console::clear() {

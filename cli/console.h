@@ -27,6 +27,12 @@ struct Environment {
 /// \throws Error io
 void print(std::string_view text);
 
+/// Erases the line of the terminal in which the cursor is.
+inline constexpr std::string_view clear_line = "\r\033[K";
+
+/// Writes to stderr at once, without a new line.
+void write_on_terminal(std::string_view text);
+
 /// The line of a progress bar: "frames [=====     ] 52 %, 12 s left".
 /// \param total number of frames expected; 0 = unknown
 /// \param seconds since the first frame; the rest is told only after a few

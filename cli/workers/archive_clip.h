@@ -100,14 +100,8 @@ class ClipTask {
     bool finished_ = false;
 };
 
-/// Whether the worker reports an OpenGL error. The clip need not be the cause: see start_drawing_test.
-bool opengl_failed(const WorkerResult& end);
-
 /// Starts a worker that reads no clip. Its exit status is 0 if workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
-
-/// The worker's error text for people; if it sent none, the end of its stderr.
-std::string error_text_of(const WorkerResult& end);
 
 /// Whether an error concerns one file only: io, but not a full disk.
 bool affects_one_file(const Error& error);

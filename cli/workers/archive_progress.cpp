@@ -17,13 +17,6 @@ namespace vvr::workers {
 
 namespace {
 
-constexpr std::string_view clear_line = "\r\033[K";
-
-void write_stderr(std::string_view text) {
-    // Ignore write errors: the run goes on without its terminal.
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-}
-
 /// The columns of the terminal on stderr.
 std::size_t columns_of_terminal() {
     constexpr std::size_t usual = 80;
@@ -73,11 +66,12 @@ void ArchiveBar::show(const ArchiveProgress& progress, std::span<const ClipProgr
     is_there_ = true;
     const std::chrono::duration<double> seconds = Clock::now() - begin_;
     const std::size_t columns = columns_of_terminal();
-    write_stderr(fmt::format("{}{}", clear_line, progress_text(progress, running, seconds.count(), columns - 1)));
+    cli::write_on_terminal(
+        fmt::format("{}{}", cli::clear_line, progress_text(progress, running, seconds.count(), columns - 1)));
 }
 
 void ArchiveBar::clear() {
-    if (is_there_) write_stderr(clear_line);
+    if (is_there_) cli::write_on_terminal(cli::clear_line);
     is_there_ = false;
     next_ = {};
 }

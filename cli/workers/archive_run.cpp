@@ -15,6 +15,7 @@
 #include "cli/log.h"
 #include "cli/workers/archive_progress.h"
 #include "cli/workers/worker.h"
+#include "cli/workers/worker_end.h"
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
 #include "core/archive/prune.h"
