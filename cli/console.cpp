@@ -38,17 +38,17 @@ std::string progress_text(std::string_view what, std::int64_t done, std::int64_t
     return text;
 }
 
-Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
+Progress::Progress(std::string what) : what_(std::move(what)) {}
 
 Progress::~Progress() {
     write_on_terminal(clear_line);
 }
 
-void Progress::set(std::int64_t done) {
+void Progress::set(std::int64_t done, std::int64_t total) {
     if (Clock::now() < next_) return;
     next_ = Clock::now() + std::chrono::milliseconds(100);
     const std::chrono::duration<double> seconds = Clock::now() - begin_;
-    write_on_terminal(fmt::format("{}{}", clear_line, progress_text(what_, done, total_, seconds.count())));
+    write_on_terminal(fmt::format("{}{}", clear_line, progress_text(what_, done, total, seconds.count())));
 }
 
 bool stderr_is_terminal() {
@@ -64,15 +64,17 @@ void Console::frames(std::int64_t done, std::int64_t expected) {
     if (environment_.progress && expected > 0)
         environment_.progress(static_cast<double>(done) / static_cast<double>(expected));
     if (!bar_) return;
-    if (!progress_) progress_.emplace("frames", expected);
-    progress_->set(done);
+    show("frames", done, expected);
 }
 
-void Console::drawing() {
-    if (!bar_) return;
+void Console::drawing(std::int64_t done, std::int64_t parts) {
     const std::lock_guard lock(mutex_);
-    progress_.emplace("drawing", 0);
-    write_on_terminal("drawing");
+    if (bar_) show("drawing", done, parts);
+}
+
+void Console::show(std::string_view what, std::int64_t done, std::int64_t total) {
+    if (!progress_ || progress_->what() != what) progress_.emplace(std::string(what));
+    progress_->set(done, total);
 }
 
 void Console::clear() {

@@ -41,20 +41,21 @@ std::string progress_text(std::string_view what, std::int64_t done, std::int64_t
 /// A progress bar on stderr.
 class Progress {
   public:
-    /// \param total number of frames expected; 0 = unknown
-    Progress(std::string what, std::int64_t total);
+    explicit Progress(std::string what);
     /// Erases the bar, so that a line can be written.
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void set(std::int64_t done);
+    /// \param total 0 = unknown
+    void set(std::int64_t done, std::int64_t total);
+
+    const std::string& what() const { return what_; }
 
   private:
     using Clock = std::chrono::steady_clock;
 
     std::string what_;
-    std::int64_t total_;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point next_ = begin_;
 };
@@ -69,7 +70,7 @@ class Console final : public app::Observer {
     Console(const Environment& environment, bool bar = true);
 
     void frames(std::int64_t done, std::int64_t expected) override;
-    void drawing() override;
+    void drawing(std::int64_t done, std::int64_t parts) override;
     void debug(const std::string& text) override;
     void info(const std::string& text) override;
     void warn(const std::string& text, const RelatedSettings& about = {}) override;
@@ -77,6 +78,7 @@ class Console final : public app::Observer {
 
   private:
     void clear();
+    void show(std::string_view what, std::int64_t done, std::int64_t total);
 
     const Environment& environment_;
     bool bar_;

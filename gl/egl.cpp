@@ -23,7 +23,7 @@ struct Egl {
 
     PFNEGLGETPROCADDRESSPROC get_proc_address = library.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
     PFNEGLINITIALIZEPROC initialize = library.function<PFNEGLINITIALIZEPROC>("eglInitialize");
-    PFNEGLTERMINATEPROC terminate = library.function<PFNEGLTERMINATEPROC>("eglTerminate");
+    PFNEGLRELEASETHREADPROC release_thread = library.function<PFNEGLRELEASETHREADPROC>("eglReleaseThread");
     PFNEGLBINDAPIPROC bind_api = library.function<PFNEGLBINDAPIPROC>("eglBindAPI");
     PFNEGLCHOOSECONFIGPROC choose_config = library.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
     PFNEGLCREATECONTEXTPROC create_context = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
@@ -136,10 +136,12 @@ class EglContext final : public Context {
         finish("eglGetProcAddress", load, &egl_);
     }
 
+    /// Leaves the display open: it is the same one for all threads of the process, which may be drawing, and EGL does
+    /// not count who opened it.
     void close() {
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) egl_.destroy_context(display_, context_);
-        egl_.terminate(display_);
+        egl_.release_thread();
     }
 
     [[noreturn]] void fail(const char* call) const {

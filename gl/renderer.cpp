@@ -49,23 +49,26 @@ scene::SliceStack Renderer::slices(const BrickWindow& window, const space::Camer
     return scene::stack_slices(camera, *layout_, options_.slices, spacing);
 }
 
-Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
+Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase, const TileCallback& drawn) {
     auto picture = Plane<glm::vec4>::for_overwrite(options_.size);
-    for (const PixelBox& tile : tiles_) {
-        draw_tile(window, tile, phase);
-        framebuffer_.read(tile, picture);
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        draw_tile(window, tiles_[i], phase);
+        framebuffer_.read(tiles_[i], picture);
+        if (drawn) drawn(i + 1, tiles_.size());
     }
     return picture;
 }
 
-image::PixelData Renderer::draw_pixel_data(BrickWindow& window, const scene::TimeTable& times) {
+image::PixelData Renderer::draw_pixel_data(BrickWindow& window, const scene::TimeTable& times,
+                                           const TileCallback& drawn) {
     if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     image::PixelData shown{
         Plane<float>(options_.size, none), Plane<float>(options_.size, none), Plane<float>(options_.size, -1), {}};
     const bool with_objects = options_.colour == VolumeColour::object;
     if (with_objects) shown.object = Plane<float>(options_.size);
-    for (const PixelBox& tile : tiles_) {
+    for (std::size_t k = 0; k < tiles_.size(); ++k) {
+        const PixelBox& tile = tiles_[k];
         const auto [data, objects] = draw_tile_data(window, tile, times.frames_per_layer());
         for (int j = 0; j < tile.height(); ++j) {
             for (int i = 0; i < tile.width(); ++i) {
@@ -78,6 +81,7 @@ image::PixelData Renderer::draw_pixel_data(BrickWindow& window, const scene::Tim
                 if (with_objects) shown.object.at(tile.left + i, tile.top + j) = objects.at(i, j).x;
             }
         }
+        if (drawn) drawn(k + 1, tiles_.size());
     }
     return shown;
 }

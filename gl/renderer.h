@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +28,9 @@ namespace vvr::gl {
 /// so that each occludes the other. Standing frames are drawn between bricks, so bricks should end at their times.
 class Renderer {
   public:
+    /// Called after each tile, with the number of those that are drawn and of all.
+    using TileCallback = std::function<void(std::size_t done, std::size_t tiles)>;
+
     /// `context` and `layout` must outlive the renderer.
     Renderer(const Context& context, const space::Layout& layout, const RenderOptions& options);
 
@@ -39,14 +44,17 @@ class Renderer {
 
     /// Draws the window's bricks and the scene.
     /// \param phase of the texture that moves along the tracelines, 0..1 (§6.2.1)
+    /// \param drawn may be empty
     /// \returns premultiplied RGBA, top row first
-    Plane<glm::vec4> draw(BrickWindow& window, double phase = 0);
+    Plane<glm::vec4> draw(BrickWindow& window, double phase = 0, const TileCallback& drawn = {});
 
     /// What each pixel shows at its centre: the opaque geometry if it contributes at least as much as everything in
     /// front of it, else the strongest contribution of the volume or the standing frames. Lines are ignored. This is a
     /// separate pass; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
-    image::PixelData draw_pixel_data(BrickWindow& window, const scene::TimeTable& times);
+    /// \param drawn may be empty
+    image::PixelData draw_pixel_data(BrickWindow& window, const scene::TimeTable& times,
+                                     const TileCallback& drawn = {});
 
     /// Draws a tile of at most `tile_samples` samples without reading it back.
     void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);

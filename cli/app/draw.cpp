@@ -87,10 +87,17 @@ void show(const Plan& plan, Composition& composed, const Observation& seen, Draw
     drawing.renderer->set_scene(std::move(composed.scene));
 }
 
-image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, double phase) {
-    image::Picture picture = image::to_picture(drawing.renderer->draw(*drawing.window, phase));
-    if (plan.products.pixel_data)
-        picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, scene::TimeTable(seen.volume));
+image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, Observer& observer, double phase) {
+    const std::size_t passes = plan.products.pixel_data ? 2 : 1;
+    const auto tell = [&](std::size_t pass) {
+        return [&observer, pass, passes](std::size_t done, std::size_t tiles) {
+            observer.drawing(static_cast<std::int64_t>(pass * tiles + done), static_cast<std::int64_t>(passes * tiles));
+        };
+    };
+    image::Picture picture = image::to_picture(drawing.renderer->draw(*drawing.window, phase, tell(0)));
+    if (plan.products.pixel_data) {
+        picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, scene::TimeTable(seen.volume), tell(1));
+    }
     return picture;
 }
 

@@ -46,8 +46,9 @@ void warm_up(const Plan& plan, const Drawing& drawing);
 void show(const Plan& plan, Composition& composed, const Observation& seen, Drawing& drawing);
 
 /// Draws the current composition without its lettering.
+/// \param observer receives the progress
 /// \param phase of the texture that moves along the tracelines, 0..1
-image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, double phase = 0);
+image::Picture draw(const Plan& plan, const Observation& seen, Drawing& drawing, Observer& observer, double phase = 0);
 
 /// Releases OpenGL's memory, before encoding needs as much.
 void close(Drawing& drawing);

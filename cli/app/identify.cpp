@@ -6,9 +6,8 @@
 #include <span>
 #include <utility>
 
-#include <opencv2/core/utility.hpp>
-
 #include "core/events/event_options.h"
+#include "core/fields/opencv_threads.h"
 #include "core/glance/objects.h"
 
 namespace vvr::app {
@@ -17,20 +16,6 @@ namespace {
 
 constexpr auto& limit = events::thresholds.detector;
 constexpr std::size_t most_events = 200;  // per clip, the most important ones: a look takes 50 to 100 ms
-
-/// Limits the threads of OpenCV to those that the user allows.
-class OpenCvThreads {
-  public:
-    explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-        if (threads > 0) cv::setNumThreads(threads);
-    }
-    ~OpenCvThreads() { cv::setNumThreads(before_); }
-    OpenCvThreads(const OpenCvThreads&) = delete;
-    OpenCvThreads& operator=(const OpenCvThreads&) = delete;
-
-  private:
-    int before_;
-};
 
 double area_of(const PixelBox& box) {
     return box.empty() ? 0 : static_cast<double>(box.width()) * box.height();
@@ -61,7 +46,7 @@ std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options
 
 const DetectorUse& Identifier::identify(events::Findings& found, const glance::Crops& crops) {
     const auto begin = std::chrono::steady_clock::now();
-    const OpenCvThreads threads(threads_);
+    const fields::OpenCvThreads threads(threads_);
     std::vector<std::vector<events::Look>> looks(found.events.size());
     std::vector<std::size_t> order = glance::by_importance(found.events);
     order.resize(std::min(order.size(), most_events));
@@ -108,7 +93,7 @@ events::Look Identifier::look_at(const glance::Crop& crop) {
 
 std::vector<PixelBox> Identifier::living_in(const video::Frame& frame) {
     const auto begin = std::chrono::steady_clock::now();
-    const OpenCvThreads threads(threads_);
+    const fields::OpenCvThreads threads(threads_);
     ++use_.frames;
     std::vector<PixelBox> boxes;
     const Plane<Bgr> picture = video::picture_of(frame);

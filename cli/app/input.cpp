@@ -125,7 +125,7 @@ OpenedFields open_extracted(const RenderJob& job) {
 
 OpenedFields open_any(const RenderJob& job) {
     require_input(job.input);
-    if (std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
+    if (!job.input.open && std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
     OpenedFields opened;
     auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
     fields::FieldOptions fields = field_options_of(job);
@@ -188,6 +188,7 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.threads = threads;
     source.rate = options.rate;
     source.join = options.join;
+    if (options.open) return options.open(source);
     return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);
 }
 

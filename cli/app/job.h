@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -90,11 +91,13 @@ struct OutputOptions {
     std::filesystem::path events_csv;  ///< the events as a table; empty = none
     std::filesystem::path tracks;      ///< the objects' boxes in each frame; empty = none
     bool tells_events = false;         ///< of a stream: each event is told when it has ended
-    events::EventChoice events;        ///< which events the report and the page list
+    bool returns_events = false;       ///< the caller gets the events
+    bool returns_pixel_data = false;   ///< the caller gets the frame, time and depth of each pixel
+    events::EventChoice events;        ///< which events are listed
     GoldenOptions golden;
 
-    /// Whether a file lists the events; it needs no picture.
-    bool lists_events() const { return !report.empty() || !events_csv.empty() || !tracks.empty(); }
+    /// Whether somebody gets a list of the events; it needs no picture.
+    bool lists_events() const { return returns_events || !report.empty() || !events_csv.empty() || !tracks.empty(); }
 };
 
 /// Default number of pictures of an animation.
@@ -123,6 +126,7 @@ struct InputOptions {
     bool join = false;                       ///< treat files as one recording even if they look unrelated
     Size field_size{0, 0};                   ///< as in SourceOptions
     double rate = 25;                        ///< frames per second if the input has none
+    std::function<std::unique_ptr<video::FrameSource>(const video::SourceOptions&)> open{};  ///< replaces the files
 };
 
 /// How time becomes layers and bricks.

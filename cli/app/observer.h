@@ -16,8 +16,8 @@ class Observer {
     /// `done` frames of `expected` have been read; 0 = unknown.
     virtual void frames(std::int64_t /*done*/, std::int64_t /*expected*/) {}
 
-    /// All frames have been read; what follows is drawing.
-    virtual void drawing() {}
+    /// All frames have been read, and `done` of `parts` equal parts of a picture are drawn.
+    virtual void drawing(std::int64_t /*done*/, std::int64_t /*parts*/) {}
 
     virtual void debug(const std::string& /*text*/) {}
     virtual void info(const std::string& /*text*/) {}

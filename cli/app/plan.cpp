@@ -100,8 +100,9 @@ Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) 
     const bool page = !page_of(output).empty();
     Products products;
     products.series = purpose == Purpose::stream || is_series(output);
-    products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
-                                   !image::is_animation(output.path) && image::holds_pixel_data(output.path));
+    products.pixel_data = page || output.returns_pixel_data ||
+                          (!output.path.empty() && !is_standard_output(output.path) &&
+                           !image::is_animation(output.path) && image::holds_pixel_data(output.path));
     products.only_page = page && (output.path.empty() || is_page(output.path)) && purpose != Purpose::caller;
     if (purpose == Purpose::stream) {
         products.portraits = page;

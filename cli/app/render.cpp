@@ -58,7 +58,7 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
     if (expected == 0 || expected > soon_read) opened.get();
     Observation seen = observe(plan, source, observer);
     run.stages.end("fields");
-    observer.drawing();
+    observer.drawing(0, 1);
     thread.run([&](Drawing& drawing) {
         if (is_long) make_renderer(plan, gl::RenderOptions{}.tile_samples / 4, drawing);
         run.describe(*drawing.context);
@@ -70,7 +70,7 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
     for (int i = 0; i < pictures; ++i) {
         FinishedPicture picture{i, {}, {plan, seen, composed, run}};
         thread.run([&](Drawing& drawing) {
-            picture.picture = draw(plan, seen, drawing, static_cast<double>(i) / pictures);
+            picture.picture = draw(plan, seen, drawing, observer, static_cast<double>(i) / pictures);
             if (i + 1 == pictures) close(drawing);
         });
         run.stages.end("draw");
@@ -91,6 +91,7 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
         make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);
     });
     Composition composed;
+    Observer unseen;  // the progress is that of the frames, between which the pictures are drawn
     bool never_moves = true;
     bool frames_missing = false;
     const auto full = [&](const Observation& seen, std::int64_t brick) {
@@ -103,7 +104,7 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
         for (int i = 0; i < plan.products.pictures; ++i) {
             FinishedPicture picture{static_cast<int>(brick), {}, {plan, seen, composed, run}};
             thread.run([&](Drawing& drawing) {
-                picture.picture = draw(plan, seen, drawing, phase_of(plan, brick, run.pictures));
+                picture.picture = draw(plan, seen, drawing, unseen, phase_of(plan, brick, run.pictures));
             });
             run.stages.end("draw");
             ++run.pictures;
@@ -140,12 +141,13 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     check_memory(plan.extent);
 
     const PictureSink write = [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); };
-    const Outcome done = plan.products.series ? render_series(plan, *fields.source, observer, write)
-                                              : render_clip(plan, *fields.source, observer, write);
+    Outcome done = plan.products.series ? render_series(plan, *fields.source, observer, write)
+                                        : render_clip(plan, *fields.source, observer, write);
     require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     writer.finish({plan, done.seen, done.composed, done.run}, took.count());
-    return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged};
+    return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged,
+            std::move(done.seen.events).value_or(ShownEvents{}), plan.clip.field_size};
 }
 
 }  // namespace vvr::app

@@ -14,6 +14,8 @@ struct RenderSummary {
     video::VideoInfo info;
     std::int64_t frames = 0;
     std::int64_t damaged = 0;  ///< packets that could not be decoded
+    ShownEvents events{};      ///< empty unless listed
+    Size field_size{};         ///< the events' pixels are those of the field
 };
 
 /// Runs a whole job: plan, observe, compose, draw, write.

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -8,11 +10,13 @@
 
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
+#include "cli/app/render_time.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
@@ -55,8 +59,26 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-std::string as_text(const fields::FieldSource& source, const app::Extent& extent,
-                    const std::vector<video::Segment>& files, const std::vector<std::string>& warnings) {
+/// All that is known about an input.
+struct Facts {
+    const fields::FieldSource& source;
+    app::Extent extent;
+    std::vector<video::Segment> files;
+    std::vector<std::string> warnings;
+    std::optional<app::RenderTime> time{};  ///< none = not measured
+};
+
+/// "about 12 s on this machine, judging by the first 50 frames"
+std::string text_of(const app::RenderTime& time) {
+    if (time.frames_per_second <= 0) return "unknown: the first seconds have too few frames";
+    const std::string takes =
+        time.seconds > 0 ? fmt::format("about {}", labels::format_duration(std::max(1.0, std::round(time.seconds))))
+                         : fmt::format("1 s for about {:.0f} frames", time.frames_per_second);
+    return fmt::format("{} on this machine, judging by the first {}", takes, counted(time.measured, "frame"));
+}
+
+std::string as_text(const Facts& facts) {
+    const auto& [source, extent, files, warnings, time] = facts;
     const video::VideoInfo& info = source.info();
     std::string text = shown_text(redact_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
@@ -84,6 +106,7 @@ std::string as_text(const fields::FieldSource& source, const app::Extent& extent
                                counted(extent.step, "frame")));
     line("bricks", fmt::to_string(extent.bricks));
     line("memory", fmt::format("at most about {} MB", extent.bytes / 1'000'000));
+    if (time) line("time", text_of(*time));
     if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
     for (const video::Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
     return text;
@@ -98,8 +121,8 @@ nlohmann::ordered_json json_of(const video::Segment& clip) {
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
-std::string as_json(const fields::FieldSource& source, const app::Extent& extent,
-                    const std::vector<video::Segment>& files, const std::vector<std::string>& warnings) {
+std::string as_json(const Facts& facts) {
+    const auto& [source, extent, files, warnings, measured] = facts;
     const video::VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
     const auto time = [](std::optional<std::int64_t> utc) {
@@ -128,20 +151,28 @@ std::string as_json(const fields::FieldSource& source, const app::Extent& extent
           {"step", extent.step},
           {"layers", extent.layers},
           {"bricks", extent.bricks},
-          {"memory_bytes", extent.bytes}}},
+          {"memory_bytes", extent.bytes},
+          {"seconds", measured ? known(measured->seconds) : nlohmann::ordered_json()},
+          {"frames_per_second", measured ? known(measured->frames_per_second) : nlohmann::ordered_json()}}},
         {"files", std::move(listed)},
     };
     return json_text(json, 2) + "\n";
 }
 
+namespace text {
+constexpr Setting quick{"quick", "", "don't measure how long a render takes"};
+}  // namespace text
+
 class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
-        options::AddOptions(line, options::Group::output)(json_option, json_);
+        const options::AddOptions add(line, options::Group::output);
+        add(json_option, json_);
+        add(text::quick, quick_);
         options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
         options::add_picture_options(line, job_);
-        line.examples({{"vvr info clip.avi", "the clip, and the memory that a picture of it needs"},
-                       {"vvr info clip.avi --json", "the same for programs"},
+        line.examples({{"vvr info clip.avi", "the clip, and the memory and the time that a picture of it needs"},
+                       {"vvr info clip.avi --json --quick", "for programs; without the time"},
                        {"vvr info clip.avi --field-size source", "the same for larger fields"}});
     }
 
@@ -150,15 +181,28 @@ class Info final : public Command {
         options::finish(line, job_, false);
         app::validate(job_);
         const app::OpenedFields fields = app::open_fields(job_);
-        const std::vector<video::Segment> files = list_clips(job_.input);
         const app::Plan plan = app::make_plan(job_, fields.facts());
-        cli::print((json_ ? as_json : as_text)(*fields.source, plan.extent, files, fields.warnings));
+        Facts facts{*fields.source, plan.extent, list_clips(job_.input), fields.warnings};
+        // An extraction is drawn as a whole.
+        if (!quick_ && fields.extracted.empty()) facts.time = measure(plan, facts.warnings);
+        cli::print((json_ ? as_json : as_text)(facts));
         return cli::ExitStatus::done;
     }
 
   private:
+    /// What the clip has is shown even if it can't be drawn.
+    std::optional<app::RenderTime> measure(const app::Plan& plan, std::vector<std::string>& warnings) const {
+        try {
+            return app::measure_render(job_, plan);
+        } catch (const Error& error) {
+            warnings.push_back(fmt::format("the time of a render was not measured: {}", error.what()));
+            return std::nullopt;
+        }
+    }
+
     app::RenderJob job_;
     bool json_ = false;
+    bool quick_ = false;
 };
 
 }  // namespace

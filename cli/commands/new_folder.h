@@ -37,7 +37,7 @@ class HeldObserver final : public app::Observer {
     explicit HeldObserver(app::Observer& observer) : observer_(observer), held_(observer.guard()) {}
 
     void frames(std::int64_t done, std::int64_t expected) override { observer_.frames(done, expected); }
-    void drawing() override { observer_.drawing(); }
+    void drawing(std::int64_t done, std::int64_t parts) override { observer_.drawing(done, parts); }
     void debug(const std::string& text) override { observer_.debug(text); }
     void info(const std::string& text) override { observer_.info(text); }
     void warn(const std::string& text, const RelatedSettings& about = {}) override { observer_.warn(text, about); }

@@ -15,13 +15,13 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
-#include <opencv2/core/utility.hpp>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
+#include "core/fields/opencv_threads.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
 #include "core/video/frame_span.h"
@@ -158,18 +158,8 @@ namespace {
 using oneapi::tbb::filter_mode;
 using oneapi::tbb::make_filter;
 
-/// Keeps OpenCV from starting its own threads: frames already run in parallel, and its dense inverse search gives other
-/// results for another number of threads.
-class SingleThreadedOpenCv {
-  public:
-    SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-    ~SingleThreadedOpenCv() { cv::setNumThreads(before_); }
-    SingleThreadedOpenCv(const SingleThreadedOpenCv&) = delete;
-    SingleThreadedOpenCv& operator=(const SingleThreadedOpenCv&) = delete;
-
-  private:
-    int before_;
-};
+// Frames already run in parallel, and OpenCV's dense inverse search gives other results for another number of threads.
+constexpr int single_thread = 1;
 
 /// Keeps the first error of a pipeline. oneTBB leaks the item of a filter that throws; so filters report errors here,
 /// and the pipeline ends normally.
@@ -302,7 +292,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink) {
     validate(options);
-    const SingleThreadedOpenCv one_thread;
+    const OpenCvThreads one_thread(single_thread);
     FieldStages work(scene, options);
     return run(read, work, options, 0, sink);
 }
@@ -313,7 +303,7 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     EmptyScene scene{.reference = {},
                      .region = make_region(options, source.field_size(), source.info().size),
                      .frames = source.info().frames};
-    const SingleThreadedOpenCv one_thread;
+    const OpenCvThreads one_thread(single_thread);
     if (needs_reference(options)) {
         on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options, find_living); });
         if (scene_sink) scene_sink(scene.reference);

@@ -95,7 +95,8 @@ def test_info_says_what_a_render_would_do(t):
     t.clip()
     text = t.vvr("info", "clip.avi").expect(0, out=None)
     check(text.err == "", str(text))
-    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, from the container", "2.000 s", "20 layers", "MB"):
+    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, from the container", "2.000 s", "20 layers", "MB",
+                 "time     about 1 s on this machine, judging by the first 20 frames"):
         check(part in text.out, f"{text}\nexpected: {part}")
     # Colours of objects, the default where the filter marks any, take four bytes a voxel.
     memory = [json.loads(t.vvr("info", "clip.avi", "--json", *colour).expect(0, out=None).out)["render"]["memory_bytes"]
@@ -104,6 +105,19 @@ def test_info_says_what_a_render_would_do(t):
     told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11f", "--step", "2").expect(0, out=None).out)
     check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))
     check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))
+    check(told["render"]["seconds"] > 0 and told["render"]["frames_per_second"] > 0, str(told))
+
+
+def test_info_measures_a_render(t):
+    t.clip(seconds=40)
+    text = t.vvr("info", "clip.avi").expect(0, out=None).out
+    check("judging by the first 50 frames" in text, text)
+    check("judging by" not in t.vvr("info", "clip.avi", "--quick").expect(0, out=None).out, "--quick measures")
+    large = json.loads(t.vvr("info", "clip.avi", "--json", "--size", "8000x5000").expect(0, out=None).out)["render"]
+    small = json.loads(t.vvr("info", "clip.avi", "--json", "--size", "160x100").expect(0, out=None).out)["render"]
+    check(large["seconds"] > 3 * small["seconds"], f"{large} {small}")
+    told = json.loads(t.vvr("info", "clip.avi", "--json", "--backend", "egl:99").expect(0, out=None).out)
+    check(told["render"]["seconds"] is None and "there is no EGL device 99" in told["warnings"][-1], str(told))
 
 
 def test_playlist_on_disk_is_refused(t):

@@ -11,7 +11,10 @@ import pytest
 from harness import check
 
 BUILD = pathlib.Path(os.environ["VVR"]).parents[1]
-SHOWN = {"vvr::Failure::Failure", "vvr::Failure::~Failure", "typeinfo for vvr::Failure", "typeinfo name for vvr::Failure",
+C_FUNCTIONS = {"vvr_error_code", "vvr_error_text", "vvr_event_at", "vvr_event_count", "vvr_frame_count", "vvr_free", "vvr_image",
+               "vvr_pixel_data", "vvr_render_clip", "vvr_render_frames", "vvr_status_of", "vvr_version", "vvr_warning",
+               "vvr_warning_count", "vvr_write_image"}
+SHOWN = C_FUNCTIONS | {"vvr::Failure::Failure", "vvr::Failure::~Failure", "typeinfo for vvr::Failure", "typeinfo name for vvr::Failure",
          "vtable for vvr::Failure", "vvr::library_version", "vvr::read_clip_info", "vvr::render_image", "vvr::write_image"}
 
 
@@ -28,23 +31,37 @@ def installed(t):
 
 def test_the_library_shows_its_headers_and_nothing_else(t, prefix):
     headers = sorted(file.name for file in (prefix / "include/vvr").iterdir())
-    check(headers == ["vvr.h"], f"{headers}")
-    for header in headers:  # each stands alone
-        done = t.run(["c++", "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I", prefix / "include",
-                      "-x", "c++", "-include", f"vvr/{header}", "/dev/null"])
+    check(headers == ["vvr.h", "vvr_c.h"], f"{headers}")
+    for language, header in [("c++", "vvr.h"), ("c++", "vvr_c.h"), ("c", "vvr_c.h")]:  # each can be included alone
+        standard = "c++17" if language == "c++" else "c99"
+        done = t.run(["cc", f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I",
+                      prefix / "include", "-x", language, "-include", f"vvr/{header}", "/dev/null"])
         check(done.status == 0, str(done))
     symbols = t.run(["nm", "-DC", "--defined-only", prefix / "lib/libvvr.so"]).out
     names = {re.split(r"[\[(@]", line.split(maxsplit=2)[2])[0] for line in symbols.splitlines()} - {"VVR_0"}
     check(names == SHOWN, f"{names ^ SHOWN}")
 
 
-def build_by_cmake(t, prefix):
-    done = t.run(["cmake", "-G", "Ninja", "-S", t.source / "docs/examples/render_a_clip", "-B", t.path("built"),
+def build_by_cmake(t, prefix, name="render_a_clip"):
+    done = t.run(["cmake", "-G", "Ninja", "-S", t.source / "docs/examples/library", "-B", t.path("built"),
                   f"-DCMAKE_PREFIX_PATH={prefix}"])
     check(done.status == 0, str(done))
-    done = t.run(["cmake", "--build", t.path("built")])
+    done = t.run(["cmake", "--build", t.path("built"), "--target", name])
     check(done.status == 0, str(done))
-    return t.path("built") / "render_a_clip"
+    return t.path("built") / name
+
+
+def build_in_c(t, prefix):
+    return build_by_cmake(t, prefix, "render_in_c")
+
+
+def compile_against(t, prefix, code):
+    """A program with this code, which is linked to the library."""
+    t.write("main.cpp", code)
+    done = t.run(["c++", "-std=c++17", "main.cpp", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr",
+                  f"-Wl,-rpath,{prefix}/lib"])
+    check(done.status == 0, str(done))
+    return t.path("main")
 
 
 def build_by_pkg_config(t, prefix):
@@ -52,13 +69,13 @@ def build_by_pkg_config(t, prefix):
         pytest.skip("needs pkg-config")
     flags = subprocess.run(["pkg-config", "--cflags", "--libs", "vvr"], check=True, capture_output=True, text=True,
                            env=os.environ | {"PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}).stdout.split()
-    done = t.run(["c++", "-std=c++17", t.source / "docs/examples/render_a_clip/render_a_clip.cpp", "-o", "by_pkg_config", *flags,
+    done = t.run(["c++", "-std=c++17", t.source / "docs/examples/library/render_a_clip.cpp", "-o", "by_pkg_config", *flags,
                   f"-Wl,-rpath,{prefix}/lib"])
     check(done.status == 0, str(done))
     return t.path("by_pkg_config")
 
 
-@pytest.mark.parametrize("build", [build_by_cmake, build_by_pkg_config])
+@pytest.mark.parametrize("build", [build_by_cmake, build_by_pkg_config, build_in_c])
 def test_the_example_draws_what_the_program_draws(t, prefix, build):
     example = build(t, prefix)
     t.clip()
@@ -87,7 +104,7 @@ def test_errors_are_failures_with_a_kind(t, prefix):
 
 def test_settings_have_the_programs_names_and_checks(t, prefix):
     t.clip()
-    t.write("main.cpp", """
+    main = compile_against(t, prefix, """
         #include <cstdio>
         #include <vvr/vvr.h>
         int main(int, char** words) {
@@ -100,14 +117,147 @@ def test_settings_have_the_programs_names_and_checks(t, prefix):
                 std::printf(" %d %s: %s", static_cast<int>(failure.kind()), failure.code(), failure.what());
             }
         }""")
-    done = t.run(["c++", "-std=c++17", "main.cpp", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr", f"-Wl,-rpath,{prefix}/lib"])
-    check(done.status == 0, str(done))
     for name, value, text in [
             ("size", "200x100", "200x100 80000 0 usage: 'short.png': an image of 200x100 pixels needs 4 values per pixel, but has 79999 in total"),
             ("sise", "1x1", " 0 option-unknown: there is no setting 'sise' (did you mean 'size'?)"),
             ("slices", "-1", " 0 option-value-out-of-range: slices: '-1' is not a whole number from 0 to 16384"),
             ("help", "yes", " 0 option-unknown"), ("config", "/nowhere", " 0 option-unknown"),
             ("config=/nowhere", "x", " 0 option-unknown"), ("output", "x.png", " 0 option-unknown")]:
-        done = t.run(["./main", name, value])
+        done = t.run([main, name, value])
         check(done.status == 0 and done.out.startswith(text), str(done))
     check(not t.path("short.png").exists(), "a picture of an image that is none")
+
+
+def test_frames_in_memory_give_the_picture_of_the_same_file(t, prefix):
+    t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "100")
+    t.ffmpeg("-i", "walkers.y4m", "-pix_fmt", "bgr24", "-f", "rawvideo", "frames.raw")
+    t.ffmpeg("-i", "walkers.y4m", "-pix_fmt", "bgr24", "-c:v", "rawvideo", "frames.avi")
+    main = compile_against(t, prefix, """
+        #include <algorithm>
+        #include <cstdio>
+        #include <fstream>
+        #include <iterator>
+        #include <vvr/vvr.h>
+        int main() {
+            const std::ptrdiff_t stride = 3 * 160, size = 120 * stride, last = size - stride;
+            std::ifstream file("frames.raw", std::ios::binary);
+            std::vector<char> pixels{std::istreambuf_iterator<char>(file), {}};
+            vvr::FrameSequence frames;
+            frames.width = 160;
+            frames.height = 120;
+            frames.frames_per_second = 25;
+            frames.frames = 100;
+            frames.read = [&](std::int64_t index, vvr::FrameView& frame) {
+                if (index == 100) return false;
+                frame = {reinterpret_cast<std::uint8_t*>(&pixels[index * size]), stride, 7 + index / 25.0};
+                return true;
+            };
+            vvr::RenderOptions options;
+            options.events = options.pixel_data = true;
+            const vvr::Settings settings{{"size", "160x100"}, {"title", "walkers"}};
+            const vvr::Rendering done = vvr::render_image(frames, settings, options);
+            vvr::write_image("memory.png", done.image);
+            std::size_t marked = 0;
+            for (const float object : done.pixel_data.object) marked += object > 0;
+            std::printf("%zu events, %zu pixels, %d", done.events.size(), done.pixel_data.frame.size(), marked > 0);
+            std::size_t points = 0;
+            for (const vvr::Event& event : done.events) points += event.path.size();
+            std::printf(", %d", points > done.events.size());
+
+            for (int index = 0; index < 100; ++index) {  // the bottom row first
+                for (int y = 0; y < 60; ++y) {
+                    char* const frame = &pixels[index * size];
+                    std::swap_ranges(frame + y * stride, frame + (y + 1) * stride, frame + (119 - y) * stride);
+                }
+            }
+            frames.read = [&](std::int64_t index, vvr::FrameView& frame) {
+                if (index == 100) return false;
+                frame = {reinterpret_cast<std::uint8_t*>(&pixels[index * size + last]), -stride, index / 25.0};
+                return true;
+            };
+            std::printf(", %d", vvr::render_image(frames, settings).image.rgba == done.image.rgba);
+        }""")
+    done = t.run([main])
+    t.vvr("render", "frames.avi", "--events-csv", "events.csv").expect(0, out=None)
+    events = len(t.path("events.csv").read_text(encoding="utf-8").splitlines()) - 1
+    check(events > 0 and done.out == f"{events} events, 16000 pixels, 1, 1, 1", str(done))
+    t.render("frames.avi", "--title", "walkers", output="file.png").expect(0, out=None)
+    t.vvr("compare", "memory.png", "file.png").expect(0, out=None)
+
+
+def test_what_callers_do_wrong_or_throw(t, prefix):
+    main = compile_against(t, prefix, """
+        #include <cstdio>
+        #include <string>
+        #include <vvr/vvr.h>
+        int main(int, char** words) {
+            const std::string fault = words[1];
+            std::vector<std::uint8_t> pixels(3 * 64 * 48);
+            vvr::FrameSequence frames;
+            frames.width = fault == "size" ? 0 : 64;
+            frames.height = 48;
+            if (fault == "format") frames.format = static_cast<vvr::PixelFormat>(9);
+            if (fault != "reader") frames.read = [&](std::int64_t index, vvr::FrameView& frame) {
+                if (fault == "exception" && index == 5) throw 42;
+                frame.pixels = fault == "pixels" && index == 3 ? nullptr : pixels.data();
+                frame.stride = fault == "stride" ? 100 : 192;
+                frame.seconds = fault == "time" ? 1 : index / 10.0;
+                return index < (fault == "empty" ? 0 : 30);
+            };
+            vvr::RenderOptions options;
+            if (fault == "progress") options.progress = [](const vvr::Progress&) -> bool { throw 42; };
+            if (fault == "cancel") options.progress = [](const vvr::Progress& now) { return now.stage != vvr::Progress::Stage::drawing || now.done == 0; };
+            try {
+                vvr::render_image(frames, {{"size", "160x100"}}, options);
+                std::printf("done");
+            } catch (const vvr::Failure& failure) {
+                std::printf("%s: %s", failure.code(), failure.what());
+            } catch (int number) {
+                std::printf("int %d", number);
+            }
+        }""")
+    for fault, text in [("none", "done"), ("exception", "int 42"), ("progress", "int 42"), ("cancel", "cancelled: "),
+                        ("size", "input-unsuitable: frames in memory: 0x48"), ("reader", "input-unsuitable: "),
+                        ("format", "input-unsuitable: there is no pixel format 9"),
+                        ("pixels", "input-unsuitable: frames in memory, frame 3: no pixels"),
+                        ("stride", "input-unsuitable: frames in memory, frame 0: pixels and a stride of 100 bytes"),
+                        ("time", "input-unsuitable: frames in memory, frame 1: it is at 1 s"), ("empty", "no-frame: ")]:
+        done = t.run([main, fault])
+        check(done.status == 0 and done.out.startswith(text), f"{fault}: {done}")
+
+
+def test_threads_draw_at_the_same_time_what_they_draw_alone(t, prefix):
+    t.clip("a.avi")
+    t.clip("b.avi", seconds=3)
+    main = compile_against(t, prefix, """
+        #include <cstdio>
+        #include <thread>
+        #include <vvr/vvr.h>
+        std::vector<float> draw(const char* clip, const char* filter) {
+            return vvr::render_image(clip, {{"size", "160x100"}, {"filter", filter}, {"flow", "dis"}}).image.rgba;
+        }
+        int main() {
+            const auto a = draw("a.avi", "difference");
+            const auto b = draw("b.avi", "flow");
+            int same = 0;
+            std::thread other([&] { for (int i = 0; i < 4; ++i) same += draw("b.avi", "flow") == b; });
+            int here = 0;
+            for (int i = 0; i < 4; ++i) here += draw("a.avi", "difference") == a;
+            other.join();
+            std::printf("%d %d", here, same);
+        }""")
+    done = t.run([main])
+    check(done.status == 0 and done.out == "4 4", str(done))
+
+
+def test_examples_draw_frames_in_memory(t, prefix):
+    frames = build_by_cmake(t, prefix, "render_frames")
+    done = t.run([frames, "frames.png"])
+    check(done.status == 0 and "1: moved right, 0 s to 5.96 s\n" in done.out and t.path("frames.png").exists(), str(done))
+    done = t.run([frames, "cancelled.png", "0"])
+    check(done.status == 8 and "[cancelled]" in done.err and not t.path("cancelled.png").exists(), str(done))
+    example = t.source / "docs/examples/library/render_frames.py"
+    done = t.run(["python3", example, prefix / "lib/libvvr.so", "python.png"])
+    check(done.status == 0 and done.out == "75 frames in python.png\n" and t.path("python.png").exists(), str(done))
+    done = t.run(["python3", example, prefix / "lib/libvvr.so", "none/python.png"])
+    check(done.status == 2 and "none" in done.err, str(done))
