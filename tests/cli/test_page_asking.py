@@ -223,12 +223,23 @@ def test_page_links_lead_to_moments_and_events(t):
             check(page.run("return [chosen, now]") == [event, frame], f"{address} leads to {page.run('return [chosen, now]')}")
             page.wait("the player is there", f"return Math.floor(video.currentTime * 25 + 1e-6) === {frame}")
             check(page.run("return isPlaying()") is False, "it plays at once")
+            check(("no event 99" in page.text("told")) == ("99" in address), f"{address}: {page.text('told')}")
         page.run("choose(null); show(123, false)")
         check(copied(page, "#copylink") == t.path("out.html").as_uri() + "#t=4.920", page.run("return window.copied"))
         page.open_menu("")
         page.press("#events li:nth-child(2) .row")
         check(copied(page, "#copylink") == t.path("out.html").as_uri() + "#event=2", page.run("return window.copied"))
         check(page.run("return location.hash") == "#event=2", "the address does not keep the event")
+
+
+def test_page_says_what_it_could_not_copy(t):
+    with Page(t, bag(t)) as page:
+        page.run("""navigator.clipboard.writeText = () => Promise.reject(new Error('no'));
+            document.execCommand = () => false; choose(1)""")
+        page.open_menu("share")
+        page.press("#copylink")
+        page.wait("it says so", "return document.getElementById('told').textContent !== ''")
+        check(page.text("told").startswith("This browser copies nothing.") and "#event=2" in page.text("told"), page.text("told"))
 
 
 def saved(t, page, frame):
