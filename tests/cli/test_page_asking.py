@@ -293,7 +293,7 @@ def test_page_saves_a_still(t, clip, codec, server):
         if whole:
             check(told == f"Saved {path.name}, 480×360, as in the clip" and size_of(t, path) == "480,360", told)
         else:
-            check("×" in told and "of the clip’s 480×360, from the preview in this page. “Copy still command”" in told, told)
+            check("×" in told and "of the clip’s 480×360, from the preview in this page. “Copy command for this frame”" in told, told)
             check(size_of(t, path) != "480,360", size_of(t, path))
         check(off_by(t, path, clip, 150) < 4, f"another picture: {off_by(t, path, clip, 150)} grey levels")
         for frame in (0, 1, 137, 199):

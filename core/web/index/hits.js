@@ -53,9 +53,10 @@ function pictureOf({event, how}) {
         tile.window.classList.add('playing');  // the spot is that of the moment
         note.textContent = timeText(wallIn(event, stills[next]));
     }})) : [];
-    tile.window.append(note);
     rest();
-    return {window: tile.window, scenes, rest};
+    const window = element('span', 'images');
+    window.append(tile.window, note);
+    return {window, scenes, rest};
 }
 
 /** @param {Found} found */
@@ -70,11 +71,12 @@ function itemOf(found) {
     const lasts = (event.way[event.way.length - 3] - event.way[0]) / 10;
     const facts = element('span', 'facts');
     const day = dayText(when);
-    facts.append(element('b', '', timeText(when)), element('small', '', `${weekday(day).slice(0, 3)} ${day}`),
+    facts.append(element('b', '', timeText(when)));
+    if (state.camera === null && data.cameras.length > 1) facts.append(element('bdi', '', cameraName(event.clip.camera)));
+    facts.append(element('small', '', `${weekday(day).slice(0, 3)} ${day}`),
                  element('span', 'badge ' + event.kind.emphasis, event.kind.tally === 'still' ? tallyWords(event.kind, event.still) : event.kind.words));
     if (event.what) facts.append(element('span', '', event.what));
-    facts.append(element('span', 'answer', how.words() || shortSpanOf(lasts)));
-    if (state.camera === null && data.cameras.length > 1) facts.append(element('bdi', '', cameraName(event.clip.camera)));
+    facts.append(element('span', 'answer', how.words() || 'in view ' + shortSpanOf(lasts)));
     link.append(window, facts);
     const item = element('li');
     item.append(link);

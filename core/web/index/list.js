@@ -52,7 +52,7 @@ function factsOf(clip) {
     const first = element('span', 'first');
     first.append(element('b', '', clip.wholeDay ? stretchOf(clip) : clip.time));
     if (clip.drawn) first.append(element('small', '', shortSpanOf(clip.seconds)));
-    if (clip.drawn && !isSeen(clip)) first.append(titled(element('i', 'new', '●'), 'not seen yet'));
+    if (clip.drawn && !isSeen(clip)) first.append(titled(element('i', 'new', '● new'), 'not seen yet'));
     const badges = element('span', 'badges');
     if (clip.drawn) badges.append(...badgesOf(clip));
     if (clip.failed && clip.drawn) {
@@ -114,6 +114,7 @@ function fill(cards) {
  */
 function sectionOf(title, clipsOf, columns) {
     const block = element('section', 'camera');
+    block.style.setProperty('--count', String(clipsOf.length));
     const cards = element('div', 'cards');
     empty.set(cards, clipsOf);
     cards.style.minHeight = Math.ceil(clipsOf.length / columns) * cardHeight + 'px';
@@ -130,7 +131,7 @@ const sectionsByDay = (list, columns) => [...grouped(list, 'day')].map(([day, of
     const section = element('section', 'day');
     const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => a[0] - b[0]);
     section.append(element('h2', '', weekday(day) + ', ' + day), ...cameras.map(([camera, ofCamera]) =>
-        sectionOf(`${cameraName(camera)} · ${counted(ofCamera).length}`, lastFailed(ofCamera), columns)));
+        sectionOf(`${cameraName(camera)} · ${many(counted(ofCamera).length, 'clip')}`, lastFailed(ofCamera), columns)));
     return section;
 });
 

@@ -40,11 +40,15 @@ function wordsOfCell(list) {
     return words;
 }
 
+// An hour is too small for a finger.
+const fingers = matchMedia('(pointer: coarse)');
+
 /**
  * The hour that was clicked, if it has clips.
  * @param {MouseEvent} event
  */
 function hourUnder({target}) {
+    if (fingers.matches) return {};
     const hour = target instanceof HTMLElement && target.matches('.quiet, .busy') ? Number(target.dataset.hour) : null;
     return hour === null ? {} : {since: digits(hour) + ':00', until: digits(hour + 1) + ':00'};
 }
@@ -109,7 +113,7 @@ export function drawDays() {
         row.append(headOf(`${weekday(day).slice(0, 3)} ${day.slice(8)}`, 'row'), ...cameras.map(camera => cellOf(byCamera.get(camera) ?? [], most)));
         table.append(row);
     }
-    const hint = element('p', 'hint', `Each small box is an hour: the stronger its colour, the more events; the strongest is ${many(most, 'event')}. ` +
-        'Click an hour, or a day, for its clips.');
+    const hint = element('p', 'hint', `Each box is an hour. The stronger its colour, the more events (at most ${most}). `);
+    hint.append(element('span', 'how', fingers.matches ? 'Tap a day to see its clips.' : 'Click an hour, or a day, to see its clips.'));
     at('overview').replaceChildren(...list.length ? [hint, table] : [noteOfNone()]);
 }

@@ -135,7 +135,7 @@ export function drawHours() {
     const counts = new Array(24).fill(0);
     for (const {event, how} of hits()) ++counts[wallIn(event, how.at).getUTCHours()];
     const most = Math.max(1, ...counts);
-    const scale = element('b', '', many(most, 'event'));
+    const scale = element('b', '', 'most: ' + many(most, 'event'));
     at('hours').replaceChildren(scale, ...counts.map((count, hour) => {
         const column = element('span');
         const bar = element('i');
@@ -159,7 +159,7 @@ export function drawTools() {
     const {tool, view, drawn, place} = state;
     for (const [id, kind] of tools) press(at(id), view === 'scene' && tool === kind);
     surface.classList.toggle('active', tool !== null);
-    const whichCamera = sceneCamera() === null ? 'Which camera? ' : '';
+    const whichCamera = sceneCamera() === null ? 'Choose a camera. ' : '';
     at('scenehint').textContent = drawn ? 'Arrow keys move an end, Tab goes to the other one, Enter searches.'
         : tool && !place ? whichCamera + hints[tool]
         : whichCamera || (place ? '' : 'Warm colours show where most went on. Search by area, or draw a line, to ask who was where.');

@@ -47,7 +47,9 @@ export class Tile {
     takeShape() {
         const columns = Math.max(1, Math.min(this.count, data.sheet_columns));
         const rows = Math.max(1, Math.ceil(this.count / columns));
-        this.window.style.aspectRatio = `${this.image.naturalWidth / columns} / ${this.image.naturalHeight / rows}`;
+        const shape = this.image.naturalWidth / columns / (this.image.naturalHeight / rows);
+        this.window.style.aspectRatio = String(shape);
+        this.window.style.setProperty('--shape', String(shape));
     }
 
     /** @param {number} place of the picture on the sheet */

@@ -56,16 +56,21 @@ export function trailOf(sections, event, time) {
     return points;
 }
 
+/** @typedef {{left: number, top: number, right: number, bottom: number}} Box */
+
+/** @type {(a: Box, b: Box) => boolean} */
+export const overlap = (a, b) => a.right > b.left && b.right > a.left && a.bottom > b.top && b.bottom > a.top;
+
 /**
  * Keeps those boxes that have room: each that overlaps none that was kept before it.
- * @param {{left: number, top: number, right: number, bottom: number}[]} boxes the most important first
+ * @param {Box[]} boxes the most important first
  * @returns {boolean[]}
  */
 export function roomFor(boxes) {
-    /** @type {typeof boxes} */
+    /** @type {Box[]} */
     const kept = [];
     return boxes.map(box => {
-        const free = kept.every(other => box.right <= other.left || other.right <= box.left || box.bottom <= other.top || other.bottom <= box.top);
+        const free = !kept.some(other => overlap(box, other));
         if (free) kept.push(box);
         return free;
     });

@@ -14,7 +14,7 @@ const drawing = at('drawing', SVGSVGElement);
 const tools = [['askbox', 'box'], ['askline', 'line']];
 const hints = {box: 'Draw a rectangle on the player: what was in it is listed.', line: 'Draw a line on the player: what crossed it is listed.'};
 
-const keyHint = 'Arrow keys move an end, Tab goes to the other one, Enter searches.';
+const keyHint = 'Arrows move an end, Tab goes to the other, Enter searches.';
 
 /**
  * Lets the next drag on the player draw; the same button again ends that.

@@ -113,7 +113,7 @@ function save(blob, {image, frame, from}) {
     const whole = from === '' && size.every((side, k) => Math.abs(side - data.size[k]) <= 1);
     const name = stillName(data, time, frame, whole ? '.png' : '.preview.png');
     download(blob, name);
-    const fullSize = at('copystill', HTMLButtonElement).disabled ? '' : ' “Copy still command” gives the clip’s own frame.';
+    const fullSize = at('copystill', HTMLButtonElement).disabled ? '' : ' “Copy command for this frame” gives the clip’s own frame.';
     const other = frame === now ? '' : ` It is the frame at ${time.clockOf(time.secondsOf(frame))}.`;
     tell(whole ? `Saved ${name}, ${size.join('×')}, as in the clip`
         : `Saved ${name}: ${size.join('×')} of the clip’s ${data.size.join('×')}, from ${from || 'the player'}.${other}${fullSize}`);

@@ -3,7 +3,7 @@
 
 import {appendShape, at, element} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
-import {pointIn, roomFor, sectionAt, trailOf} from './arc.js';
+import {overlap, pointIn, roomFor, sectionAt, trailOf} from './arc.js';
 import {numberOf, pointAt} from './events.js';
 import {litEvents} from './picture.js';
 import {pictureSize, state} from './state.js';
@@ -122,15 +122,26 @@ function noteBox(/** @type {{text: string, at: number[], out: number[]}} */ {tex
     return {left: x - wide / 2, right: x + wide / 2, top: y - high / 2, bottom: y + high / 2, x, y};
 }
 
-function notes() {
-    const all = state.data.overlay.notes;
-    const boxes = all.map(noteBox);
-    const kept = roomFor(boxes);
+/** The boxes of portraits with their captions, and of the map, in pixels of the screen: no note lies on them. */
+function picturesOver() {
+    const {portraits, captions, map} = state.data.overlay;
     const scale = scaleNow();
-    return all.filter((_, k) => kept[k]).map(({text}, k) => {
-        const {x, y} = boxes.filter((_, other) => kept[other])[k];
-        return textAt('note', text, [x / scale / width, y / scale / height]);
-    });
+    const boxes = [...portraits.map(({box}) => [box[0], box[1] - captions, box[2], box[3]]), ...map ? [map.box] : []];
+    return boxes.map(box => box.map(value => value * scale)).map(([left, top, right, bottom]) => ({left, top, right, bottom}));
+}
+
+/** The times along the axis, beside it; within it where a picture lies there; none where there is no room. */
+function notes() {
+    const taken = picturesOver();
+    const scale = scaleNow();
+    const made = [];
+    for (const note of state.data.overlay.notes) {
+        const box = [note, {...note, out: note.out.map(value => -value)}].map(noteBox).find(one => !taken.some(other => overlap(one, other)));
+        if (!box) continue;
+        taken.push(box);
+        made.push(textAt('note', note.text, [box.x / scale / width, box.y / scale / height]));
+    }
+    return made;
 }
 
 /** The numbers of the events where their trails begin, as many as have room. */

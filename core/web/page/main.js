@@ -30,13 +30,13 @@ function drawNames() {
 
 function drawSummary() {
     const {data, time} = state;
-    const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
-    const span = `${time.clockOf(time.begins, false)} to ${time.clockOf(time.ends, false)}, ${frames}`;
     const seen = time.secondsSeen();
     const lost = time.gaps.length ? ` of video, no signal for ${spanOf(time.ends - time.begins - seen)}` : '';
-    const zone = data.clock?.zone ? ', ' + data.clock.zone : '';
-    at('summary').textContent = data.clock === null ? `${span}, ${spanOf(seen)}${lost}; ${data.told}`
-        : `${time.dayOf(time.begins)}, ${span}, ${spanOf(seen)}${lost}; times are of the day${zone}, ${data.told}`;
+    const span = `${time.clockOf(time.begins, false)} to ${time.clockOf(time.ends, false)}, ${spanOf(seen)}${lost}`;
+    const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
+    const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';
+    at('summary').textContent = data.clock === null ? `${span}, ${frames}; ${data.told}`
+        : `${time.dayOf(time.begins)}, ${span}, ${frames}; times${zone}, ${data.told}`;
 }
 
 /** The players have the shape of the clip. */
@@ -124,8 +124,13 @@ addEventListener('hashchange', followAddress);
 const dark = matchMedia('(prefers-color-scheme: dark)');
 dark.addEventListener('change', ({matches}) => set({dark: matches}));
 // Paper is light: what is not chosen is veiled in its colour.
-addEventListener('beforeprint', () => set({dark: false}));
-addEventListener('afterprint', () => set({dark: dark.matches}));
+// Its width, in pixels of the screen, decides which texts have room.
+const paperWidth = 700;
+addEventListener('beforeprint', () => set({dark: false, stageWidth: paperWidth, stripWidth: paperWidth}));
+addEventListener('afterprint', () => {
+    set({dark: dark.matches, stripWidth: strip.clientWidth});
+    drawStage();
+});
 takeKeptState();
 followStream();
 performance.mark('usable');

@@ -77,7 +77,9 @@ const groundOf = () => state.ground ?? (state.dark ? [30, 34, 39] : [255, 255, 2
 export const paleOf = ([red, green, blue] = groundOf()) => colour(red, green, blue, 215);
 
 export function drawGround() {
+    const [red, green, blue] = state.ground ?? [0, 0, 0];
     at('view').classList.toggle('clear', state.ground === null);
+    at('view').classList.toggle('light', state.ground !== null && red + green + blue > 3 * 128);
     at('view').style.backgroundColor = state.ground ? `rgb(${state.ground})` : '';
 }
 
