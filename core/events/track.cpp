@@ -246,6 +246,8 @@ void Track::add_part(const Track& part) {
     stay_.place = patch_.centre;
     stay_.box = patch_.box;
     settled_->patch = patch_;
+    // What has been seen so far counts: a scrap may come when somebody bends down to the thing.
+    if (still_.box().contains(patch_.box)) return;
     still_ = StillPicture(patch_, field_);
     portrait_.reset();
     portrait_due_ = 0;
