@@ -15,6 +15,7 @@
 #include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/video/input.h"
+#include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::options {
@@ -253,13 +254,31 @@ std::span<const std::string> CommandLine::parsed() const {
 }
 
 /// The camera of the first input, which need not be that of an archive: it may have more folders in front.
+namespace {
+
+/// A clip in a folder or below it, whose folders may name the camera; a name for one where there is none.
+std::filesystem::path first_clip_in(std::filesystem::path path) {
+    std::error_code none;
+    constexpr int deepest = 16;
+    for (int depth = 0; depth < deepest && std::filesystem::is_directory(path, none); ++depth) {
+        std::filesystem::path first;
+        for (const auto& entry : std::filesystem::directory_iterator(path, none)) {
+            const bool is_wanted = entry.is_directory(none) || video::is_video_name(entry.path().filename().string());
+            if (is_wanted && (first.empty() || entry.path() < first)) first = entry.path();
+        }
+        path = first.empty() ? path / "clip" : first;
+    }
+    return path;
+}
+
+}  // namespace
+
 std::string CommandLine::camera_of_input(const std::vector<std::string>& patterns) const {
     const std::vector<std::string> inputs = impl_->app.get_option("INPUT")->results();
     if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
     std::error_code none;
-    std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
-    if (std::filesystem::is_directory(path, none)) path /= "clip";
-    return video::RecorderNames(patterns).camera_of(path.string());
+    const std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
+    return video::RecorderNames(patterns).camera_of(first_clip_in(path).string());
 }
 
 void CommandLine::refuse_unknown_camera() const {

@@ -78,14 +78,15 @@ std::optional<double> unit_seconds(std::string_view text) {
     return std::nullopt;
 }
 
-/// `02:00` or `02:00:30`, in seconds since midnight.
+/// `02:00`, `2:00` or `02:00:30`, in seconds since midnight.
 std::optional<std::int64_t> time_of_day(std::string_view text) {
     const auto parts = split(text, ':');
     if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
     std::int64_t seconds = 0;
     for (const std::string_view part : parts) {
         const bool hours = part.data() == parts.front().data();
-        const auto value = part.size() == 2 ? number<int>(part) : std::nullopt;
+        const bool sized = part.size() == 2 || (hours && part.size() == 1);
+        const auto value = sized ? number<int>(part) : std::nullopt;
         if (!value || *value < 0 || *value > (hours ? 23 : 59)) return std::nullopt;
         seconds = seconds * 60 + *value;
     }

@@ -108,7 +108,8 @@ FrameSpan resolve(FrameSpan span, const WallClock& known, const VideoInfo& info)
 std::string day_times_of(const FrameSpan& span, const WallClock& clock, const VideoInfo& info) {
     if (!clock || (span.start <= 0 && !span.end)) return {};
     std::string text = on_clock(*clock, span.start);
-    if (span.end) {
+    const bool is_cut = span.end && (info.duration <= 0 || *span.end < info.duration);
+    if (is_cut) {
         text += fmt::format(" to {}", on_clock(*clock, *span.end));
     } else if (info.duration > span.start) {
         text += fmt::format(" to the end at {}", on_clock(*clock, info.duration));

@@ -163,6 +163,12 @@ threshold = 70
     for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70")):
         t.render(clip, *config, *arguments, "--report", "r.json").expect(0)
         check(json.loads(t.path("r.json").read_text())["settings"]["threshold"] == expected, f"{arguments}")
+    # So has a folder of one camera, whose clips lie deeper.
+    for folder in ("in/house/gate", "tree"):
+        t.path("tree/gate/2026-11-21").mkdir(parents=True, exist_ok=True)
+        t.clip("tree/gate/2026-11-21/20-30-00.avi", seconds=1)
+        t.render(folder, *config, "--report", "r.json").expect(0)
+        check(json.loads(t.path("r.json").read_text())["settings"]["threshold"] == "41", folder)
     t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
     t.render(clip, "--camera-name", "gate").expect(1, "[camera.gate]", code="option-value")
     said = t.vvr("config", "archive", "--camera-name", "gate", *config).expect(0, out=None).out
