@@ -35,6 +35,20 @@ double interpolate(const bricks::Volume& volume, const glm::dvec3& c) {
     return value;
 }
 
+/// What is seen at the centre of a pixel, from the nearest to the farthest point.
+struct Ray {
+    glm::dvec3 begin;
+    glm::dvec3 way;
+
+    Ray(int i, int j, Size picture, const glm::dmat4& p_from_clip) {
+        const glm::dvec2 at = {(i + 0.5) / picture.width * 2 - 1, 1 - (j + 0.5) / picture.height * 2};
+        const glm::dvec4 near = p_from_clip * glm::dvec4(at, -1, 1);
+        const glm::dvec4 far = p_from_clip * glm::dvec4(at, 1, 1);
+        begin = glm::dvec3(near) / near.w;
+        way = glm::dvec3(far) / far.w - begin;
+    }
+};
+
 std::vector<double> sorted_differences(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b) {
     if (a.size() != b.size() || a.empty()) throw std::logic_error("the pictures differ in size or are empty");
     std::vector<double> differences;
@@ -56,11 +70,7 @@ Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& la
     Plane<glm::vec4> result(picture);
     for (int j = 0; j < picture.height; ++j) {
         for (int i = 0; i < picture.width; ++i) {
-            const glm::dvec2 at = {(i + 0.5) / picture.width * 2 - 1, 1 - (j + 0.5) / picture.height * 2};
-            const glm::dvec4 near = p_from_clip * glm::dvec4(at, -1, 1);
-            const glm::dvec4 far = p_from_clip * glm::dvec4(at, 1, 1);
-            const glm::dvec3 begin = glm::dvec3(near) / near.w;
-            const glm::dvec3 way = glm::dvec3(far) / far.w - begin;
+            const auto [begin, way] = Ray(i, j, picture, p_from_clip);
             const double length = glm::length(way);
 
             glm::dvec3 colour{0};
@@ -79,6 +89,13 @@ Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& la
     return result;
 }
 
+glm::dvec3 c_of_pixel(int i, int j, double depth, const space::Camera& camera, const space::Layout& layout,
+                      Size picture) {
+    const auto [begin, way] = Ray(i, j, picture, glm::inverse(camera.clip_from_p()));
+    const double share = (depth - glm::dot(begin - camera.eye, camera.forward)) / glm::dot(way, camera.forward);
+    return layout.c_from_p(begin + share * way);
+}
+
 double mean_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b) {
     double sum = 0;
     const std::vector<double> differences = sorted_differences(a, b);
@@ -93,6 +110,10 @@ double quantile_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b,
 
 double max_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b) {
     return sorted_differences(a, b).back();
+}
+
+double max_contrast(const Plane<glm::vec4>& picture) {
+    return max_difference(picture, Plane<glm::vec4>(picture.size(), glm::vec4(1)));
 }
 
 }  // namespace vvr::test

@@ -14,6 +14,10 @@ Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& la
                            const scene::TransferFunction& transfer, const space::Camera& camera, Size picture,
                            const glm::dvec3& background, double step);
 
+/// Where in C-space something lies that is seen at the centre of a pixel, `depth` along the view direction.
+glm::dvec3 c_of_pixel(int i, int j, double depth, const space::Camera& camera, const space::Layout& layout,
+                      Size picture);
+
 /// Mean absolute difference of the colour channels in 1/255.
 double mean_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b);
 
@@ -22,5 +26,8 @@ double quantile_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b,
 
 /// The largest difference of the colour channels in 1/255.
 double max_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b);
+
+/// The largest difference from an empty picture, which is white.
+double max_contrast(const Plane<glm::vec4>& picture);
 
 }  // namespace vvr::test

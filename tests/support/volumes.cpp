@@ -2,24 +2,13 @@
 
 #include <cmath>
 
+#include "tests/support/fields.h"
+#include "tests/support/planes.h"
+
 namespace vvr::test {
 
-namespace {
-
-fields::Field field_of(int index, Plane<std::uint8_t> scalar) {
-    fields::Field field;
-    field.index = index;
-    field.pts = index / 25.0;
-    field.scalar = std::move(scalar);
-    return field;
-}
-
-}  // namespace
-
 bricks::Volume full_volume(Size size, int layers) {
-    bricks::Volume volume(size, {std::max(layers, 2)});
-    for (int i = 0; i < layers; ++i) volume.add(field_of(i, Plane<std::uint8_t>(size, 255)));
-    return volume;
+    return even_volume(size, layers, 255);
 }
 
 bricks::Volume wandering_balls(Size size, int layers) {
@@ -47,11 +36,7 @@ bricks::Volume wandering_balls(Size size, int layers) {
 }
 
 Plane<std::uint8_t> whole(const bricks::SparsePlane& sparse) {
-    Plane<std::uint8_t> plane(sparse.size());
-    for (int j = 0; j < plane.height(); ++j) {
-        for (int i = 0; i < plane.width(); ++i) plane.at(i, j) = sparse.at(i, j);
-    }
-    return plane;
+    return plane_of<std::uint8_t>(sparse.size(), [&](int i, int j) { return sparse.at(i, j); });
 }
 
 Drawn draw_volume(const bricks::Volume& volume, Shot shot) {

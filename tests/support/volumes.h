@@ -28,6 +28,12 @@ struct Shot {
 struct Drawn {
     Plane<glm::vec4> picture;
     space::Camera camera;
+
+    /// The pixel at which a point in P-space is seen.
+    glm::vec4 at(const glm::dvec3& p) const {
+        const glm::dvec2 pixel = camera.pixel(p, picture.size());
+        return picture.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+    }
 };
 
 Drawn draw_volume(const bricks::Volume& volume, Shot shot);
