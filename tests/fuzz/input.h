@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -9,19 +7,17 @@
 
 #include "core/base/error.h"
 
-// What the harnesses share. Each defines LLVMFuzzerTestOneInput, which libFuzzer calls, and drive.cpp where there is no
-// libFuzzer. A crash, an exception that is no Error, or something that does not hold ends the program.
+// What the harnesses share. A crash, an exception that is no Error, or something that does not hold ends the program.
 namespace vvr::fuzz {
+
+/// What a harness does with an input. Each defines it.
+void check(std::string_view input);
 
 /// Ends the program where something does not hold that has to hold for every input.
 inline void require(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %s\n", what);
     std::abort();
-}
-
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
-    return {reinterpret_cast<const char*>(data), size};
 }
 
 /// What a parser makes of an input; nothing where it refuses it with an Error that says something of the input.
@@ -39,5 +35,3 @@ auto parsed(Parse parse) -> std::optional<decltype(parse())> {
 }
 
 }  // namespace vvr::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

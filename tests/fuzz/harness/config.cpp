@@ -8,8 +8,7 @@
 #include "cli/options/config_file.h"
 #include "tests/fuzz/input.h"
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace vvr;
+void vvr::fuzz::check(std::string_view input) {
     CLI::App app;
     std::string text;
     double number = 0;
@@ -27,14 +26,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     options::CameraSections cameras;
     const auto find_camera = [](const std::vector<std::string>&) { return std::string("gate"); };
     app.config_formatter(options::config_file_reader(app, "render", "vvr.toml", commands, find_camera, cameras));
-    std::istringstream input{std::string(fuzz::text_of(data, size))};
+    std::istringstream stream{std::string(input)};
     try {
-        fuzz::parsed([&] {
-            app.parse_from_stream(input);
-            return 0;
+        parsed([&] {
+            app.parse_from_stream(stream);
+            return true;
         });
     } catch (const CLI::ParseError&) {
-        return 0;
+        return;
     }
-    return 0;
 }

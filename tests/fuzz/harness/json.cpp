@@ -4,11 +4,9 @@
 #include "core/base/json_text.h"
 #include "tests/fuzz/input.h"
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace vvr;
-    const nlohmann::ordered_json json = parse_json(fuzz::text_of(data, size));
-    if (json.is_discarded()) return 0;
+void vvr::fuzz::check(std::string_view input) {
+    const nlohmann::ordered_json json = parse_json(input);
+    if (json.is_discarded()) return;
     const std::string text = json_text(json);
-    fuzz::require(json_text(parse_json(text)) == text, "JSON is read as it is written");
-    return 0;
+    require(json_text(parse_json(text)) == text, "JSON is read as it is written");
 }

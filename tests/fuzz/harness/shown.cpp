@@ -4,18 +4,15 @@
 #include "core/base/text.h"
 #include "tests/fuzz/input.h"
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace vvr;
-    const std::string_view text = fuzz::text_of(data, size);
+void vvr::fuzz::check(std::string_view text) {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
     const std::string shown = shown_text(text);
-    fuzz::require(std::ranges::none_of(shown, is_control), "nothing controls a terminal");
-    fuzz::require(shown.find("\xe2\x80\xae") == std::string::npos, "nothing turns the direction");
+    require(std::ranges::none_of(shown, is_control), "nothing controls a terminal");
+    require(shown.find("\xe2\x80\xae") == std::string::npos, "nothing turns the direction");
     for (std::string_view rest = shown; !rest.empty();) {
         const auto character = first_character(rest);
-        fuzz::require(character.has_value(), "what is shown is UTF-8");
+        require(character.has_value(), "what is shown is UTF-8");
         rest.remove_prefix(character->length);
     }
-    fuzz::require(redact_secrets(text).size() <= text.size(), "secrets are left out");
-    return 0;
+    require(redact_secrets(text).size() <= text.size(), "secrets are left out");
 }
