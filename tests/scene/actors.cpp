@@ -34,9 +34,9 @@ class Happening final : public Story {
             Plane<std::uint8_t> mask(hall_.size());
             Canvas canvas(nullptr, &mask);
             actor.paint(canvas, frame);
-            const Point next = actor.middle(frame + 1).value_or(*middle);
-            truth.objects.push_back({actor.name, middle->x * scale_, middle->y * scale_, (next.x - middle->x) * scale_,
-                                     (next.y - middle->y) * scale_, std::move(mask)});
+            const Point at = *middle * scale_;
+            const Point way = (actor.middle(frame + 1).value_or(*middle) - *middle) * scale_;
+            truth.objects.push_back({actor.name, at.x, at.y, way.x, way.y, std::move(mask)});
         }
         return truth;
     }
@@ -67,7 +67,7 @@ Figure figure_of(const Options& options, const Person& who, double frame) {
     const Point feet = *who.feet(frame);
     const Point next = who.feet(frame + 1).value_or(feet);
     const double speed = std::abs(next.x - feet.x);
-    return {.feet = {feet.x * scale, feet.y * scale},
+    return {.feet = feet * scale,
             .height = person * scale,
             .stride = feet.x / (0.8 * person) * 2 * std::numbers::pi,
             .facing = next.x < feet.x ? -1.0 : 1.0,
@@ -81,8 +81,7 @@ Actor walker(std::string name, const Options& options, Person who) {
     return {std::move(name),
             [feet = who.feet](double frame) -> std::optional<Point> {
                 const auto at = feet(frame);
-                if (!at) return std::nullopt;
-                return Point{at->x, at->y - person / 2};
+                return at ? std::optional(*at - Point{0, person / 2}) : std::nullopt;
             },
             [=](Canvas& canvas, double frame) { paint_figure(canvas, figure_of(options, who, frame)); }};
 }
@@ -113,9 +112,8 @@ Way at_place(Point place, Interval there) {
 Actor box(std::string name, const Options& options, Way middle, Point half, Colour colour, int stripes) {
     const double scale = scale_of(options);
     return {std::move(name), middle, [=](Canvas& canvas, double frame) {
-                const Point at = *middle(frame);
-                const Point m{at.x * scale, at.y * scale};
-                const Point h{half.x * scale, half.y * scale};
+                const Point m = *middle(frame) * scale;
+                const Point h = half * scale;
                 const auto distance = [=](Point p) {
                     const double whole = round_box(p, m, h, scale);
                     if (stripes == 0) return whole;
@@ -123,7 +121,7 @@ Actor box(std::string name, const Options& options, Way middle, Point half, Colo
                     const double part = (p.y - m.y + h.y) / (2 * h.y) * (2 * stripes - 1);
                     return static_cast<int>(std::floor(part)) % 2 != 0 ? 1.0 : whole;
                 };
-                canvas.paint(m, h.x + h.y, distance, [=](Point) { return colour; });
+                canvas.paint(m, h.x + h.y, distance, colour);
             }};
 }
 

@@ -1,10 +1,7 @@
 // Scenes of people who wait, and of what they put down.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "tests/scene/actors.h"
 
@@ -31,9 +28,7 @@ Actor carried_bag(const Options& options, const Person& bringer, const Person& t
     return {"bag",
             [=](double frame) -> std::optional<Point> {
                 const auto at = handle_at(frame);
-                if (!at) return std::nullopt;
-                const Point middle = middle_of_bag(*at, tall);
-                return Point{middle.x / scale, middle.y / scale};
+                return at ? std::optional(middle_of_bag(*at, tall) * (1 / scale)) : std::nullopt;
             },
             [=](Canvas& canvas, double frame) { paint_bag(canvas, *handle_at(frame), tall); }};
 }
@@ -57,12 +52,8 @@ Scene make_waits_early(const Options& options) {
                           {walker("person", options, {with_stop(90, comes, goes, 1.2, 118), 9, -1, sway})});
 }
 
-Interval stand_from_first() {
-    return {0, 250};
-}
-
 Scene make_people_from_first(const Options& options, int frames) {
-    const int goes = stand_from_first().last;
+    constexpr int goes = 250;
     return make_happening(options, frames,
                           {walker("person 0", options, {with_stop(40, -1, goes, -1.1, 112), 3, -1, sway}),
                            walker("person 1", options, {with_stop(96, -1, goes + 12, 1.0, 122), 8, -1, sway}),
@@ -79,7 +70,7 @@ Scene make_faint_bag(const Options& options) {
     const Point middle{72, 108};
     const Actor bag{"bag", at_place(middle, faint_bag_stands()),
                     [=, hall = paint_hall(options.size, options.seed, options.detail)](Canvas& canvas, double) {
-                        const Point m{middle.x * scale, middle.y * scale};
+                        const Point m = middle * scale;
                         const Point half{8 * scale, 10 * scale};
                         const auto paler = [](std::uint8_t value) { return std::min(1.0, (value + levels) / 255); };
                         canvas.paint(

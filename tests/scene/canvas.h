@@ -12,6 +12,10 @@ namespace vvr::generator {
 struct Point {
     double x = 0;
     double y = 0;
+
+    friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+    friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+    friend Point operator*(Point point, double factor) { return {point.x * factor, point.y * factor}; }
 };
 
 /// Blue, green, red as fractions of white.
@@ -73,6 +77,18 @@ class Canvas {
                 if (picture_) blend(picture_->at(i, j), colour(p), cover);
                 if (mask_ && strength == 1 && cover >= 0.5) mask_->at(i, j) = 255;
             }
+    }
+
+    /// The same of one colour.
+    template <std::regular_invocable<Point> Distance>
+    void paint(Point middle, double reach, const Distance& distance, Colour colour, double strength = 1) {
+        paint(
+            middle, reach, distance, [=](Point) { return colour; }, strength);
+    }
+
+    void paint_disc(Point middle, double radius, Colour colour) {
+        paint(
+            middle, radius + 1, [=](Point p) { return limb(p, middle, middle, radius, radius); }, colour);
     }
 
   private:

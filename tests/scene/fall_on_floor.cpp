@@ -3,15 +3,13 @@
 #include <numbers>
 #include <optional>
 
-#include "tests/scene/figure.h"
-#include "tests/scene/scene.h"
+#include "tests/scene/hall_story.h"
 
 namespace vvr::generator {
 namespace {
 
-// The story's own frames and pixels: 600 frames of 384x288. Other options scale both.
+// The story's own frames and pixels: 600 frames of 384x288.
 constexpr double story_frames = 600;
-constexpr double story_height = 288;
 constexpr double speed = 1.6;  // pixels per frame
 constexpr double place = 150;  // where the person falls
 constexpr double outside = 50;
@@ -22,14 +20,9 @@ constexpr double gets_up = 360;
 constexpr double goes = gets_up + 40;
 constexpr double flat = std::numbers::pi / 2;
 
-class FallStory final : public Story {
+class FallStory final : public HallStory {
   public:
-    explicit FallStory(const Options& options)
-        : time_scale_(story_frames / options.frames),
-          scale_(options.size.height / story_height),
-          width_(options.size.width / scale_),
-          hall_(paint_hall(options.size, options.seed, options.detail)),
-          seed_(options.seed) {}
+    explicit FallStory(const Options& options) : HallStory(options, story_frames) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -66,9 +59,6 @@ class FallStory final : public Story {
     }
 
   private:
-    double height() const { return 92 * scale_; }
-    double floor() const { return 236 * scale_; }
-
     /// Nothing while nobody is to be seen.
     std::optional<Figure> figure_at(double now) const {
         if (now < enters) return std::nullopt;
@@ -91,28 +81,17 @@ class FallStory final : public Story {
     Figure tipped(double part) const {
         return {{place * scale_, floor()}, height(), 0, 1, 1 - part, 0, part * flat, seed_ + 5};
     }
-
-    double time_scale_;
-    double scale_;
-    double width_;
-    Plane<Bgr> hall_;
-    std::uint64_t seed_;
 };
-
-Options with_frames(Options options) {
-    if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
-    return options;
-}
 
 }  // namespace
 
 Scene make_fall_on_floor(const Options& options) {
-    const auto all = with_frames(options);
+    const auto all = with_frames(options, story_frames);
     return {all, std::make_shared<FallStory>(all)};
 }
 
 FallOnFloor fall_on_floor_facts(const Options& options) {
-    return FallStory(with_frames(options)).facts();
+    return FallStory(with_frames(options, story_frames)).facts();
 }
 
 }  // namespace vvr::generator

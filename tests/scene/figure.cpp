@@ -51,7 +51,7 @@ Joints joints_of(const Figure& figure) {
         joints.hand[side] = away(joints.elbow[side], reach + 0.2 + 0.1 * figure.bow, arm * h, figure.facing);
     }
     const auto tip = [&](Point& p) {
-        const Point d{p.x - figure.feet.x, p.y - figure.feet.y};
+        const Point d = p - figure.feet;
         const double angle = figure.facing * figure.fall;
         p = {figure.feet.x + std::cos(angle) * d.x - std::sin(angle) * d.y,
              figure.feet.y + std::sin(angle) * d.x + std::cos(angle) * d.y};
@@ -76,12 +76,7 @@ void paint_shadow(Canvas& canvas, Point feet, double width) {
     const auto distance = [&](Point p) {
         return (std::hypot((p.x - feet.x) / width, (p.y - feet.y) / (0.22 * width)) - 1) * 0.22 * width;
     };
-    canvas.paint(
-        feet, width, distance,
-        [](Point) {
-            return Colour{0.08, 0.08, 0.08};
-        },
-        0.35);
+    canvas.paint(feet, width, distance, Colour{0.08, 0.08, 0.08}, 0.35);
 }
 
 void paint_figure(Canvas& canvas, const Figure& figure) {
@@ -122,8 +117,7 @@ void paint_figure(Canvas& canvas, const Figure& figure) {
     leg(1, 0.7);
     leg(0, 1);
     const Point waist{joints.hip.x, joints.hip.y - 0.01 * h};
-    const Point chest{joints.shoulder.x + (joints.hip.x - joints.shoulder.x) * 0.12,
-                      joints.shoulder.y + (joints.hip.y - joints.shoulder.y) * 0.12};
+    const Point chest = joints.shoulder + (joints.hip - joints.shoulder) * 0.12;
     part(waist, chest, 0.082, 0.096, coat);
     part(joints.shoulder, joints.head, 0.034, 0.034, skin * 0.8);
     part(joints.head, joints.head, 0.070, 0.070, skin);
@@ -144,14 +138,10 @@ void paint_bag(Canvas& canvas, Point handle, double height) {
     const Point half{0.13 * height, 0.09 * height};
     const Colour red{0.10, 0.14, 0.62};
     const Point top{handle.x, middle.y - half.y};
-    canvas.paint(
-        top, 0.1 * height,
-        [&](Point p) {
-            return std::abs(std::hypot(p.x - top.x, (p.y - top.y) * 1.2) - 0.06 * height) - 0.011 * height;
-        },
-        [](Point) {
-            return Colour{0.05, 0.05, 0.08};
-        });
+    const auto ring = [&](Point p) {
+        return std::abs(std::hypot(p.x - top.x, (p.y - top.y) * 1.2) - 0.06 * height) - 0.011 * height;
+    };
+    canvas.paint(top, 0.1 * height, ring, Colour{0.05, 0.05, 0.08});
     canvas.paint(
         middle, half.x + 1, [&](Point p) { return round_box(p, middle, half, 0.025 * height); },
         [&](Point p) {

@@ -1,8 +1,6 @@
 #include "tests/scene/happenings.h"
 
-#include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -86,7 +84,7 @@ Scene make_train(const Options& options) {
         return x > story_width + 70 || x < -70 ? std::nullopt : std::optional(Point{x, 62});
     };
     const Actor train{"train", middle, [=](Canvas& canvas, double frame) {
-                          const Point m{middle(frame)->x * scale, middle(frame)->y * scale};
+                          const Point m = *middle(frame) * scale;
                           const Point half{70 * scale, 26 * scale};
                           const auto distance = [=](Point p) {
                               const double x = (p.x - m.x) / scale;
@@ -97,7 +95,7 @@ Scene make_train(const Options& options) {
                               const bool gap = std::abs(x - 14) < 2;  // between two cars
                               return window || gap ? 1.0 : body;
                           };
-                          canvas.paint(m, half.x + half.y, distance, [](Point) { return Colour{0.75, 0.55, 0.2}; });
+                          canvas.paint(m, half.x + half.y, distance, Colour{0.75, 0.55, 0.2});
                       }};
     return make_happening(options, 500, {train, walker("person", options, {across(150, 1.2, 130), 7})});
 }
@@ -132,11 +130,8 @@ Scene make_rain(const Options& options) {
                              const std::uint64_t drop = seed * 7919 + static_cast<std::uint64_t>(frame) * 131 + k * 3;
                              const Point top{unit(drop) * story_width * scale, unit(drop + 1) * story_height * scale};
                              const Point foot{top.x + 1, top.y + 9 * scale};
-                             canvas.paint(
-                                 top, 12 * scale, [&](Point p) { return limb(p, top, foot, 0.8, 0.8); },
-                                 [](Point) {
-                                     return Colour{0.8, 0.8, 0.8};
-                                 });
+                             const auto streak = [&](Point p) { return limb(p, top, foot, 0.8, 0.8); };
+                             canvas.paint(top, 12 * scale, streak, Colour{0.8, 0.8, 0.8});
                          }
                      }};
     return make_happening(options, 250, {walker("person", options, {across(20, 1.2, 116), 2}), rain});
@@ -185,8 +180,7 @@ Scene make_comes_closer(const Options& options) {
                                 return Point{at->x, at->y - height(frame) / 2};
                             },
                             [=](Canvas& canvas, double frame) {
-                                const Point at = *feet(frame);
-                                const Point floor{at.x * scale, at.y * scale};
+                                const Point floor = *feet(frame) * scale;
                                 const double tall = height(frame) * scale;
                                 paint_shadow(canvas, floor, 0.26 * tall);
                                 paint_figure(canvas, {.feet = floor,

@@ -91,7 +91,6 @@ Scene make_waits_early(const Options& options = {});
 
 /// Three people stand from the first frame on, and walk away after ten seconds. Objects "person 0" to "person 2".
 Scene make_people_from_first(const Options& options, int frames);
-Interval stand_from_first();
 
 /// Somebody puts down a bag that is 30 grey levels paler than the floor, and leaves. Objects "person" and "bag". 450
 /// frames.

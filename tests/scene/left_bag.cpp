@@ -3,16 +3,14 @@
 #include <optional>
 #include <utility>
 
-#include "tests/scene/figure.h"
-#include "tests/scene/scene.h"
+#include "tests/scene/hall_story.h"
 
 namespace vvr::generator {
 namespace {
 
-// The stories' own frames and pixels: 1600 or 800 frames of 384x288. Other options scale both.
+// The stories' own frames and pixels: 1600 or 800 frames of 384x288.
 constexpr double bag_frames = 1600;
 constexpr double box_frames = 800;
-constexpr double story_height = 288;
 constexpr double speed = 1.3;  // pixels per frame
 constexpr double place = 205;  // where the person stops
 constexpr double outside = 40;
@@ -29,15 +27,10 @@ constexpr double turns_away = turns_back + (beyond + before) / speed;
 
 enum class Ending { taken_up, left };
 
-class LeftBagStory final : public Story {
+class LeftBagStory final : public HallStory {
   public:
     LeftBagStory(const Options& options, Ending ending)
-        : ending_(ending),
-          time_scale_((ending == Ending::left ? box_frames : bag_frames) / options.frames),
-          scale_(options.size.height / story_height),
-          width_(options.size.width / scale_),
-          hall_(paint_hall(options.size, options.seed, options.detail)),
-          seed_(options.seed) {}
+        : HallStory(options, ending == Ending::left ? box_frames : bag_frames), ending_(ending) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -97,8 +90,6 @@ class LeftBagStory final : public Story {
     }
 
   private:
-    double height() const { return 92 * scale_; }
-    double floor() const { return 236 * scale_; }
     double arrives() const { return comes_back + (width_ + outside - place) / speed; }
     double takes_up() const { return arrives() + 15; }
 
@@ -158,17 +149,7 @@ class LeftBagStory final : public Story {
     }
 
     Ending ending_;
-    double time_scale_;
-    double scale_;
-    double width_;
-    Plane<Bgr> hall_;
-    std::uint64_t seed_;
 };
-
-Options with_frames(Options options, double story_frames) {
-    if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
-    return options;
-}
 
 }  // namespace
 

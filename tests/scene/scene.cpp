@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "tests/scene/camera.h"
 #include "tests/scene/happenings.h"
-#include "tests/scene/shaken.h"
 #include "tests/scene/texture.h"
 
 namespace vvr::generator {
@@ -37,6 +38,18 @@ constexpr std::array table{
     Entry{"crowd", make_crowd},
     Entry{"clock", make_clock}};
 
+class Told final : public Story {
+  public:
+    Told(std::function<Plane<Bgr>(int)> paint, std::function<Truth(int)> truth)
+        : paint_(std::move(paint)), truth_(std::move(truth)) {}
+    Plane<Bgr> paint(int frame) const override { return paint_(frame); }
+    Truth truth(int frame) const override { return truth_(frame); }
+
+  private:
+    std::function<Plane<Bgr>(int)> paint_;
+    std::function<Truth(int)> truth_;
+};
+
 /// Four even numbers added up are close to normal, and a sum of bits of one hash is cheap.
 double normal(std::uint64_t value) {
     const std::uint64_t bits = hash(value);
@@ -60,6 +73,10 @@ Plane<Bgr> Scene::frame(int i) const {
             channel = static_cast<std::uint8_t>(std::clamp(std::lround(channel + add), 0L, 255L));
     }
     return picture;
+}
+
+Scene told(const Options& options, std::function<Plane<Bgr>(int)> paint, std::function<Truth(int)> truth) {
+    return {options, std::make_shared<Told>(std::move(paint), std::move(truth))};
 }
 
 Scene make_scene(std::string_view name, const Options& options) {

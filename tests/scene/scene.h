@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,6 +29,12 @@ struct Options {
     double omega = 0.05;  ///< `spinning_sphere`: radians a frame, clockwise on the screen
 };
 
+/// \param frames as many as the scene has by itself
+inline Options with_frames(Options options, double frames) {
+    if (options.frames <= 0) options.frames = static_cast<int>(frames);
+    return options;
+}
+
 /// Something in the scene at one frame.
 struct Object {
     std::string name;
@@ -41,6 +49,12 @@ struct Truth {
     std::vector<Object> objects;
     Plane<float> u;  ///< flow, pixels per frame to the right; empty in scenes with no exact one
     Plane<float> v;  ///< and down
+
+    /// \returns nothing if the object is not there
+    const Object* find(std::string_view name) const {
+        const auto found = std::ranges::find(objects, name, &Object::name);
+        return found == objects.end() ? nullptr : &*found;
+    }
 };
 
 /// What a scene shows before the camera adds its noise, and the light its changes.
@@ -71,6 +85,9 @@ class Scene {
     Options options_;
     std::shared_ptr<const Story> story_;
 };
+
+/// A scene of two functions: what it shows in a frame, and what is there.
+Scene told(const Options& options, std::function<Plane<Bgr>(int)> paint, std::function<Truth(int)> truth);
 
 /// As in the paper's LeftBag: a person walks in with a bag, puts it down, leaves; comes back much later for it.
 /// Objects "person" and "bag". 1600 frames.

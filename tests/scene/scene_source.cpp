@@ -1,7 +1,6 @@
 #include "tests/scene/scene_source.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 extern "C" {

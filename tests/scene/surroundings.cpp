@@ -1,11 +1,9 @@
 // Scenes whose surroundings change: clocks, leaves, balloons, lamps.
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "tests/scene/actors.h"
 #include "tests/scene/texture.h"
@@ -37,7 +35,7 @@ Actor clock(const Options& options, Point corner) {
     const double scale = scale_of(options);
     return {"clock",
             [=](double) {
-                return std::optional(Point{corner.x + 24, corner.y + 4});
+                return corner + Point{24, 4};
             },
             [=](Canvas& canvas, double frame) {
                 // The clock's second doesn't begin with the clip.
@@ -47,13 +45,10 @@ Actor clock(const Options& options, Point corner) {
                     const Point at{corner.x + digits_at[k], corner.y};
                     for (std::size_t n = 0; n < strokes.size(); ++n) {
                         if (((strokes_of[static_cast<std::size_t>(digits[k])] >> n) & 1U) == 0) continue;
-                        const Point a{(at.x + strokes[n].from.x) * scale, (at.y + strokes[n].from.y) * scale};
-                        const Point b{(at.x + strokes[n].to.x) * scale, (at.y + strokes[n].to.y) * scale};
-                        canvas.paint(
-                            a, 7 * scale, [&](Point p) { return limb(p, a, b, 0.7 * scale, 0.7 * scale); },
-                            [](Point) {
-                                return Colour{1, 1, 1};
-                            });
+                        const Point a = (at + strokes[n].from) * scale;
+                        const Point b = (at + strokes[n].to) * scale;
+                        const auto stroke = [&](Point p) { return limb(p, a, b, 0.7 * scale, 0.7 * scale); };
+                        canvas.paint(a, 7 * scale, stroke, Colour{1, 1, 1});
                     }
                 }
             }};
@@ -65,13 +60,10 @@ Actor leaves(const Options& options) {
     const Point middle{144, 24};
     const Point half{50, 28};
     return {"leaves", at_place(middle, {0, always}), [=](Canvas& canvas, double frame) {
-                const Point m{middle.x * scale, middle.y * scale};
-                const Point h{half.x * scale, half.y * scale};
-                canvas.paint(
-                    m, h.x + h.y, [&](Point p) { return round_box(p, m, h, 4 * scale); },
-                    [](Point) {
-                        return Colour{0.10, 0.18, 0.12};
-                    });
+                const Point m = middle * scale;
+                const Point h = half * scale;
+                const auto crown = [&](Point p) { return round_box(p, m, h, 4 * scale); };
+                canvas.paint(m, h.x + h.y, crown, Colour{0.10, 0.18, 0.12});
                 const double gust = 2.5 + 1.5 * wander(frame, 170, options.seed);
                 for (std::uint64_t k = 0; k < 160; ++k) {
                     const std::uint64_t leaf = options.seed * 1000 + k * 4;
@@ -79,14 +71,8 @@ Actor leaves(const Options& options) {
                     const Point at{
                         middle.x + (2 * unit(leaf + 1) - 1) * half.x + gust * wander(frame, period, leaf),
                         middle.y + (2 * unit(leaf + 2) - 1) * half.y + gust * wander(frame, period, leaf + 1)};
-                    const Point p0{at.x * scale, at.y * scale};
-                    const double radius = (1.5 + 2 * unit(leaf + 3)) * scale;
                     const double light = 0.2 + 0.45 * unit(leaf + 5000);
-                    canvas.paint(
-                        p0, radius + 1, [&](Point p) { return limb(p, p0, p0, radius, radius); },
-                        [&](Point) {
-                            return Colour{0.4 * light, light, 0.5 * light};
-                        });
+                    canvas.paint_disc(at * scale, (1.5 + 2 * unit(leaf + 3)) * scale, Colour{0.4, 1, 0.5} * light);
                 }
             }};
 }
@@ -101,17 +87,11 @@ Actor balloon(const Options& options, std::string name, double x, Colour colour,
                                    44 + 0.3 * radius * wander(frame, 150, seed + 3)});
     };
     return {std::move(name), middle, [=](Canvas& canvas, double frame) {
-                const Point at = *middle(frame);
-                const Point m{at.x * scale, at.y * scale};
+                const Point m = *middle(frame) * scale;
                 const Point weight{x * scale, 110 * scale};
-                canvas.paint(
-                    {x * scale, 77 * scale}, 50 * scale, [&](Point p) { return limb(p, m, weight, 0.5, 0.5); },
-                    [](Point) {
-                        return Colour{0.9, 0.9, 0.9};
-                    });
-                canvas.paint(
-                    m, radius * scale + 1, [&](Point p) { return limb(p, m, m, radius * scale, radius * scale); },
-                    [&](Point) { return colour; });
+                const auto string = [&](Point p) { return limb(p, m, weight, 0.5, 0.5); };
+                canvas.paint({x * scale, 77 * scale}, 50 * scale, string, Colour{0.9, 0.9, 0.9});
+                canvas.paint_disc(m, radius * scale, colour);
             }};
 }
 
@@ -120,14 +100,10 @@ Actor lamp(const Options& options) {
     const double scale = scale_of(options);
     const Point middle{60, 84};
     return {"lamp", at_place(middle, {lamp_on(), always}), [=](Canvas& canvas, double) {
-                const Point m{middle.x * scale, middle.y * scale};
+                const Point m = middle * scale;
                 const Point half{48 * scale, 36 * scale};
-                canvas.paint(
-                    m, half.x + half.y, [&](Point p) { return round_box(p, m, half, 20 * scale) / (8 * scale); },
-                    [](Point) {
-                        return Colour{1, 1, 1};
-                    },
-                    0.35);
+                const auto spot = [&](Point p) { return round_box(p, m, half, 20 * scale) / (8 * scale); };
+                canvas.paint(m, half.x + half.y, spot, Colour{1, 1, 1}, 0.35);
             }};
 }
 

@@ -5,14 +5,12 @@
 #include <span>
 #include <string>
 
-#include "tests/scene/figure.h"
-#include "tests/scene/scene.h"
+#include "tests/scene/hall_story.h"
 
 namespace vvr::generator {
 namespace {
 
 constexpr double story_frames = 600;
-constexpr double story_height = 288;
 
 struct Walker {
     double enters;  // story frame
@@ -26,15 +24,10 @@ constexpr std::array many{Walker{20, 0.8, 170, 62},  Walker{240, -0.9, 178, 64},
                           Walker{180, 1.5, 222, 88}, Walker{330, 1.1, 246, 98},  Walker{120, -2.0, 266, 106}};
 constexpr std::array two{Walker{80, 1.2, 205, 78}, Walker{60, -1.1, 246, 98}};
 
-class WalkersStory final : public Story {
+class WalkersStory final : public HallStory {
   public:
     WalkersStory(const Options& options, std::span<const Walker> walkers)
-        : walkers_(walkers),
-          time_scale_(story_frames / options.frames),
-          scale_(options.size.height / story_height),
-          width_(options.size.width / scale_),
-          hall_(paint_hall(options.size, options.seed, options.detail)),
-          seed_(options.seed) {}
+        : HallStory(options, story_frames), walkers_(walkers) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -82,16 +75,11 @@ class WalkersStory final : public Story {
     }
 
     std::span<const Walker> walkers_;
-    double time_scale_;
-    double scale_;
-    double width_;
-    Plane<Bgr> hall_;
-    std::uint64_t seed_;
 };
 
-Scene make(Options options, std::span<const Walker> walkers) {
-    if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
-    return {options, std::make_shared<WalkersStory>(options, walkers)};
+Scene make(const Options& options, std::span<const Walker> walkers) {
+    const Options all = with_frames(options, story_frames);
+    return {all, std::make_shared<WalkersStory>(all, walkers)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "core/events/association.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "core/events/patch.h"
 #include "core/events/pixel_history.h"
 #include "core/events/trajectory.h"
+#include "tests/support/planes.h"
 
 namespace vvr {
 namespace {
@@ -26,13 +28,8 @@ struct Stage {
     events::FrameView sight() const { return {field, grey_, colour}; }
 
     void paint(const PixelBox& box, const Bgr& paint) {
-        const PixelBox there = intersection(box, {0, 0, size.width, size.height});
-        for (int j = there.top; j < there.bottom; ++j) {
-            for (int i = there.left; i < there.right; ++i) {
-                field.at(i, j) = 200;
-                colour.at(i, j) = paint;
-            }
-        }
+        test::fill(field, box, 200);
+        test::fill(colour, box, paint);
     }
 
   private:
@@ -51,19 +48,17 @@ Plane<double> costs_of(const std::vector<std::vector<double>>& rows) {
     return costs;
 }
 
+using Columns = std::vector<std::optional<int>>;
+
 TEST(Assign, TakesTheLeastSumAndNotTheLeastFirst) {
     // The first row's best column is what the second row needs more.
     const auto chosen = events::assign(costs_of({{1, 2, 9}, {1, 8, 9}, {9, 9, 3}}), never);
-    EXPECT_EQ(chosen[0], 1);
-    EXPECT_EQ(chosen[1], 0);
-    EXPECT_EQ(chosen[2], 2);
+    EXPECT_EQ(chosen, (Columns{1, 0, 2}));
 }
 
 TEST(Assign, LeavesRowsWithoutAColumnWhereAllCostTooMuch) {
     const auto chosen = events::assign(costs_of({{0.2, 3}, {0.3, 3}, {5, 5}}), 1);
-    EXPECT_EQ(chosen[0], 0);
-    EXPECT_FALSE(chosen[1]);
-    EXPECT_FALSE(chosen[2]);
+    EXPECT_EQ(chosen, (Columns{0, {}, {}}));
     EXPECT_TRUE(events::assign(Plane<double>({0, 0}), 1).empty());
 }
 

@@ -1,39 +1,28 @@
 // What is said to be left or taken in small scenes of which it is known.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/events/event.h"
-#include "tests/scene/happenings.h"
-#include "tests/scene/thinned.h"
+#include "tests/scene/camera.h"
 #include "tests/unit/events/found.h"
 
 namespace vvr {
 namespace {
 
 using events::EventKind;
+using test::expect_frames;
 using test::Found;
 using test::found_in;
 using test::kinds_of;
 using test::small;
 
-constexpr double half_a_second = 12.5;  // frames
-constexpr double second = 25;           // frames
+constexpr double second = 25;  // frames
 
 bool claims_a_thing(const Found& found) {
     return std::ranges::any_of(found.all.events, [](const events::Event& e) { return row_of(e.kind).is_thing; });
-}
-
-void expect_visit(const events::Event& event, const Found& found, const std::string& name) {
-    const test::Visible truth = test::visible(found.scene, name);
-    EXPECT_NEAR(static_cast<double>(event.first.frame), truth.first, half_a_second) << name << found;
-    EXPECT_NEAR(static_cast<double>(event.last.frame), truth.last, half_a_second) << name << found;
 }
 
 /// One box over the seconds, and nothing beyond the line but a few pixels around it.
@@ -49,16 +38,19 @@ TEST(Clock, IsAnOverlayAndNoEvent) {
     for (const std::uint64_t seed : {1U, 2U}) {
         const Found found = found_in(generator::make_clock(small(seed, seed == 2 ? 4 : 0)));
         expect_clock(found);
+        // Noise may hide the rim of a digit.
+        EXPECT_TRUE(seed == 2 || found.all.overlays[0].contains(generator::clock_seconds())) << found;
         EXPECT_TRUE(found.all.events.empty()) << seed << found;
         EXPECT_TRUE(found.all.changes.empty()) << seed << found;
     }
 }
 
-TEST(ClockAndWalker, IsOneEventOfThePerson) {
+TEST(ClockAndWalker, IsAnOverlayAndOneEventOfThePerson) {
     for (const std::uint64_t seed : {1U, 2U}) {
         const Found found = found_in(generator::make_clock_and_walker(small(seed)));
+        expect_clock(found, 117);
         ASSERT_EQ(kinds_of(found.all.events), std::vector{EventKind::moved}) << seed << found;
-        expect_visit(found.all.events[0], found, "person");
+        expect_frames(found.all.events[0], test::visible(found.scene, "person"));
         EXPECT_LT(test::distance_to(found.all.events[0], found.scene, "person"), 10) << seed << found;
     }
 }
@@ -72,48 +64,34 @@ TEST(Balloons, AreAChange) {
 
 TEST(Lamp, LeavesAndTakesNothing) {
     for (const std::uint64_t seed : {1U, 2U}) {
-        const Found found = found_in(generator::make_lamp(small(seed)));
-        EXPECT_FALSE(claims_a_thing(found)) << seed << found;
+        const Found lamp = found_in(generator::make_lamp(small(seed)));
+        EXPECT_FALSE(claims_a_thing(lamp)) << seed << lamp;
+        const Found with_walker = found_in(generator::make_lamp_and_walker(small(seed)));
+        EXPECT_FALSE(claims_a_thing(with_walker)) << seed << with_walker;
+        EXPECT_FALSE(with_walker.all.events.empty()) << seed << ": the person is one" << with_walker;
     }
-}
-
-TEST(LampAndWalker, LeavesAndTakesNothing) {
-    for (const std::uint64_t seed : {1U, 2U}) {
-        const Found found = found_in(generator::make_lamp_and_walker(small(seed)));
-        EXPECT_FALSE(claims_a_thing(found)) << seed << found;
-        EXPECT_FALSE(found.all.events.empty()) << seed << ": the person is one" << found;
-    }
-}
-
-void expect_minute(const generator::Scene& scene) {
-    constexpr int every = 2;
-    const Found found = found_in(generator::make_thinned(scene, every));
-    const generator::Interval waits = generator::minute_of_waiting();
-    ASSERT_EQ(kinds_of(found.all.events), std::vector{EventKind::stood}) << found;
-    expect_visit(found.all.events[0], found, "person");
-    EXPECT_NEAR(stationary_seconds(found.all.events[0]), (waits.last - waits.first) / second, 2) << found;
 }
 
 TEST(WhoWaitsForAMinute, IsOneThatStood) {
-    expect_minute(generator::make_waits(small()));
+    const Found found = found_in(generator::make_thinned(generator::make_waits(small()), 2));
+    const generator::Interval waits = generator::minute_of_waiting();
+    ASSERT_EQ(kinds_of(found.all.events), std::vector{EventKind::stood}) << found;
+    expect_frames(found.all.events[0], test::visible(found.scene, "person"));
+    EXPECT_NEAR(stationary_seconds(found.all.events[0]), (waits.last - waits.first) / second, 2) << found;
 }
 
-/// Three visits from the first frame to where each goes, and nothing where they had been.
-void expect_three_who_stood(const Found& found) {
-    EXPECT_TRUE(found.all.changes.empty()) << "no ghost" << found;
-    ASSERT_EQ(kinds_of(found.all.events), std::vector(3, EventKind::stood)) << found;
-    for (const std::string name : {"person 0", "person 1", "person 2"}) {
-        const auto event = std::ranges::min_element(
-            found.all.events, {}, [&](const events::Event& e) { return test::distance_to(e, found.scene, name); });
-        EXPECT_LT(test::distance_to(*event, found.scene, name), 10) << name << found;
-        expect_visit(*event, found, name);
-    }
-}
-
+// Three visits from the first frame to where each goes, and nothing where they had been.
 TEST(PeopleFromTheFirstFrame, StandAndGo) {
     for (const std::uint64_t seed : {1U, 2U}) {
-        expect_three_who_stood(
-            found_in(generator::make_thinned(generator::make_people_from_first(small(seed), 1500), 2)));
+        const Found found = found_in(generator::make_thinned(generator::make_people_from_first(small(seed), 1500), 2));
+        EXPECT_TRUE(found.all.changes.empty()) << "no ghost" << found;
+        ASSERT_EQ(kinds_of(found.all.events), std::vector(3, EventKind::stood)) << found;
+        for (const std::string name : {"person 0", "person 1", "person 2"}) {
+            const auto event = std::ranges::min_element(
+                found.all.events, {}, [&](const events::Event& e) { return test::distance_to(e, found.scene, name); });
+            EXPECT_LT(test::distance_to(*event, found.scene, name), 10) << name << found;
+            expect_frames(*event, test::visible(found.scene, name));
+        }
     }
 }
 
@@ -123,51 +101,34 @@ TEST(BagOfTwo, IsLeftByOneAndTakenByTheOther) {
         ASSERT_EQ(kinds_of(found.all.events), (std::vector{EventKind::moved, EventKind::left, EventKind::moved}))
             << seed << found;
         const events::Event& bag = found.all.events[1];
-        const generator::Interval stands = generator::bag_of_two_stands();
-        EXPECT_NEAR(static_cast<double>(bag.first.frame), stands.first, half_a_second) << seed << found;
-        EXPECT_NEAR(static_cast<double>(bag.last.frame), stands.last, half_a_second) << seed << found;
+        expect_frames(bag, generator::bag_of_two_stands());
         EXPECT_EQ(bag.by, 0U) << seed << found;
         EXPECT_EQ(bag.into, 2U) << seed << found;
     }
 }
 
-struct Rate {
-    std::string name;
-    int every;  ///< of 25 frames per second
-};
-
-std::ostream& operator<<(std::ostream& out, const Rate& rate) {
-    return out << rate.name;
-}
-
-class LowRate : public testing::TestWithParam<Rate> {
+/// Every so many of 25 frames a second.
+class LowRate : public testing::TestWithParam<int> {
   protected:
     /// The scene at this rate, from two different frames on.
     static std::vector<Found> thinned(const generator::Scene& scene) {
         std::vector<Found> all;
-        const int every = GetParam().every;
+        const int every = GetParam();
         for (const int first : {0, every / 2}) all.push_back(found_in(generator::make_thinned(scene, every, first)));
         return all;
     }
 };
+INSTANTIATE_TEST_SUITE_P(All, LowRate, testing::Values(5, 12, 25, 50));
 
-TEST_P(LowRate, LeavesNothingInACrowd) {
-    for (const Found& found : thinned(generator::make_long_crowd(small())))
-        EXPECT_FALSE(claims_a_thing(found)) << found;
-}
-
-TEST_P(LowRate, LeavesNothingOfWalkers) {
-    for (const Found& found : thinned(generator::make_walkers(small()))) EXPECT_FALSE(claims_a_thing(found)) << found;
-}
-
-TEST_P(LowRate, LeavesNobodyWhoStands) {
-    for (const auto make : {generator::make_stands, generator::make_stands_long, generator::make_waits}) {
+TEST_P(LowRate, LeavesNobody) {
+    for (const auto make : {generator::make_long_crowd, generator::make_walkers, generator::make_stands,
+                            generator::make_stands_long, generator::make_waits, generator::make_waits_early}) {
         for (const Found& found : thinned(make(small()))) EXPECT_FALSE(claims_a_thing(found)) << found;
     }
 }
 
 TEST_P(LowRate, LeavesOnlyTheBag) {
-    const int every = GetParam().every;
+    const int every = GetParam();
     const generator::Interval stands = generator::bag_of_two_stands();
     const double first = static_cast<double>(stands.first) / every;
     const double last = static_cast<double>(stands.last) / every;
@@ -183,26 +144,6 @@ TEST_P(LowRate, LeavesOnlyTheBag) {
         const auto left = std::ranges::count(found.all.events, EventKind::left, &events::Event::kind);
         EXPECT_LE(left, 1) << found;
         EXPECT_GE(left, every <= 5 ? 1 : 0) << found;
-    }
-}
-
-TEST(Clock, IsCoveredWhole) {
-    for (const std::uint64_t seed : {1U}) {
-        const Found found = found_in(generator::make_clock(small(seed)));
-        ASSERT_EQ(found.all.overlays.size(), 1U) << seed << found;
-        EXPECT_TRUE(found.all.overlays[0].contains(generator::clock_seconds())) << seed << found;
-    }
-}
-
-TEST(ClockAndWalker, HasTheClockAsAnOverlay) {
-    for (const std::uint64_t seed : {1U, 2U}) {
-        expect_clock(found_in(generator::make_clock_and_walker(small(seed))), 117);
-    }
-}
-
-TEST_P(LowRate, LeavesNobodyWhoWaitsEarly) {
-    for (const Found& found : thinned(generator::make_waits_early(small()))) {
-        EXPECT_FALSE(claims_a_thing(found)) << found;
     }
 }
 
@@ -232,17 +173,10 @@ TEST(FaintBag, IsLeft) {
         const Found found = found_in(generator::make_faint_bag(small(seed, seed == 2 ? 3 : 0)));
         ASSERT_EQ(kinds_of(found.all.events), (std::vector{EventKind::moved, EventKind::left})) << seed << found;
         const events::Event& bag = found.all.events[1];
-        const generator::Interval stands = generator::faint_bag_stands();
-        EXPECT_NEAR(static_cast<double>(bag.first.frame), stands.first, second) << seed << found;
-        EXPECT_NEAR(static_cast<double>(bag.last.frame), stands.last, second) << seed << found;
+        expect_frames(bag, generator::faint_bag_stands(), second);
         EXPECT_EQ(bag.by, 0U) << seed << found;
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(All, LowRate,
-                         testing::Values(Rate{"five_per_second", 5}, Rate{"two_per_second", 12},
-                                         Rate{"one_per_second", 25}, Rate{"one_in_two_seconds", 50}),
-                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace vvr

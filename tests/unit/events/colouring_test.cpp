@@ -105,29 +105,6 @@ TEST(Colouring, NeighboursInTimeDifferWhereverItIsPossible) {
     EXPECT_GT(shared, 100) << "no scene has more neighbours than colours";
 }
 
-TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {
-    std::mt19937 random(7);
-    const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };
-    for (int scene = 0; scene < 20; ++scene) {
-        std::vector<events::Event> events;
-        for (int k = 0; k < 60; ++k) {
-            const glm::dvec2 from(20 + upto(320), 30 + upto(210));
-            const double begin = upto(95);
-            events.push_back(walker(begin, begin + 1 + upto(4), from, from + glm::dvec2(upto(60) - 30, upto(40) - 20)));
-        }
-        const std::vector<int> colours = events::colours_of(within_a_scene(events));
-        for (std::size_t a = 0; a < events.size(); ++a) {
-            std::vector<std::size_t> near;
-            for (std::size_t b = 0; b < events.size(); ++b) {
-                const bool at_once = events[a].first.seconds <= events[b].last.seconds &&
-                                     events[b].first.seconds <= events[a].last.seconds;
-                if (a != b && at_once && events[a].box.intersects(events[b].box)) near.push_back(b);
-            }
-            for (const std::size_t b : near) EXPECT_NE(colours[a], colours[b]) << scene << ": " << a << ", " << b;
-        }
-    }
-}
-
 TEST(Colouring, IsTheSameEachTimeForADay) {
     std::mt19937 random(3);
     const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };

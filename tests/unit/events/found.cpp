@@ -1,6 +1,5 @@
 #include "tests/unit/events/found.h"
 
-#include <algorithm>
 #include <limits>
 #include <ostream>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "core/events/path.h"
 #include "core/fields/field_source.h"
 #include "tests/scene/scene_source.h"
+#include "tests/support/planes.h"
 
 namespace vvr::test {
 namespace {
@@ -46,20 +46,14 @@ std::ostream& operator<<(std::ostream& out, const Found& found) {
 }
 
 generator::Options small(std::uint64_t seed, double noise) {
-    generator::Options options;
-    options.size = {192, 144};
-    options.seed = seed;
-    options.noise = noise;
+    generator::Options options{.size = {192, 144}, .seed = seed, .noise = noise};
     return options;
 }
 
 Found found_in(generator::Scene scene, const std::string& reference) {
     Found found{std::move(scene), {}, {}};
-    video::SourceOptions source;
-    source.colour = true;
-    source.field_size = {-1, -1};
-    fields::FieldOptions fields;
-    fields.reference = reference;
+    video::SourceOptions source{.field_size = {-1, -1}, .colour = true};
+    fields::FieldOptions fields{.reference = reference};
     fields.flow.method = "none";
     events::EventFinder finder(found.scene.size());
     const auto clip = generator::open_scene(found.scene, source);
@@ -86,21 +80,21 @@ double distance_to(const events::Event& event, const generator::Scene& scene, co
     for (int f = 0; f < scene.frames(); f += 5) {
         if (f < event.first.frame || f > event.last.frame) continue;
         const generator::Truth truth = scene.truth(f);
-        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
-        if (object == truth.objects.end()) continue;
+        const generator::Object* const object = truth.find(name);
+        if (object == nullptr) continue;
         sum += glm::distance(events::place_at(event.path, f), {object->x, object->y});
         ++count;
     }
     return count == 0 ? std::numeric_limits<double>::infinity() : sum / count;
 }
 
-Visible visible(const generator::Scene& scene, const std::string& name) {
+generator::Interval visible(const generator::Scene& scene, const std::string& name) {
     constexpr int least = 30;  // pixels
-    Visible visible;
+    generator::Interval visible{-1, -1};
     for (int f = 0; f < scene.frames(); ++f) {
         const generator::Truth truth = scene.truth(f);
-        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
-        if (object == truth.objects.end() || std::ranges::count(object->mask.pixels(), 255) < least) continue;
+        const generator::Object* const object = truth.find(name);
+        if (object == nullptr || test::lit(object->mask) < least) continue;
         if (visible.first < 0) visible.first = f;
         visible.last = f;
     }

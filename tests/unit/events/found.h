@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "core/events/event_finder.h"
-#include "tests/scene/scene.h"
+#include "tests/scene/happenings.h"
 
 // What is found in generated scenes.
 namespace vvr::test {
@@ -30,10 +32,15 @@ std::vector<events::EventKind> kinds_of(const std::vector<events::Event>& events
 double distance_to(const events::Event& event, const generator::Scene& scene, const std::string& name);
 
 /// The first and the last frame in which enough of an object can be seen.
-struct Visible {
-    int first = -1;
-    int last = -1;
-};
-Visible visible(const generator::Scene& scene, const std::string& name);
+generator::Interval visible(const generator::Scene& scene, const std::string& name);
+
+constexpr double half_a_second = 12.5;  // frames
+
+/// Expects an event or a stay that is there from the first to the last frame, more or less.
+template <class Part>
+void expect_frames(const Part& part, const generator::Interval& expected, double most = half_a_second) {
+    EXPECT_NEAR(static_cast<double>(part.first.frame), expected.first, most);
+    EXPECT_NEAR(static_cast<double>(part.last.frame), expected.last, most);
+}
 
 }  // namespace vvr::test

@@ -9,26 +9,18 @@
 #include <gtest/gtest.h>
 
 #include "core/events/path.h"
-#include "tests/scene/shaken.h"
+#include "tests/scene/camera.h"
 #include "tests/unit/events/found.h"
 
 namespace vvr {
 namespace {
 
-constexpr double half_a_second = 12.5;  // frames
-
 using test::distance_to;
+using test::expect_frames;
 using test::Found;
+using test::found_in;
 using test::kinds_of;
 using test::small;
-
-Found found_in(generator::Scene (*make)(const generator::Options&), const generator::Options& options) {
-    return test::found_in(make(options));
-}
-
-void expect_near(const Moment& moment, int frame) {
-    EXPECT_NEAR(static_cast<double>(moment.frame), frame, half_a_second);
-}
 
 /// Seeds from the first on: two in the default set, three more each night.
 class EverySeed : public testing::TestWithParam<std::uint64_t> {};
@@ -36,8 +28,7 @@ INSTANTIATE_TEST_SUITE_P(First, EverySeed, testing::Range<std::uint64_t>(1, 3));
 INSTANTIATE_TEST_SUITE_P(Nightly, EverySeed, testing::Range<std::uint64_t>(3, 6));
 
 TEST_P(EverySeed, OfTenCrossingsLeavesTwoPeopleTwo) {
-    const std::uint64_t seed = GetParam();
-    const Found found = found_in(generator::make_ten_crossings, small(seed));
+    const Found found = found_in(generator::make_ten_crossings(small(GetParam())));
     ASSERT_EQ(found.all.events.size(), 2U);
     const bool first_is_0 = distance_to(found.all.events[0], found.scene, "person 0") <
                             distance_to(found.all.events[0], found.scene, "person 1");
@@ -47,28 +38,26 @@ TEST_P(EverySeed, OfTenCrossingsLeavesTwoPeopleTwo) {
 }
 
 TEST(GroupThatSplits, IsTwoFromTheBeginning) {
-    const Found found = found_in(generator::make_group_splits, small());
+    const Found found = found_in(generator::make_group_splits(small()));
     ASSERT_EQ(found.all.events.size(), 2U);
     for (const events::Event& event : found.all.events) {
         EXPECT_EQ(event.kind, events::EventKind::moved);
-        expect_near(event.first, 6);
+        EXPECT_NEAR(static_cast<double>(event.first.frame), 6, test::half_a_second);
     }
 }
 
 TEST(Train, IsOneAndHidesNobody) {
-    const Found found = found_in(generator::make_train, small());
+    const Found found = found_in(generator::make_train(small()));
     ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::stood, events::EventKind::moved}));
     ASSERT_EQ(found.all.events[0].stays.size(), 1U);
-    expect_near(found.all.events[0].stays[0].first, generator::train_stands().first);
-    expect_near(found.all.events[0].stays[0].last, generator::train_stands().last);
+    expect_frames(found.all.events[0].stays[0], generator::train_stands());
 }
 
 TEST(PaleBag, IsOneThingThatWasLeft) {
-    const Found found = found_in(generator::make_pale_bag, small());
+    const Found found = found_in(generator::make_pale_bag(small()));
     ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::left}));
     const events::Event& bag = found.all.events[1];
-    expect_near(bag.first, generator::pale_bag_stands().first);
-    expect_near(bag.last, generator::pale_bag_stands().last);
+    expect_frames(bag, generator::pale_bag_stands());
     EXPECT_EQ(bag.by, 0U);
     ASSERT_TRUE(bag.alone_since);
     EXPECT_GT(bag.alone_since->frame, 150) << "then its owner goes";
@@ -78,57 +67,51 @@ TEST(PaleBag, IsOneThingThatWasLeft) {
 }
 
 TEST(TakenBox, IsTakenAndNotLeft) {
-    const Found found = found_in(generator::make_taken_box, small());
+    const Found found = found_in(generator::make_taken_box(small()));
     ASSERT_EQ(kinds_of(found.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken})) << found;
     const events::Event& box = found.all.events[1];
-    expect_near(box.first, generator::box_is_gone().first);
-    expect_near(box.last, generator::box_is_gone().last);
+    expect_frames(box, generator::box_is_gone());
     EXPECT_EQ(box.by, 0U);
     EXPECT_TRUE(box.stays.empty()) << "nothing stands there";
 }
 
 TEST_P(EverySeed, OfRainIsNoneAndHidesNobody) {
-    const std::uint64_t seed = GetParam();
-    const Found found = found_in(generator::make_rain, small(seed, 5));
+    const Found found = found_in(generator::make_rain(small(GetParam(), 5)));
     ASSERT_EQ(found.all.events.size(), 1U);
     // Drops that touch a person are taken for parts of them.
     EXPECT_LT(distance_to(found.all.events[0], found.scene, "person"), 20);
 }
 
 TEST(Crowd, LeavesNothing) {
-    for (const events::Event& event : found_in(generator::make_crowd, small()).all.events) {
+    for (const events::Event& event : found_in(generator::make_crowd(small())).all.events) {
         EXPECT_EQ(event.kind, events::EventKind::moved) << event.first.frame;
     }
 }
 
 // A picture of half the size would have too few corners to know the camera's motion by.
 TEST(ShakingCamera, ChangesNoEvents) {
-    generator::Options options;
-    options.size = {256, 192};
-    options.detail = 6;
-    const Found who = test::found_in(generator::make_shaken(generator::make_stands_long(options)));
+    generator::Options options{.size = {256, 192}, .detail = 6};
+    const Found who = found_in(generator::make_shaken(generator::make_stands_long(options)));
     ASSERT_EQ(kinds_of(who.all.events), std::vector{events::EventKind::stood});
     ASSERT_EQ(who.all.events[0].stays.size(), 1U);
-    expect_near(who.all.events[0].stays[0].first, generator::long_stand().first);
-    expect_near(who.all.events[0].stays[0].last, generator::long_stand().last);
-    const Found box = test::found_in(generator::make_shaken(generator::make_taken_box(options)));
+    expect_frames(who.all.events[0].stays[0], generator::long_stand());
+    const Found box = found_in(generator::make_shaken(generator::make_taken_box(options)));
     ASSERT_EQ(kinds_of(box.all.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
-    expect_near(box.all.events[1].first, generator::box_is_gone().first);
-    EXPECT_TRUE(test::found_in(generator::make_shaken(generator::make_still(options))).all.events.empty());
+    expect_frames(box.all.events[1], generator::box_is_gone());
+    EXPECT_TRUE(found_in(generator::make_shaken(generator::make_still(options))).all.events.empty());
 }
 
 TEST(WhoStandsLong, IsOneThatStood) {
     for (const std::string reference : {"median", "running"}) {
-        const Found found = test::found_in(generator::make_stands_long(small()), reference);
+        const Found found = found_in(generator::make_stands_long(small()), reference);
         ASSERT_EQ(kinds_of(found.all.events), std::vector{events::EventKind::stood}) << reference;
         ASSERT_EQ(found.all.events[0].stays.size(), 1U) << reference;
-        expect_near(found.all.events[0].stays[0].first, generator::long_stand().first);
-        expect_near(found.all.events[0].stays[0].last, generator::long_stand().last);
+        expect_frames(found.all.events[0].stays[0], generator::long_stand());
     }
 }
 
 TEST(Labels, SayWhosePixelsTheyAre) {
-    const Found found = found_in(generator::make_ten_crossings, small());
+    const Found found = found_in(generator::make_ten_crossings(small()));
     ASSERT_EQ(found.all.events.size(), 2U);
     const auto places = events::events_of_tracks(found.all.events);
     ASSERT_EQ(found.labels.size(), static_cast<std::size_t>(found.scene.frames()));

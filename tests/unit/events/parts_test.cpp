@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "core/events/patch.h"
 #include "core/events/path.h"
 #include "core/events/pixel_history.h"
+#include "tests/support/planes.h"
 
 namespace vvr {
 namespace {
@@ -19,11 +19,7 @@ Moment at(std::int64_t frame) {
     return {frame, static_cast<double>(frame) / rate};
 }
 
-void fill(Plane<std::uint8_t>& field, const PixelBox& box, std::uint8_t value) {
-    for (int j = std::max(0, box.top); j < std::min(field.height(), box.bottom); ++j) {
-        for (int i = std::max(0, box.left); i < std::min(field.width(), box.right); ++i) field.at(i, j) = value;
-    }
-}
+using test::fill;
 
 TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     Plane<std::uint8_t> field({60, 40});
@@ -105,6 +101,8 @@ TEST(Stays, ThatAreKnownExactlyReplaceThoseTheyMeet) {
     EXPECT_EQ(found[1].first.frame, 150);
 }
 
+using Paint = std::function<void(int, Plane<std::uint8_t>&)>;
+
 /// A finder for fields without pictures, where what is no object is black.
 events::EventFinder finder_on_black() {
     events::EventFinder finder({120, 90}, {.scene_is_learnt = false});
@@ -112,12 +110,13 @@ events::EventFinder finder_on_black() {
     return finder;
 }
 
-std::vector<events::Event> events_of(int frames, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
+/// \param gap so many frames are missing after the first 200
+std::vector<events::Event> events_of(int frames, const Paint& paint, int gap = 0) {
     events::EventFinder finder = finder_on_black();
     for (int f = 0; f < frames; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
-        finder.add({field, {}, {}}, at(f));
+        finder.add({field, {}, {}}, at(f < 200 ? f : f + gap));
     }
     return finder.finish().events;
 }
@@ -187,22 +186,11 @@ TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
     }
 }
 
-/// Two files of 200 frames, and between them nothing for so many.
-std::vector<events::Event> events_about_gap(int gap, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
-    events::EventFinder finder = finder_on_black();
-    for (int f = 0; f < 400; ++f) {
-        Plane<std::uint8_t> field({120, 90});
-        paint(f, field);
-        finder.add({field, {}, {}}, at(f < 200 ? f : f + gap));
-    }
-    return finder.finish().events;
-}
-
 TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
     const auto box = [](int, auto& field) { fill(field, {60, 60, 72, 70}, 220); };
     constexpr int hours = 25 * 3600 * 7;
     for (const int gap : {25, 600, hours}) {
-        const auto events = events_about_gap(gap, box);
+        const auto events = events_of(400, box, gap);
         ASSERT_EQ(events.size(), 2U) << gap;
         EXPECT_EQ(events[0].last.frame, 199);
         EXPECT_EQ(events[1].first.frame, 200 + gap) << "what is there after the gap is seen from then on";
@@ -214,42 +202,51 @@ TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
             }
         }
     }
-    EXPECT_EQ(events_about_gap(0, box).size(), 1U);
+    EXPECT_EQ(events_of(400, box).size(), 1U);
 }
 
 TEST(EventFinder, NobodyWalksThroughTimeWithoutSignal) {
     // Whoever is there after the gap goes on where the other was.
     const auto walker = [](int f, auto& field) { fill(field, {f / 3 - 10, 30, f / 3, 50}, 120); };
-    const auto events = events_about_gap(75, walker);
+    const auto events = events_of(400, walker, 75);
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].last.frame, 199);
     EXPECT_EQ(events[1].first.frame, 275);
     EXPECT_FALSE(events[0].into || events[1].from);
-    EXPECT_EQ(events_about_gap(0, walker).size(), 1U);
+    EXPECT_EQ(events_of(400, walker).size(), 1U);
+}
+
+/// What is found in 400 frames of a scene, in the middle of which 1000 are missing.
+std::vector<events::Event> events_in(
+    const fields::Planes& scene,
+    const std::function<void(int, Plane<std::uint8_t>& field, Plane<std::uint8_t>& picture)>& paint) {
+    events::EventFinder finder({120, 90});
+    finder.set_scene(scene);
+    for (int f = 0; f < 400; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        Plane<std::uint8_t> picture = scene.grey;
+        paint(f, field, picture);
+        finder.add({field, picture, {}}, at(f < 200 ? f : f + 1000));
+    }
+    return finder.finish().events;
 }
 
 // The empty scene was made of frames with a box in it; fields show its ghost where it is not there.
 TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
-    fields::Planes scene;
-    scene.grey = Plane<std::uint8_t>({120, 90}, 90);
-    fill(scene.grey, {60, 60, 72, 70}, 220);
     const Plane<std::uint8_t> floor({120, 90}, 90);
+    fields::Planes scene{floor, {}};
+    fill(scene.grey, {60, 60, 72, 70}, 220);
     const auto events_of_ghost = [&](int from, int to) {
-        events::EventFinder finder({120, 90});
-        finder.set_scene(scene);
-        for (int f = 0; f < 400; ++f) {
-            Plane<std::uint8_t> field({120, 90});
+        return events_in(scene, [&](int f, auto& field, auto& picture) {
             const bool ghost = f >= from && f < to;
             if (ghost) fill(field, {60, 60, 72, 70}, 130);
-            Plane<std::uint8_t> picture = ghost ? floor : scene.grey;
+            if (ghost) picture = floor;
             // Nothing is put down by nobody.
             if (to < 400) {
                 fill(field, {f - to + 60, 15, f - to + 72, 55}, 100);
                 fill(picture, {f - to + 60, 15, f - to + 72, 55}, 30);
             }
-            finder.add({field, picture, {}}, at(f < 200 ? f : f + 1000));
-        }
-        return finder.finish().events;
+        });
     };
     EXPECT_TRUE(events_of_ghost(200, 400).empty()) << "it may be another light, or a camera that was turned";
     // It came while somebody could see it, in the second file: the ghost had been there before the gap, too.
@@ -266,21 +263,13 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
 }
 
 TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
-    fields::Planes scene;
-    scene.grey = Plane<std::uint8_t>({120, 90}, 90);
+    const fields::Planes scene{Plane<std::uint8_t>({120, 90}, 90), {}};
     const auto events_of_patch = [&](int to) {
-        events::EventFinder finder({120, 90});
-        finder.set_scene(scene);
-        for (int f = 0; f < 400; ++f) {
-            Plane<std::uint8_t> field({120, 90});
-            Plane<std::uint8_t> grey = scene.grey;
-            if (f < to) {
-                fill(field, {60, 60, 72, 70}, 130);
-                fill(grey, {60, 60, 72, 70}, 220);
-            }
-            finder.add({field, grey, {}}, at(f < 200 ? f : f + 1000));
-        }
-        return finder.finish().events;
+        return events_in(scene, [&](int f, auto& field, auto& picture) {
+            if (f >= to) return;
+            fill(field, {60, 60, 72, 70}, 130);
+            fill(picture, {60, 60, 72, 70}, 220);
+        });
     };
     EXPECT_TRUE(events_of_patch(400).empty()) << "on both sides of the gap, all the time";
     ASSERT_EQ(events_of_patch(200).size(), 1U);
@@ -306,10 +295,7 @@ TEST(EventFinder, EventsDoNotLeaveTheField) {
     });
     ASSERT_FALSE(events.empty());
     for (const events::Event& event : events) {
-        EXPECT_GE(event.box.left, 0);
-        EXPECT_GE(event.box.top, 0);
-        EXPECT_LE(event.box.right, 120);
-        EXPECT_LE(event.box.bottom, 90);
+        EXPECT_TRUE((PixelBox{0, 0, 120, 90}).contains(event.box));
     }
 }
 

@@ -20,16 +20,11 @@ Plane<std::uint8_t> object_in(const video::Frame& frame, const video::Frame& emp
 
 /// Every pixel counts, in whatever light.
 fields::FieldOptions plain() {
-    fields::FieldOptions options;
-    options.smooth = 0;
-    options.min_area = 0;
-    options.illumination = "none";
+    fields::FieldOptions options{.smooth = 0, .min_area = 0, .illumination = "none"};
     return options;
 }
 
-std::ptrdiff_t lit(const Plane<std::uint8_t>& object) {
-    return std::ranges::count_if(object.pixels(), [](int p) { return p > 0; });
-}
+using test::lit;
 
 video::Frame dark_texture() {
     video::Frame frame = test::texture_frame(size, 0, 0, 0);
@@ -46,15 +41,9 @@ video::Frame with_object(const video::Frame& empty) {
     return frame;
 }
 
-/// As a camera would see it: in another light, with noise.
 video::Frame seen(const video::Frame& frame, double gain, double offset, double sigma, unsigned seed) {
     std::mt19937 random(seed);
-    std::normal_distribution<double> noise(0, sigma);
-    video::Frame result = frame;
-    for (std::uint8_t& p : result.grey.pixels()) {
-        p = static_cast<std::uint8_t>(std::lround(std::clamp(gain * p + offset + noise(random), 0.0, 255.0)));
-    }
-    return result;
+    return test::seen(frame, gain, offset, sigma, random);
 }
 
 void expect_only_the_object(const Plane<std::uint8_t>& object) {
@@ -130,7 +119,7 @@ TEST(Difference, BlobsOfAnyShapeAreOne) {
 
 TEST(Difference, OnlyTheRegionIsLookedAt) {
     Plane<std::uint8_t> region(size, 255);
-    for (int j = 0; j < 30; ++j) std::ranges::fill(region.row(j), std::uint8_t{0});
+    test::fill(region, {0, 0, size.width, 30}, 0);
     const Plane<std::uint8_t> object =
         object_in(test::flat_frame(size, 0, 200), test::flat_frame(size, 0, 100), plain(), region);
     EXPECT_EQ(lit(object), pixels - 30 * size.width);
@@ -152,8 +141,7 @@ struct Change {
 TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
     const video::Frame empty = dark_texture();
     for (const char* const kind : {"global", "local"}) {
-        fields::FieldOptions options;
-        options.illumination = kind;
+        fields::FieldOptions options{.illumination = kind};
         for (const auto& [gain, offset] :
              {Change{1.2, 0}, Change{0.8, 0}, Change{1, 40}, Change{1, -15}, Change{1.3, -20}, Change{0.6, 30}}) {
             SCOPED_TRACE(testing::Message() << kind << " " << gain << " L + " << offset);
@@ -161,8 +149,7 @@ TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
             expect_only_the_object(object_in(seen(with_object(empty), gain, offset, 0, 3), empty, options));
         }
     }
-    fields::FieldOptions options;
-    options.illumination = "none";
+    fields::FieldOptions options{.illumination = "none"};
     EXPECT_GT(lit(object_in(seen(empty, 1.4, 0, 0, 3), empty, options)), pixels / 4)
         << "without it nearly all lights up";
 }
@@ -170,14 +157,9 @@ TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
 TEST(Illumination, LocalFollowsALampAtOneSide) {
     video::Frame empty = dark_texture();
     video::Frame frame = empty;
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            frame.grey.at(i, j) =
-                static_cast<std::uint8_t>(std::lround(empty.grey.at(i, j) * (0.75 + 0.5 * i / size.width)));
-        }
-    }
-    fields::FieldOptions options;
-    options.illumination = "local";
+    frame.grey =
+        test::grey_plane(size, [&](int i, int j) { return empty.grey.at(i, j) * (0.75 + 0.5 * i / size.width); });
+    fields::FieldOptions options{.illumination = "local"};
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
     options.illumination = "none";
     EXPECT_GT(lit(object_in(frame, empty, options)), 0);
@@ -185,13 +167,9 @@ TEST(Illumination, LocalFollowsALampAtOneSide) {
 
 TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
     video::Frame empty = dark_texture();
-    for (int j = 5; j < 20; ++j) {
-        for (int i = 5; i < 30; ++i) empty.grey.at(i, j) = 255;
-    }
+    test::fill(empty.grey, {5, 5, 30, 20}, 255);
     video::Frame frame = seen(empty, 0.8, 0, 0, 1);
-    for (int j = 5; j < 20; ++j) {
-        for (int i = 5; i < 30; ++i) frame.grey.at(i, j) = 255;
-    }
+    test::fill(frame.grey, {5, 5, 30, 20}, 255);
     fields::FieldOptions options;
     options.smooth = 0;  // or the cut off places' edges would be something between
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
@@ -227,8 +205,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     darken(5, 0.68, 0.65, 0.64);  // a shadow
     darken(35, 0.3, 0.28, 0.3);   // a dark coat
     darken(65, 0.45, 0.65, 0.8);  // something red
-    fields::FieldOptions options;
-    options.illumination = "none";
+    fields::FieldOptions options{.illumination = "none"};
     const Plane<std::uint8_t> object = object_in(frame, empty, options);
     EXPECT_EQ(object.at(15, 25), 0);
     EXPECT_NE(object.at(45, 25), 0);
@@ -245,9 +222,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
 TEST(Difference, SmallestPictures) {
     for (const Size tiny : {Size{1, 1}, Size{3, 2}, Size{1, 7}}) {
         for (const char* const kind : {"none", "global", "local"}) {
-            fields::FieldOptions options;
-            options.illumination = kind;
-            options.min_area = 0;
+            fields::FieldOptions options{.min_area = 0, .illumination = kind};
             const Plane<std::uint8_t> object =
                 object_in(test::flat_frame(tiny, 0, 200), test::flat_frame(tiny, 0, 100), options);
             EXPECT_EQ(object.size(), tiny);

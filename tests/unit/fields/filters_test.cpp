@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -9,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
-#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
 #include "core/fields/planes.h"
 #include "tests/unit/fields/pictures.h"
@@ -20,16 +17,6 @@ namespace {
 
 constexpr Size size{64, 48};
 
-fields::EmptyScene scene_of(const video::Frame& empty) {
-    fields::EmptyScene scene;
-    scene.reference = fields::Planes{empty.grey, empty.colour};
-    return scene;
-}
-
-fields::EmptyScene black(Size of) {
-    return scene_of(test::flat_frame(of, 0, 0));
-}
-
 /// A bright square that walks to the right by four pixels per frame, over a texture.
 video::Frame walker(std::int64_t index) {
     video::Frame frame = test::texture_frame(size, 0, 0, 0);
@@ -37,9 +24,7 @@ video::Frame walker(std::int64_t index) {
     frame.pts = static_cast<double>(index) / 25;
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(30 + p / 4);
     const int left = static_cast<int>(4 * index);
-    for (int j = 16; j < 32; ++j) {
-        for (int i = std::max(left, 0); i < std::min(left + 12, size.width); ++i) frame.grey.at(i, j) = 220;
-    }
+    test::fill(frame.grey, {left, 16, left + 12, 32}, 220);
     return frame;
 }
 
@@ -54,25 +39,12 @@ video::Frame with_colour(std::int64_t index) {
 
 std::vector<fields::Field> fields_of(const fields::FieldOptions& options, int count,
                                      video::Frame (*make)(std::int64_t) = walker) {
-    const video::Frame empty = make(1000);
-    std::vector<fields::Field> fields;
-    const fields::FrameReader read = [&, next = 0]() mutable -> fields::FrameJob {
-        if (next == count) return {};
-        return [make, index = next++] { return make(index); };
-    };
-    fields::compute_fields(read, scene_of(empty), options, [&](const video::SharedFrame&, fields::Field&& field) {
-        fields.push_back(std::move(field));
-    });
-    return fields;
+    return test::fields_of(test::frames_of(count, make), test::scene_of(make(1000)), options);
 }
 
 /// Without whatever would change a pixel for its neighbours' sake.
 fields::FieldOptions exact(const std::string& filter) {
-    fields::FieldOptions options;
-    options.filter = filter;
-    options.smooth = 0;
-    options.min_area = 0;
-    options.illumination = "none";
+    fields::FieldOptions options{.filter = filter, .smooth = 0, .min_area = 0, .illumination = "none"};
     options.flow.method = "none";
     options.threads = 2;
     return options;
@@ -108,25 +80,18 @@ TEST(Filters, BandsTellWhatBecameOfAPixel) {
 
 TEST(Filters, SignedTellsDarkerFromBrighter) {
     // A dark square and a bright one on grey.
-    const auto make = [](int index) {
-        return video::Frame{index,
-                            index / 25.0,
-                            test::grey_plane(size, [](int i, int) { return i < 8    ? 60
-                                                                           : i < 16 ? 160
-                                                                                    : 100; }),
-                            {}};
+    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const auto make = [&](std::int64_t) {
+        video::Frame frame = empty;
+        test::fill(frame.grey, {0, 0, 8, size.height}, 60);
+        test::fill(frame.grey, {8, 0, 16, size.height}, 160);
+        return frame;
     };
-    const video::Frame empty{0, 0, Plane<std::uint8_t>(size, 100), {}};
-    const fields::FrameReader read = [&, next = 0]() mutable -> fields::FrameJob {
-        if (next++ == 1) return {};
-        return [&] { return make(0); };
-    };
-    fields::compute_fields(read, scene_of(empty), exact("signed"),
-                           [](const video::SharedFrame&, fields::Field&& field) {
-                               EXPECT_EQ(field.scalar.at(3, 20), 128 - 40);
-                               EXPECT_EQ(field.scalar.at(12, 20), 128 + 60);
-                               EXPECT_EQ(field.scalar.at(30, 20), 0);
-                           });
+    const Plane<std::uint8_t> scalar =
+        test::fields_of(test::frames_of(1, make), test::scene_of(empty), exact("signed"))[0].scalar;
+    EXPECT_EQ(scalar.at(3, 20), 128 - 40);
+    EXPECT_EQ(scalar.at(12, 20), 128 + 60);
+    EXPECT_EQ(scalar.at(30, 20), 0);
 }
 
 TEST(Values, JoinByTheirKind) {
@@ -177,9 +142,9 @@ TEST(Norms, SayWhatDiffers) {
 
 TEST(Filters, TemporalShowsWhatChangedSinceTheFrameBefore) {
     const std::vector<fields::Field> fields = fields_of(exact("temporal"), 4);
-    EXPECT_EQ(std::ranges::count(fields[0].scalar.pixels(), 0), size.width * size.height);
+    EXPECT_EQ(test::lit(fields[0].scalar), 0);
     const Plane<std::uint8_t>& scalar = fields[3].scalar;
-    EXPECT_EQ(std::ranges::count_if(scalar.pixels(), [](int p) { return p > 0; }), 2 * 4 * 16);
+    EXPECT_EQ(test::lit(scalar), 2 * 4 * 16);
     EXPECT_EQ(scalar.at(9, 20), 255);
     EXPECT_EQ(scalar.at(15, 20), 0);
     EXPECT_EQ(scalar.at(21, 20), 255);
@@ -190,39 +155,30 @@ TEST(Filters, EdgesAreSteepPlaces) {
     const Plane<std::uint8_t> scalar = fields_of(options, 4)[3].scalar;
     EXPECT_GT(scalar.at(12, 24), 50);
     EXPECT_EQ(scalar.at(18, 24), 0) << "inside the square all is even";
-    const fields::FrameReader step = [next = 0]() mutable -> fields::FrameJob {
-        if (next++ == 1) return {};
-        return [] {
-            return video::Frame{0, 0, test::grey_plane({8, 8}, [](int i, int) { return i < 4 ? 0 : 255; }), {}};
-        };
+    const auto step = [](std::int64_t) {
+        return video::Frame{0, 0, test::grey_plane({8, 8}, [](int i, int) { return i < 4 ? 0 : 255; }), {}};
     };
-    fields::compute_fields(step, black({8, 8}), options, [](const video::SharedFrame&, fields::Field&& field) {
-        EXPECT_EQ(field.scalar.at(3, 4), 255) << "black beside white";
-        EXPECT_EQ(field.scalar.at(4, 4), 255);
-        EXPECT_EQ(field.scalar.at(1, 4), 0);
-    });
+    const fields::EmptyScene black = test::scene_of(test::flat_frame({8, 8}, 0, 0));
+    const Plane<std::uint8_t> edge = test::fields_of(test::frames_of(1, step), black, options)[0].scalar;
+    EXPECT_EQ(edge.at(3, 4), 255) << "black beside white";
+    EXPECT_EQ(edge.at(4, 4), 255);
+    EXPECT_EQ(edge.at(1, 4), 0);
 }
 
 TEST(Filters, LuminanceIsTheVideo) {
     const Plane<std::uint8_t> scalar = fields_of(exact("luminance"), 4)[3].scalar;
-    EXPECT_TRUE(std::ranges::equal(scalar.pixels(), walker(3).grey.pixels()));
+    EXPECT_TRUE(test::same(scalar, walker(3).grey));
 }
 
 TEST(Filters, FlowIsItsMagnitude) {
     fields::FieldOptions options = exact("flow");
-    EXPECT_EQ(std::ranges::count(fields_of(options, 3)[1].scalar.pixels(), 0), size.width * size.height)
-        << "without a flow method there is none to show";
+    EXPECT_EQ(test::lit(fields_of(options, 3)[1].scalar), 0) << "without a flow method there is none to show";
     options.flow.method = "horn-schunck";
     options.flow.every = 1000;
     options.threshold = 0;
-    std::vector<fields::Field> fields;
-    const fields::FrameReader read = [next = 0]() mutable -> fields::FrameJob {
-        if (next == 3) return {};
-        return [index = next++] { return test::texture_frame({96, 80}, index, 3, 0); };
-    };
-    fields::compute_fields(read, black({96, 80}), options, [&](const video::SharedFrame&, fields::Field&& field) {
-        fields.push_back(std::move(field));
-    });
+    const auto moving = [](std::int64_t index) { return test::texture_frame({96, 80}, index, 3, 0); };
+    const fields::EmptyScene black = test::scene_of(test::flat_frame({96, 80}, 0, 0));
+    const std::vector<fields::Field> fields = test::fields_of(test::frames_of(3, moving), black, options);
     EXPECT_NEAR(fields[1].scalar.at(48, 40), 24 * 3, 4);
     EXPECT_FALSE(fields[0].seeds.empty());
     EXPECT_TRUE(fields[1].seeds.empty()) << "flow was not asked for there, only needed";
@@ -262,7 +218,7 @@ TEST(Filters, BackgroundModelsSeeTheSameOnAnyThread) {
         const auto here = seen_by(row, [](const auto& work) { work(); });
         const auto elsewhere = seen_by(row, [](const auto& work) { std::thread(work).join(); });
         for (std::size_t i = 0; i < here.size(); ++i) {
-            EXPECT_TRUE(std::ranges::equal(here[i].pixels(), elsewhere[i].pixels())) << name << ", frame " << i;
+            EXPECT_TRUE(test::same(here[i], elsewhere[i])) << name << ", frame " << i;
         }
     }
 }
@@ -271,21 +227,16 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
     for (const fields::FilterRow& row : fields::filters()) {
         fields::FieldOptions options = exact(std::string(row.name));
         options.threshold = 255;
-        const video::Frame empty = walker(1000);
-        fields::EmptyScene scene = scene_of(empty);
+        fields::EmptyScene scene = test::scene_of(walker(1000));
         scene.region = Plane<std::uint8_t>(size, 255);
-        for (int j = 0; j < 24; ++j) std::ranges::fill(scene.region.row(j), std::uint8_t{0});
-        const fields::FrameReader read = [next = 0]() mutable -> fields::FrameJob {
-            if (next == 8) return {};
-            return [index = next++] { return walker(index); };
-        };
-        fields::compute_fields(read, scene, options, [&](const video::SharedFrame&, fields::Field&& field) {
+        test::fill(scene.region, {0, 0, size.width, 24}, 0);
+        for (const fields::Field& field : test::fields_of(test::frames_of(8, walker), scene, options)) {
             for (int j = 0; j < 24; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width) << row.name;
             for (const int p : field.scalar.pixels()) {
                 ASSERT_TRUE(p == 0 || p == 255 || row.traits.values != fields::Values::strength)
                     << row.name << " " << p;
             }
-        });
+        }
     }
 }
 
@@ -300,10 +251,9 @@ TEST(Filters, ASecondOneGivesWhatItGivesAlone) {
             options.second = &row;
             const std::vector<fields::Field> both = fields_of(options, 6, with_colour);
             for (std::size_t f = 0; f < both.size(); ++f) {
-                ASSERT_TRUE(std::ranges::equal(both[f].second.pixels(), alone[f].scalar.pixels()))
-                    << first << " " << row.name << " " << f;
-                ASSERT_TRUE(std::ranges::equal(both[f].scalar.pixels(), without[f].scalar.pixels()))
-                    << first << " " << row.name << " " << f;
+                SCOPED_TRACE(testing::Message() << first << " " << row.name << " " << f);
+                ASSERT_TRUE(test::same(both[f].second, alone[f].scalar));
+                ASSERT_TRUE(test::same(both[f].scalar, without[f].scalar));
             }
         }
     }
@@ -319,7 +269,7 @@ TEST(Filters, EachIsTheSameForAnyNumberOfThreads) {
         options.threads = 4;
         const std::vector<fields::Field> four = fields_of(options, 12, with_colour);
         for (std::size_t f = 0; f < one.size(); ++f) {
-            ASSERT_TRUE(std::ranges::equal(one[f].scalar.pixels(), four[f].scalar.pixels())) << row.name << " " << f;
+            ASSERT_TRUE(test::same(one[f].scalar, four[f].scalar)) << row.name << " " << f;
             ASSERT_EQ(one[f].seeds, four[f].seeds) << row.name << " " << f;
         }
     }
@@ -328,21 +278,13 @@ TEST(Filters, EachIsTheSameForAnyNumberOfThreads) {
 TEST(Filters, SmallestPictures) {
     for (const fields::FilterRow& row : fields::filters()) {
         for (const Size tiny : {Size{1, 1}, Size{3, 1}, Size{2, 9}}) {
-            fields::FieldOptions options;
-            options.filter = row.name;
-            options.threads = 1;
-            int seen = 0;
-            const fields::FrameReader read = [&, next = 0]() mutable -> fields::FrameJob {
-                if (next == 3) return {};
-                return [index = next++, tiny] {
-                    return test::flat_frame(tiny, index, static_cast<std::uint8_t>(90 * index));
-                };
+            fields::FieldOptions options{.filter = row.name, .threads = 1};
+            const auto make = [tiny](std::int64_t index) {
+                return test::flat_frame(tiny, index, static_cast<std::uint8_t>(90 * index));
             };
-            fields::compute_fields(read, black(tiny), options, [&](const video::SharedFrame&, fields::Field&& field) {
-                EXPECT_EQ(field.scalar.size(), tiny) << row.name;
-                ++seen;
-            });
-            EXPECT_EQ(seen, 3);
+            const auto fields = test::fields_of(test::frames_of(3, make), test::scene_of(make(0)), options);
+            ASSERT_EQ(fields.size(), 3U);
+            for (const fields::Field& field : fields) EXPECT_EQ(field.scalar.size(), tiny) << row.name;
         }
     }
 }

@@ -16,12 +16,10 @@ namespace {
 
 constexpr Size size{96, 64};
 
-void paint(Plane<std::uint8_t>& plane, int left, int top, int width, int height, std::uint8_t value) {
-    for (int j = top; j < top + height; ++j) std::fill_n(plane.row(j).begin() + left, width, value);
-}
+using test::lit;
 
-std::ptrdiff_t lit(const Plane<std::uint8_t>& plane) {
-    return std::ranges::count_if(plane.pixels(), [](int p) { return p > 0; });
+void paint(Plane<std::uint8_t>& plane, int left, int top, int width, int height, std::uint8_t value) {
+    test::fill(plane, {left, top, left + width, top + height}, value);
 }
 
 TEST(Blobs, FaintOnesGo) {
@@ -87,13 +85,8 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
 
 std::vector<video::Frame> noisy(const video::Frame& empty, double sigma, int count) {
     std::mt19937 random(3);
-    std::normal_distribution<double> noise(0, sigma);
-    std::vector<video::Frame> frames(static_cast<std::size_t>(count), empty);
-    for (video::Frame& frame : frames) {
-        for (std::uint8_t& p : frame.grey.pixels()) {
-            p = static_cast<std::uint8_t>(std::clamp(std::lround(p + noise(random)), 0L, 255L));
-        }
-    }
+    std::vector<video::Frame> frames;
+    for (int k = 0; k < count; ++k) frames.push_back(test::seen(empty, 1, 0, sigma, random));
     return frames;
 }
 
@@ -124,9 +117,7 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
     reference.noise = Plane<std::uint8_t>(size);
     paint(reference.noise, 0, 0, 48, size.height, 8);
     const Plane<std::uint8_t> everywhere;
-    fields::FieldOptions options;
-    options.smooth = 0;
-    options.illumination = "none";
+    fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, reference, everywhere);
     video::Frame frame = empty;
     paint(frame.grey, 10, 10, 12, 12, 132);
@@ -143,9 +134,7 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
 TEST(Noise, WeakPartsOfAThingShowWithIt) {
     const video::Frame empty = test::flat_frame(size, 0, 100);
     const Plane<std::uint8_t> everywhere;
-    fields::FieldOptions options;
-    options.smooth = 0;
-    options.illumination = "none";
+    fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, {}}, everywhere);
     video::Frame frame = empty;
     paint(frame.grey, 20, 10, 10, 15, 150);

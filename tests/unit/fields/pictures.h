@@ -1,22 +1,27 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <random>
+#include <utility>
+#include <vector>
 
-#include "core/video/frame.h"
+#include <gtest/gtest.h>
+
+#include "core/fields/field_source.h"
+#include "tests/scene/scene_source.h"
+#include "tests/support/planes.h"
 
 namespace vvr::test {
 
 /// A grey plane whose value at each pixel is `value(i, j)`, rounded and cut to 0..255.
 template <class Function>
 Plane<std::uint8_t> grey_plane(Size size, Function value) {
-    Plane<std::uint8_t> plane(size);
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            plane.at(i, j) = static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(value(i, j), 0), 255)));
-        }
-    }
-    return plane;
+    return plane_of<std::uint8_t>(size, [&](int i, int j) {
+        return static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(value(i, j), 0), 255)));
+    });
 }
 
 /// A texture of several wavelengths and directions, 8 px and longer, so that no direction of motion is hidden.
@@ -57,6 +62,51 @@ inline video::Frame texture_frame(Size size, std::int64_t index, double u, doubl
 /// A frame of one grey level.
 inline video::Frame flat_frame(Size size, std::int64_t index, std::uint8_t level) {
     return {index, static_cast<double>(index) / 10, Plane<std::uint8_t>(size, level), {}};
+}
+
+/// A frame as a camera would see it: in another light, with noise.
+inline video::Frame seen(video::Frame frame, double gain, double offset, double sigma, std::mt19937& random) {
+    std::normal_distribution<double> noise(0, sigma);
+    for (std::uint8_t& p : frame.grey.pixels()) {
+        p = static_cast<std::uint8_t>(std::lround(std::clamp(gain * p + offset + noise(random), 0.0, 255.0)));
+    }
+    return frame;
+}
+
+/// Frames that are made by their numbers.
+inline fields::FrameReader frames_of(int count, const std::function<video::Frame(std::int64_t)>& make) {
+    return [=, next = 0]() mutable -> fields::FrameJob {
+        if (next == count) return {};
+        return [make, index = next++] { return make(index); };
+    };
+}
+
+/// A scene that is empty in a frame.
+inline fields::EmptyScene scene_of(const video::Frame& empty) {
+    fields::EmptyScene scene;
+    scene.reference = fields::Planes{empty.grey, empty.colour};
+    return scene;
+}
+
+inline std::vector<fields::Field> fields_of(const fields::FrameReader& frames, const fields::EmptyScene& scene,
+                                            const fields::FieldOptions& options) {
+    std::vector<fields::Field> fields;
+    fields::compute_fields(frames, scene, options, [&](const video::SharedFrame& frame, fields::Field&& field) {
+        EXPECT_EQ(frame->index, field.index);
+        EXPECT_EQ(frame->grey.size(), field.scalar.size());
+        fields.push_back(std::move(field));
+    });
+    return fields;
+}
+
+/// The fields of a generated scene in its own size and in colour.
+inline std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
+    video::SourceOptions source{.field_size = {-1, -1}, .colour = true};
+    std::vector<fields::Field> fields;
+    fields::compute_fields(
+        *generator::open_scene(scene, source), options,
+        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
+    return fields;
 }
 
 }  // namespace vvr::test

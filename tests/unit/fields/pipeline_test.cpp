@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/field_source.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {
@@ -28,36 +27,24 @@ video::Frame walker(std::int64_t index) {
     return frame;
 }
 
-fields::FrameReader reader(int count, video::Frame (*make)(std::int64_t) = walker) {
-    return [count, make, next = 0]() mutable -> fields::FrameJob {
-        if (next == count) return {};
-        return [make, index = next++] { return make(index); };
-    };
+fields::FrameReader reader(int count) {
+    return test::frames_of(count, walker);
 }
 
 fields::EmptyScene empty_scene() {
-    fields::EmptyScene scene;
-    scene.reference.grey = Plane<std::uint8_t>(size, 90);
-    return scene;
+    return test::scene_of(test::flat_frame(size, 0, 90));
 }
 
 std::vector<fields::Field> fields_of(int count, const fields::FieldOptions& options) {
-    std::vector<fields::Field> fields;
-    fields::compute_fields(reader(count), empty_scene(), options,
-                           [&](const video::SharedFrame& frame, fields::Field&& field) {
-                               EXPECT_EQ(frame->index, field.index);
-                               EXPECT_EQ(frame->grey.size(), size);
-                               fields.push_back(std::move(field));
-                           });
-    return fields;
+    return test::fields_of(reader(count), empty_scene(), options);
 }
 
 void expect_same(const fields::Field& a, const fields::Field& b) {
     EXPECT_EQ(a.index, b.index);
     EXPECT_EQ(a.pts, b.pts);
-    EXPECT_TRUE(std::ranges::equal(a.scalar.pixels(), b.scalar.pixels()));
-    EXPECT_TRUE(std::ranges::equal(a.flow.u.pixels(), b.flow.u.pixels()));
-    EXPECT_TRUE(std::ranges::equal(a.flow.v.pixels(), b.flow.v.pixels()));
+    EXPECT_TRUE(test::same(a.scalar, b.scalar));
+    EXPECT_TRUE(test::same(a.flow.u, b.flow.u));
+    EXPECT_TRUE(test::same(a.flow.v, b.flow.v));
     EXPECT_EQ(a.seeds, b.seeds);
 }
 
@@ -68,7 +55,7 @@ TEST(Pipeline, GivesEveryFrameOnceInOrder) {
         EXPECT_EQ(fields[f].index, static_cast<std::int64_t>(f));
         EXPECT_DOUBLE_EQ(fields[f].pts, static_cast<double>(f) / 10);
         EXPECT_EQ(fields[f].scalar.size(), size);
-        EXPECT_GT(std::ranges::count_if(fields[f].scalar.pixels(), [](int p) { return p > 0; }), 100);
+        EXPECT_GT(test::lit(fields[f].scalar), 100);
     }
 }
 
@@ -116,30 +103,14 @@ TEST(Pipeline, OneFrameAndNoFrame) {
     EXPECT_EQ(fields_of(0, {.threads = 2}).size(), 0U);
 }
 
-TEST(Pipeline, SmallestPictures) {
-    fields::EmptyScene scene;
-    scene.reference.grey = Plane<std::uint8_t>({3, 1}, 10);
-    fields::FieldOptions options{.threads = 2};
-    options.min_area = 0;
-    options.illumination = "none";
-    std::int64_t seen = 0;
-    const fields::FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
-    EXPECT_EQ(fields::compute_fields(read, scene, options,
-                                     [&](const video::SharedFrame&, fields::Field&& field) {
-                                         ++seen;
-                                         EXPECT_EQ(field.scalar.at(2, 0), 255);
-                                     }),
-              9);
-    EXPECT_EQ(seen, 9);
-}
-
 TEST(Pipeline, SinkIsNeverEnteredTwice) {
     std::atomic<int> inside = 0;
-    fields::compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](const video::SharedFrame&, fields::Field&&) {
+    const auto sink = [&](const video::SharedFrame&, fields::Field&&) {
         EXPECT_EQ(++inside, 1);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         --inside;
-    });
+    };
+    EXPECT_EQ(fields::compute_fields(reader(20), empty_scene(), {.threads = 4}, sink), 20);
 }
 
 TEST(Pipeline, MemoryIsBounded) {
@@ -159,21 +130,16 @@ TEST(Pipeline, MemoryIsBounded) {
 }
 
 TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
-    EXPECT_THROW(fields::compute_fields(reader(40), empty_scene(), {.threads = 2},
-                                        [](const video::SharedFrame&, fields::Field&& field) {
-                                            if (field.index == 3) throw std::runtime_error("the disk is full");
-                                        }),
-                 std::runtime_error);
-    const fields::FrameReader broken = []() -> fields::FrameJob { throw std::range_error("the cable is cut"); };
-    EXPECT_THROW(fields::compute_fields(broken, empty_scene(), {.threads = 2},
-                                        [](const video::SharedFrame&, fields::Field&&) {}),
-                 std::range_error);
-    const fields::FrameReader bad_frame = []() -> fields::FrameJob {
-        return []() -> video::Frame { throw std::domain_error("bad frame"); };
+    const auto run = [](const fields::FrameReader& frames) {
+        fields::compute_fields(frames, empty_scene(), {.threads = 2},
+                               [](const video::SharedFrame&, fields::Field&& field) {
+                                   if (field.index == 3) throw std::runtime_error("the disk is full");
+                               });
     };
-    EXPECT_THROW(fields::compute_fields(bad_frame, empty_scene(), {.threads = 2},
-                                        [](const video::SharedFrame&, fields::Field&&) {}),
-                 std::domain_error);
+    EXPECT_THROW(run(reader(40)), std::runtime_error);
+    EXPECT_THROW(run([]() -> fields::FrameJob { throw std::range_error("the cable is cut"); }), std::range_error);
+    const auto bad_frame = []() -> video::Frame { throw std::domain_error("bad frame"); };
+    EXPECT_THROW(run([&]() -> fields::FrameJob { return bad_frame; }), std::domain_error);
 }
 
 }  // namespace

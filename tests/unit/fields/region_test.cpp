@@ -1,12 +1,10 @@
 #include "core/fields/region.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
@@ -24,8 +22,7 @@ TEST(Region, NothingAskedForIsEverywhere) {
 }
 
 TEST(Region, PolygonsAreInPixelsOfTheVideo) {
-    fields::FieldOptions options;
-    options.roi = "40,20 120,20 120,60 40,60";
+    fields::FieldOptions options{.roi = "40,20 120,20 120,60 40,60"};
     const Plane<std::uint8_t> region = fields::make_region(options, field, video);
     EXPECT_EQ(region.size(), field);
     EXPECT_EQ(region.at(40, 20), 255);
@@ -37,8 +34,7 @@ TEST(Region, PolygonsAreInPixelsOfTheVideo) {
 }
 
 TEST(Region, MaskIsTakenOut) {
-    fields::FieldOptions options;
-    options.mask = "0,0 80,0 80,20 0,20; 160,80 200,80 200,100 160,100";
+    fields::FieldOptions options{};
     const Plane<std::uint8_t> region = fields::make_region(options, field, video);
     EXPECT_EQ(region.at(10, 5), 0) << "the camera's clock";
     EXPECT_EQ(region.at(95, 45), 0);
@@ -51,8 +47,7 @@ TEST(Region, MaskIsTakenOut) {
 }
 
 TEST(Region, PolygonsMayCrossTheEdges) {
-    fields::FieldOptions options;
-    options.roi = "-1000,-1000 100,-1000 100,1000 -1000,1000";
+    fields::FieldOptions options{.roi = "-1000,-1000 100,-1000 100,1000 -1000,1000"};
     const Plane<std::uint8_t> region = fields::make_region(options, field, video);
     EXPECT_EQ(region.at(0, 0), 255);
     EXPECT_EQ(region.at(0, 49), 255);
@@ -63,8 +58,7 @@ TEST(Region, PolygonsMayCrossTheEdges) {
 }
 
 TEST(Region, NothingToLookAtIsAnError) {
-    fields::FieldOptions options;
-    options.roi = "500,500 600,500 600,600";
+    fields::FieldOptions options{.roi = "500,500 600,500 600,600"};
     test::expect_error(ErrorCode::option_value_out_of_range, [&] { fields::make_region(options, field, video); },
                        {"200x100"});
     options.mask = std::exchange(options.roi, "");

@@ -1,43 +1,19 @@
 // Whole clips of which everything is known.
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/fields/field_source.h"
 #include "tests/scene/scene.h"
-#include "tests/scene/scene_source.h"
 #include "tests/unit/fields/flow_tools.h"
 
 namespace vvr {
 namespace {
 
-video::SourceOptions in_colour() {
-    video::SourceOptions options;
-    options.colour = true;
-    options.field_size = {-1, -1};
-    return options;
-}
-
-std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
-    std::vector<fields::Field> fields;
-    fields::compute_fields(
-        *generator::open_scene(scene, in_colour()), options,
-        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
-    return fields;
-}
-
-const generator::Object* find(const generator::Truth& truth, const std::string& name) {
-    const auto found = std::ranges::find(truth.objects, name, &generator::Object::name);
-    return found == truth.objects.end() ? nullptr : &*found;
-}
-
-int area(const Plane<std::uint8_t>& plane) {
-    return static_cast<int>(std::ranges::count_if(plane.pixels(), [](int p) { return p > 0; }));
-}
+using test::fields_of;
 
 /// How much the scalar field within `border` pixels of a mask is that mask: intersection over union.
 double overlap(const Plane<std::uint8_t>& scalar, const Plane<std::uint8_t>& mask, int border) {
@@ -61,36 +37,22 @@ double overlap(const Plane<std::uint8_t>& scalar, const Plane<std::uint8_t>& mas
 
 /// Noise and light that no object may be confused with: σ = 5, and a jump by a fifth of the range.
 generator::Options bad_camera(int frames) {
-    generator::Options options;
-    options.frames = frames;
-    options.noise = 5;
-    options.drift = 25;
-    options.jump = -51;
-    options.jump_at = frames / 2;
+    generator::Options options{.frames = frames, .noise = 5, .drift = 25, .jump = -51, .jump_at = frames / 2};
     return options;
 }
 
-struct LeftBagCase {
-    std::string name;
-    std::string reference;
-    bool bad;
-};
-
-std::ostream& operator<<(std::ostream& out, const LeftBagCase& c) {
-    return out << c.name;
-}
-
-class LeftBag : public testing::TestWithParam<LeftBagCase> {};
+/// The reference, and whether the camera is bad.
+class LeftBag : public testing::TestWithParam<std::pair<std::string, bool>> {};
 
 // The bag lies there for two thirds of the clip: it must stay visible for all that time, and nothing of it may move.
 TEST_P(LeftBag, StaysVisibleAndStill) {
     constexpr int count = 320;
-    generator::Options scene_options = GetParam().bad ? bad_camera(count) : generator::Options{};
+    const auto& [reference, bad] = GetParam();
+    generator::Options scene_options = bad ? bad_camera(count) : generator::Options{};
     scene_options.frames = count;
     const generator::Scene scene = generator::make_left_bag(scene_options);
     const generator::LeftBag facts = generator::left_bag_facts(scene_options);
-    fields::FieldOptions options;
-    options.reference = GetParam().reference;
+    fields::FieldOptions options{.reference = reference};
     options.seeds.grid = 4;
     const std::vector<fields::Field> fields = fields_of(scene, options);
     ASSERT_EQ(fields.size(), static_cast<std::size_t>(count));
@@ -98,12 +60,12 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
     int alone = 0, good = 0, visible = 0, empty = 0, dark = 0;
     for (int f = 0; f < count; ++f) {
         const generator::Truth truth = scene.truth(f);
-        const generator::Object* const bag = find(truth, "bag");
-        const generator::Object* const person = find(truth, "person");
+        const generator::Object* const bag = truth.find("bag");
+        const generator::Object* const person = truth.find("person");
         const fields::Field& field = fields[static_cast<std::size_t>(f)];
         if (truth.objects.empty()) {
             ++empty;
-            dark += area(field.scalar) == 0 ? 1 : 0;
+            dark += test::lit(field.scalar) == 0 ? 1 : 0;
         }
         // While somebody is near, it is not the bag alone that is seen there.
         const bool near = person != nullptr && std::abs(person->x - facts.x) < 60;
@@ -120,36 +82,32 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
     ASSERT_GT(alone, count / 3);
     EXPECT_EQ(visible, alone);
     // Noise eats away at edges that are soft to begin with.
-    EXPECT_GE(good, (GetParam().bad ? 0.5 : 0.95) * alone) << "of " << alone;
+    EXPECT_GE(good, (bad ? 0.5 : 0.95) * alone) << "of " << alone;
     ASSERT_GT(empty, 10);
     EXPECT_EQ(dark, empty);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LeftBag,
-                         testing::Values(LeftBagCase{"median", "median", false}, LeftBagCase{"first", "first", false},
-                                         LeftBagCase{"running", "running", false},
-                                         LeftBagCase{"median_bad_camera", "median", true},
-                                         LeftBagCase{"running_bad_camera", "running", true}),
-                         [](const auto& test) { return test.param.name; });
+                         testing::Values(std::pair("median", false), std::pair("first", false),
+                                         std::pair("running", false), std::pair("median", true),
+                                         std::pair("running", true)),
+                         [](const auto& test) { return test.param.first + (test.param.second ? "_bad_camera" : ""); });
 
 TEST(Still, NothingLightsUpInNoiseAndChangingLight) {
     const generator::Scene scene = generator::make_still(bad_camera(60));
     for (const char* const filter : {"difference", "temporal", "hull", "bands"}) {
-        fields::FieldOptions options;
-        options.filter = filter;
+        fields::FieldOptions options{.filter = filter};
         for (const fields::Field& field : fields_of(scene, options)) {
-            ASSERT_EQ(area(field.scalar), 0) << filter << " " << field.index;
+            ASSERT_EQ(test::lit(field.scalar), 0) << filter << " " << field.index;
             ASSERT_TRUE(field.seeds.empty());
         }
     }
 }
 
 TEST(SpinningSphere, FlowTurns) {
-    generator::Options options;
-    options.frames = 5;
+    generator::Options options{.frames = 5};
     const generator::Scene scene = generator::make_spinning_sphere(options);
-    fields::FieldOptions fields;
-    fields.filter = "luminance";
+    fields::FieldOptions fields{.filter = "luminance"};
     const fields::Field field = fields_of(scene, fields)[2];
     const generator::Truth truth = scene.truth(2);
     double sum = 0;
@@ -169,8 +127,7 @@ TEST(SpinningSphere, FlowTurns) {
 TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
     const generator::Scene scene = generator::make_walkers({});
     for (const char* const solver : {"jacobi", "pyramid"}) {
-        fields::FieldOptions fields;
-        fields.reference = "first";
+        fields::FieldOptions fields{.reference = "first"};
         fields.flow.solver = solver;
         fields.flow.every = 20;
         fields.span.start = 10;
@@ -202,8 +159,7 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
 // Everybody's way is found: the mean flow on a walker is the truth within a quarter, or half a pixel.
 TEST(Walkers, TheDefaultFlowFollowsEachOfThem) {
     const generator::Scene scene = generator::make_walkers({});
-    fields::FieldOptions fields;
-    fields.reference = "first";
+    fields::FieldOptions fields{.reference = "first"};
     fields.flow.every = 25;
     fields.span.start = 5;
     fields.span.end = 20;

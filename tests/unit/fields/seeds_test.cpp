@@ -9,6 +9,11 @@
 namespace vvr {
 namespace {
 
+/// All that moves or not, on a grid.
+fields::SeedOptions chosen(const char* selection, int grid = 10) {
+    return {.grid = grid, .min_magnitude = 0, .select = fields::parse_seed_selection(selection)};
+}
+
 /// A field whose flow, difference and age all grow in different directions.
 struct Example {
     static constexpr Size size{60, 40};
@@ -69,31 +74,24 @@ TEST(Seeds, AreSortedByTheCriterion) {
 
 TEST(Seeds, FirstTakesTheMostImportant) {
     const Example example;
-    const std::vector<fields::Seed> all = example.seeds({.grid = 10, .min_magnitude = 0, .select = {}});
-    const std::vector<fields::Seed> first =
-        example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:5")});
+    const std::vector<fields::Seed> all = example.seeds(chosen("all"));
+    const std::vector<fields::Seed> first = example.seeds(chosen("first:5"));
     ASSERT_EQ(first.size(), 5U);
     EXPECT_TRUE(std::equal(first.begin(), first.end(), all.begin()));
-    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:1000")}),
-              all);
-    EXPECT_TRUE(
-        example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:0")}).empty());
+    EXPECT_EQ(example.seeds(chosen("first:1000")), all);
+    EXPECT_TRUE(example.seeds(chosen("first:0")).empty());
 }
 
 TEST(Seeds, RandomRepeatsWithItsNumber) {
     const Example example;
-    const fields::SeedOptions options{
-        .grid = 4, .min_magnitude = 0, .select = fields::parse_seed_selection("random:20")};
+    const fields::SeedOptions options = chosen("random:20", 4);
     const std::vector<fields::Seed> once = example.seeds(options);
     ASSERT_EQ(once.size(), 20U);
     EXPECT_EQ(example.seeds(options), once);
     EXPECT_NE(example.seeds(options, 1), once) << "another frame, other points";
-    fields::SeedOptions other = options;
-    other.select = fields::parse_seed_selection("random:20:2");
-    EXPECT_NE(example.seeds(other), once);
+    EXPECT_NE(example.seeds(chosen("random:20:2", 4)), once);
     for (std::size_t k = 1; k < once.size(); ++k) EXPECT_GE(once[k - 1].u, once[k].u) << "still in order";
-    other.select = fields::parse_seed_selection("random:100000");
-    EXPECT_EQ(example.seeds(other).size(), example.seeds({.grid = 4, .min_magnitude = 0, .select = {}}).size());
+    EXPECT_EQ(example.seeds(chosen("random:100000", 4)).size(), example.seeds(chosen("all", 4)).size());
 }
 
 // Over many frames each of the 18 points is drawn about as often as any other.
@@ -101,10 +99,7 @@ TEST(Seeds, RandomIsFair) {
     const Example example;
     std::map<std::pair<float, float>, int> drawn;
     for (int frame = 0; frame < 3000; ++frame) {
-        for (const fields::Seed& s : example.seeds(
-                 {.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("random:3")}, frame)) {
-            ++drawn[{s.x, s.y}];
-        }
+        for (const fields::Seed& s : example.seeds(chosen("random:3"), frame)) ++drawn[{s.x, s.y}];
     }
     ASSERT_EQ(drawn.size(), 18U);
     for (const auto& [point, count] : drawn) EXPECT_NEAR(count, 500, 100) << point.first << ", " << point.second;

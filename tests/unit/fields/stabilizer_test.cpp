@@ -1,21 +1,17 @@
 #include "core/fields/stabilizer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/fields/field_source.h"
-#include "tests/scene/scene.h"
-#include "tests/scene/scene_source.h"
-#include "tests/scene/shaken.h"
+#include "tests/scene/camera.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {
+
+using test::fields_of;
 
 constexpr Size size{192, 144};
 
@@ -77,16 +73,6 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
     EXPECT_EQ(plane.at(0, 3), 7);
 }
 
-std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
-    video::SourceOptions colour;
-    colour.colour = true;
-    std::vector<fields::Field> fields;
-    fields::compute_fields(
-        *generator::open_scene(scene, colour), options,
-        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
-    return fields;
-}
-
 /// How well fields show what moves: 2 · both / (shown + there), over all frames.
 double f_measure(const std::vector<fields::Field>& fields, const generator::Scene& truth) {
     double both = 0, shown = 0, there = 0;
@@ -115,10 +101,7 @@ fields::FieldOptions without_flow(const char* stabilize, const char* reference =
 }
 
 TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
-    generator::Options options;
-    options.size = {256, 192};
-    options.frames = 120;
-    options.noise = 2;
+    generator::Options options{.size = {256, 192}, .frames = 120, .noise = 2};
     const generator::Scene still = generator::make_walkers(options);
     const generator::Scene shaken = generator::make_shaken(still);
     const double best = f_measure(fields_of(still, without_flow("auto")), still);
@@ -131,23 +114,19 @@ TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
 }
 
 TEST(ShakingCamera, AStillOneIsLeftAlone) {
-    generator::Options options;
-    options.frames = 60;
-    options.noise = 3;
-    options.drift = 20;
+    generator::Options options{.frames = 60, .noise = 3, .drift = 20};
     for (const generator::Scene& scene : {generator::make_walkers(options), generator::make_left_bag(options)}) {
         const std::vector<fields::Field> aligned = fields_of(scene, without_flow("auto"));
         const std::vector<fields::Field> as_it_is = fields_of(scene, without_flow("off"));
         ASSERT_EQ(aligned.size(), as_it_is.size());
         for (std::size_t f = 0; f < aligned.size(); ++f) {
-            ASSERT_TRUE(std::ranges::equal(aligned[f].scalar.pixels(), as_it_is[f].scalar.pixels())) << f;
+            ASSERT_TRUE(test::same(aligned[f].scalar, as_it_is[f].scalar)) << f;
         }
     }
 }
 
 TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
-    generator::Options options;
-    options.frames = 40;
+    generator::Options options{.frames = 40};
     const generator::Scene shaken = generator::make_shaken(generator::make_walkers(options));
     fields::FieldOptions fields = without_flow("auto");
     fields.threads = 1;
@@ -156,7 +135,7 @@ TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
     const std::vector<fields::Field> five = fields_of(shaken, fields);
     ASSERT_EQ(one.size(), five.size());
     for (std::size_t f = 0; f < one.size(); ++f) {
-        ASSERT_TRUE(std::ranges::equal(one[f].scalar.pixels(), five[f].scalar.pixels())) << f;
+        ASSERT_TRUE(test::same(one[f].scalar, five[f].scalar)) << f;
     }
 }
 

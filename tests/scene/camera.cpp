@@ -1,13 +1,12 @@
-#include "tests/scene/shaken.h"
+#include "tests/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <utility>
 
 #include "tests/scene/canvas.h"
+#include "tests/support/planes.h"
 
 namespace vvr::generator {
 namespace {
@@ -35,35 +34,32 @@ Bgr level_at(const Plane<Bgr>& picture, double x, double y) {
     return result;
 }
 
-/// A scene seen by a camera that shakes.
-class Shaken final : public Story {
-  public:
-    explicit Shaken(Scene still) : still_(std::move(still)) {}
-
-    Plane<Bgr> paint(int frame) const override {
-        const Plane<Bgr> picture = still_.frame(frame);
-        const Point shift = shake_at(frame, still_.frames());
-        Plane<Bgr> moved(picture.size());
-        for (int j = 0; j < moved.height(); ++j) {
-            for (int i = 0; i < moved.width(); ++i) moved.at(i, j) = level_at(picture, i - shift.x, j - shift.y);
-        }
-        return moved;
-    }
-
-    Truth truth(int frame) const override { return still_.truth(frame); }
-
-  private:
-    Scene still_;
-};
-
 }  // namespace
 
 Scene make_shaken(const Scene& still) {
-    Options options;
-    options.size = still.size();
-    options.frames = still.frames();
-    options.rate = still.rate();
-    return {options, std::make_shared<Shaken>(still)};
+    const auto paint = [=](int frame) {
+        const Plane<Bgr> picture = still.frame(frame);
+        const Point shift = shake_at(frame, still.frames());
+        return test::plane_of<Bgr>(picture.size(),
+                                   [&](int i, int j) { return level_at(picture, i - shift.x, j - shift.y); });
+    };
+    return told({.size = still.size(), .frames = still.frames(), .rate = still.rate()}, paint,
+                [=](int frame) { return still.truth(frame); });
+}
+
+Scene make_thinned(const Scene& whole, int every, int first) {
+    const int frames = (whole.frames() - first + every - 1) / every;
+    const auto truth = [=](int frame) {
+        Truth slower = whole.truth(first + frame * every);
+        for (Object& object : slower.objects) {
+            object.vx *= every;
+            object.vy *= every;
+        }
+        return slower;
+    };
+    return told(
+        {.size = whole.size(), .frames = frames, .rate = whole.rate() / every},
+        [=](int frame) { return whole.frame(first + frame * every); }, truth);
 }
 
 }  // namespace vvr::generator
