@@ -1,11 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <set>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -14,11 +8,11 @@
 #include "core/image/video_encoder.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
+#include "tests/support/planes.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr Size size{64, 48};
 constexpr int pictures = 6;
@@ -26,47 +20,26 @@ constexpr int pictures = 6;
 /// A grey background with a bar of red that moves.
 image::Picture bar_at(int place) {
     image::Picture picture{Plane<image::Rgba>(size, {0.5F, 0.5F, 0.5F, 1})};
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 8 * place; i < 8 * place + 8; ++i) picture.pixels.at(i, j) = {1, 0, 0, 1};
-    }
+    test::fill(picture.pixels, {8 * place, 0, 8 * place + 8, size.height}, {1, 0, 0, 1});
     return picture;
 }
 
 class AnimationTest : public testing::TestWithParam<std::string> {
   protected:
-    AnimationTest() : folder_(fs::temp_directory_path() / ("vvr-animation-" + std::to_string(::getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~AnimationTest() override { fs::remove_all(folder_); }
-    AnimationTest(const AnimationTest&) = delete;
-    AnimationTest& operator=(const AnimationTest&) = delete;
-
-    fs::path file(const std::string& name) const { return folder_ / name; }
-
-    static void write(const fs::path& path) {
+    static void write(const std::string& path) {
         image::AnimationFile animation(path, 20);
         for (int i = 0; i < pictures; ++i) animation.add(bar_at(i));
         animation.close();
     }
 
-    static std::string bytes(const fs::path& path) {
-        std::ifstream stream(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-    std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
-
-  private:
-    fs::path folder_;
+    test::TempFolder folder;
 };
 
 TEST_P(AnimationTest, HoldsThePicturesInOrder) {
-    const fs::path path = file("moving" + GetParam());
+    const std::string path = folder / ("moving" + GetParam());
     write(path);
-    video::SourceOptions options;
-    options.field_size = size;
-    options.colour = true;
-    const auto source = video::open_source(path.string(), options);
+    video::SourceOptions options{.field_size = size, .colour = true};
+    const auto source = video::open_source(path, options);
     EXPECT_EQ(source->info().size, size);
     video::Scaler scaler(*source);
     int count = 0;
@@ -83,18 +56,19 @@ TEST_P(AnimationTest, HoldsThePicturesInOrder) {
 }
 
 TEST_P(AnimationTest, IsTheSameBytesAgain) {
-    write(file("a" + GetParam()));
-    write(file("b" + GetParam()));
-    EXPECT_FALSE(bytes(file("a" + GetParam())).empty());
-    EXPECT_EQ(bytes(file("a" + GetParam())), bytes(file("b" + GetParam())));
+    write(folder / ("a" + GetParam()));
+    write(folder / ("b" + GetParam()));
+    const std::string bytes = test::read_bytes(folder / ("a" + GetParam()));
+    EXPECT_FALSE(bytes.empty());
+    EXPECT_EQ(bytes, test::read_bytes(folder / ("b" + GetParam())));
 }
 
 TEST_P(AnimationTest, LeavesNothingUnlessItIsClosed) {
     {
-        image::AnimationFile animation(file("a" + GetParam()), 20);
+        image::AnimationFile animation(folder / ("a" + GetParam()), 20);
         animation.add(bar_at(0));
     }
-    EXPECT_EQ(files(), 0);
+    EXPECT_EQ(folder.files(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Endings, AnimationTest, testing::ValuesIn(image::animation_extensions()),
@@ -107,12 +81,12 @@ TEST(Animation, KnowsItsEndings) {
 }
 
 TEST(Animation, OfOddSizesLosesALineInVideo) {
-    const fs::path path = fs::temp_directory_path() / ("vvr-odd-" + std::to_string(::getpid()) + ".mp4");
+    const test::TempFolder folder;
+    const std::string path = folder / "odd.mp4";
     image::AnimationFile animation(path, 20);
     animation.add(image::Picture{Plane<image::Rgba>({33, 17}, {1, 1, 1, 1})});
     animation.close();
-    EXPECT_EQ(video::open_source(path.string(), {})->info().size, (Size{32, 16}));
-    fs::remove(path);
+    EXPECT_EQ(video::open_source(path, {})->info().size, (Size{32, 16}));
 }
 
 TEST(Palette, KeepsFewColoursExactly) {
@@ -124,12 +98,9 @@ TEST(Palette, KeepsFewColoursExactly) {
 }
 
 TEST(Palette, IsNearToManyColours) {
-    image::Picture picture{Plane<image::Rgba>({256, 256}, {0, 0, 0, 1})};
-    for (int j = 0; j < 256; ++j) {
-        for (int i = 0; i < 256; ++i) {
-            picture.pixels.at(i, j) = {static_cast<float>(i) / 255, static_cast<float>(j) / 255, 0.5F, 1};
-        }
-    }
+    const image::Picture picture{test::plane_of<image::Rgba>({256, 256}, [](int i, int j) {
+        return image::Rgba{static_cast<float>(i) / 255, static_cast<float>(j) / 255, 0.5F, 1};
+    })};
     image::Palette palette(picture);
     EXPECT_EQ(palette.colours().size(), 256U);
     double worst = 0;

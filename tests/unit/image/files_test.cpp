@@ -3,7 +3,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/base/atomic_file.h"
@@ -24,6 +24,9 @@
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
+#include "tests/support/errors.h"
+#include "tests/support/planes.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
@@ -31,58 +34,21 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// A folder of its own for each test, gone at the end.
+using test::read_bytes;
+
 class ImageTest : public testing::Test {
   protected:
-    ImageTest() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(test->name()) + "-" + std::to_string(::getpid());
-        std::ranges::replace(name, '/', '-');
-        folder_ = fs::temp_directory_path() / ("vvr-image-" + name);
-        fs::create_directories(folder_);
-    }
-    ~ImageTest() override { fs::remove_all(folder_); }
-    ImageTest(const ImageTest&) = delete;
-    ImageTest& operator=(const ImageTest&) = delete;
-
-    fs::path file(const std::string& name) const { return folder_ / name; }
-
-    std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
-
-  private:
-    fs::path folder_;
+    test::TempFolder folder;
 };
 
 class ImageFormatTest : public ImageTest, public testing::WithParamInterface<std::string> {};
 
 image::Picture gradient(Size size, float alpha = 1) {
-    image::Picture picture{Plane<image::Rgba>(size)};
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            const float x = static_cast<float>(i) / static_cast<float>(size.width);
-            const float y = static_cast<float>(j) / static_cast<float>(size.height);
-            picture.pixels.at(i, j) = {x * alpha, y * alpha, 0.25F * alpha, alpha};
-        }
-    }
-    return picture;
-}
-
-std::string bytes(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Runs `action` and gives the error that it throws.
-template <class Action>
-Error error_of(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error;
-    }
-    return Error(ErrorCode::usage, "nothing was thrown");
+    return {test::plane_of<image::Rgba>(size, [&](int i, int j) {
+        const float x = static_cast<float>(i) / static_cast<float>(size.width);
+        const float y = static_cast<float>(j) / static_cast<float>(size.height);
+        return image::Rgba{x * alpha, y * alpha, 0.25F * alpha, alpha};
+    })};
 }
 
 /// A file as the picture that was written.
@@ -122,28 +88,24 @@ float apart(const image::Picture& a, const image::Picture& b) {
     return most;
 }
 
-void expect_text(const Error& error, const std::string& part) {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-}
-
 TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
     const image::Picture picture = gradient({64, 48});
     const image::Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
-    image::write_picture(file("a" + GetParam()), picture, metadata);
+    image::write_picture(folder / ("a" + GetParam()), picture, metadata);
 
-    EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))),
+    EXPECT_LT(apart(picture, read_picture(folder / ("a" + GetParam()))),
               GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
-    image::Metadata read = image::settings_of(image::read_samples(file("a" + GetParam())));
+    image::Metadata read = image::settings_of(image::read_samples(folder / ("a" + GetParam())));
     std::ranges::sort(read);
     EXPECT_EQ(read, (image::Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
-    EXPECT_EQ(files(), 1U);
+    EXPECT_EQ(folder.files(), 1);
 }
 
 TEST_P(ImageFormatTest, SameBytesAtAnotherTime) {
-    image::write_picture(file("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    image::write_picture(folder / ("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
     ::sleep(1);  // dates in pictures count seconds
-    image::write_picture(file("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
-    EXPECT_EQ(bytes(file("a" + GetParam())), bytes(file("b" + GetParam())));
+    image::write_picture(folder / ("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    EXPECT_EQ(read_bytes(folder / ("a" + GetParam())), read_bytes(folder / ("b" + GetParam())));
 }
 
 TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
@@ -152,12 +114,12 @@ TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
     getrlimit(RLIMIT_FSIZE, &old_limit);
     const rlimit limit{100, old_limit.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
-    const Error error = error_of([&] { image::write_picture(file("a" + GetParam()), gradient({64, 48})); });
+    test::expect_error(ErrorCode::disk_full, [&] {
+        image::write_picture(folder / ("a" + GetParam()), gradient({64, 48}));
+    });
     setrlimit(RLIMIT_FSIZE, &old_limit);
     std::signal(SIGXFSZ, old_action);
-
-    EXPECT_EQ(error.code(), ErrorCode::disk_full);
-    EXPECT_EQ(files(), 0U);
+    EXPECT_EQ(folder.files(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(image::picture_file_extensions()),
@@ -166,8 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(image::pict
 TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
     const image::Picture picture = gradient({16, 16}, 0.5F);
     for (const std::string name : {"a.png", "a.tif", "a.exr"}) {
-        image::write_picture(file(name), picture);
-        EXPECT_LT(apart(picture, read_picture(file(name))), 1.01 / 255) << name;
+        image::write_picture(folder / name, picture);
+        EXPECT_LT(apart(picture, read_picture(folder / name)), 1.01 / 255) << name;
     }
 }
 
@@ -179,8 +141,8 @@ TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
         picture.pixel_data.depth.at(4, 1) = 2.7182818F;
         picture.pixel_data.time.at(4, 1) = 86399.96F;
         picture.pixel_data.frame.at(4, 1) = 2159999;  // more than a half float holds
-        image::write_picture(file("a.exr"), picture);
-        const image::Picture read = read_picture(file("a.exr"));
+        image::write_picture(folder / "a.exr", picture);
+        const image::Picture read = read_picture(folder / "a.exr");
         EXPECT_LT(apart(picture, read), 1.0 / 255) << "colours and alpha as ever";
         for (const auto plane : {&image::PixelData::depth, &image::PixelData::time, &image::PixelData::frame}) {
             ASSERT_EQ((read.pixel_data.*plane).size(), picture.pixels.size());
@@ -193,99 +155,94 @@ TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
 
         picture.pixel_data.object = Plane<float>({5, 3});
         picture.pixel_data.object.at(2, 1) = 65'535;
-        image::write_picture(file("b.exr"), picture);
-        const image::Picture with_objects = read_picture(file("b.exr"));
+        image::write_picture(folder / "b.exr", picture);
+        const image::Picture with_objects = read_picture(folder / "b.exr");
         ASSERT_EQ(with_objects.pixel_data.object.size(), picture.pixels.size());
         EXPECT_EQ(with_objects.pixel_data.object.at(2, 1), 65'535);
         EXPECT_EQ(with_objects.pixel_data.object.at(0, 0), 0);
         EXPECT_EQ(with_objects.pixel_data.frame.at(4, 1), 2159999);
 
-        image::write_picture(file("a.png"), picture);
-        EXPECT_TRUE(read_picture(file("a.png")).pixel_data.empty());
+        image::write_picture(folder / "a.png", picture);
+        EXPECT_TRUE(read_picture(folder / "a.png").pixel_data.empty());
     }
     EXPECT_TRUE(image::holds_pixel_data("out.EXR"));
     EXPECT_FALSE(image::holds_pixel_data("out.tif"));
 }
 
 TEST_F(ImageTest, ReplacesAsAWholeAndFollowsLinks) {
-    image::write_picture(file("a.png"), gradient({8, 8}));
-    fs::create_symlink(file("a.png"), file("link.png"));
-    image::write_picture(file("link.png"), gradient({16, 8}));
-    EXPECT_TRUE(fs::is_symlink(file("link.png")));
-    EXPECT_EQ(read_picture(file("a.png")).pixels.size(), (Size{16, 8}));
-    EXPECT_EQ(files(), 2U);
+    image::write_picture(folder / "a.png", gradient({8, 8}));
+    fs::create_symlink(folder / "a.png", folder / "link.png");
+    image::write_picture(folder / "link.png", gradient({16, 8}));
+    EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+    EXPECT_EQ(read_picture(folder / "a.png").pixels.size(), (Size{16, 8}));
+    EXPECT_EQ(folder.files(), 2);
 }
 
 TEST_F(ImageTest, EndingsInCapitalsCount) {
-    EXPECT_NO_THROW(image::check_picture_path(file("A.PNG")));
+    EXPECT_NO_THROW(image::check_picture_path(folder / "A.PNG"));
 }
 
 TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
-    std::ofstream(file("text.png")) << "not a picture";
-    EXPECT_EQ(error_of([&] { read_picture(file("text.png")); }).code(), ErrorCode::file_invalid);
-    expect_text(error_of([&] { read_picture(file("none.png")); }), "none.png");
+    test::write_bytes(folder / "text.png", "not a picture");
+    test::expect_error(ErrorCode::file_invalid, [&] { read_picture(folder / "text.png"); });
+    test::expect_error(ErrorCode::file_not_found, [&] { read_picture(folder / "none.png"); }, {"none.png"});
 }
 
 TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
-    const auto part = [&](int number) {
-        char name[64];
-        std::snprintf(name, sizeof name, ".vvr-%016lx-%d.part", static_cast<unsigned long>(fnv1a("x")), number);
-        return file(name);
-    };
+    const auto part = [&](int number) { return folder / fmt::format(".vvr-{:016x}-{}.part", fnv1a("x"), number); };
     const auto leave = [&](int number) {
-        std::ofstream(part(number)) << "half";
+        test::write_bytes(part(number), "half");
         fs::last_write_time(part(number), fs::file_time_type::clock::now() - 61min);
     };
     const auto replace = [&](const std::string& text) {
-        replace_file(file("x"), std::as_bytes(std::span(text)));
-        EXPECT_EQ(bytes(file("x")), text);
+        replace_file(folder / "x", std::as_bytes(std::span(text)));
+        EXPECT_EQ(read_bytes(folder / "x"), text);
     };
     leave(0);
     leave(1);
     replace("first");
-    EXPECT_EQ(files(), 1) << "two that were left";
+    EXPECT_EQ(folder.files(), 1) << "two that were left";
     leave(0);
     const int writer = ::open(part(0).c_str(), O_WRONLY);
     ASSERT_EQ(::flock(writer, LOCK_EX), 0);
     replace("second");
     const std::vector<std::string> names{"x"};
-    remove_leftovers(file("."), names);
-    EXPECT_EQ(bytes(part(0)), "half") << "somebody is writing it";
+    remove_leftovers(folder.path(), names);
+    EXPECT_EQ(read_bytes(part(0)), "half") << "somebody is writing it";
     ::close(writer);
-    check_file_path(file("x"));
-    EXPECT_EQ(files(), 1);
-    std::ofstream(part(0)) << "half";
-    remove_leftovers(file("."), names);
-    EXPECT_EQ(files(), 1) << "young, but known to be nobody's";
+    check_file_path(folder / "x");
+    EXPECT_EQ(folder.files(), 1);
+    test::write_bytes(part(0), "half");
+    remove_leftovers(folder.path(), names);
+    EXPECT_EQ(folder.files(), 1) << "young, but known to be nobody's";
 }
 
 TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
-    fs::create_symlink("round", file("round"));
+    fs::create_symlink("round", folder / "round");
     const std::string text = "text";
-    const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
-    EXPECT_EQ(error.kind(), ErrorKind::io);
-    EXPECT_EQ(files(), 1);
+    test::expect_error(ErrorCode::io, [&] { replace_file(folder / "round", std::as_bytes(std::span(text))); });
+    EXPECT_EQ(folder.files(), 1);
 }
 
 TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
     const auto put = [](const WriteAt& write_at, std::int64_t offset, std::string_view text) {
         write_at(offset, std::as_bytes(std::span(text)));
     };
-    replace_file(file("x"), [&](const WriteAt& write_at) {
+    replace_file(folder / "x", [&](const WriteAt& write_at) {
         put(write_at, 4, "tail");
         put(write_at, 0, "head");
         put(write_at, 2, "..");
-        EXPECT_FALSE(fs::exists(file("x"))) << "before it is whole";
+        EXPECT_FALSE(fs::exists(folder / "x")) << "before it is whole";
     });
-    EXPECT_EQ(bytes(file("x")), "he..tail");
-    EXPECT_THROW(replace_file(file("x"),
+    EXPECT_EQ(read_bytes(folder / "x"), "he..tail");
+    EXPECT_THROW(replace_file(folder / "x",
                               [&](const WriteAt& write_at) {
                                   put(write_at, 0, "something else");
                                   throw std::runtime_error("the source ended");
                               }),
                  std::runtime_error);
-    EXPECT_EQ(bytes(file("x")), "he..tail");
-    EXPECT_EQ(files(), 1);
+    EXPECT_EQ(read_bytes(folder / "x"), "he..tail");
+    EXPECT_EQ(folder.files(), 1);
 }
 
 TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
@@ -295,24 +252,53 @@ TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
     for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
     const std::vector<std::byte> wanted = memory.finish();
     EXPECT_EQ(memory.bytes(), wanted.size());
-    replace_file(file("film"), [&](const WriteAt& write_at) {
+    replace_file(folder / "film", [&](const WriteAt& write_at) {
         image::VideoEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
         for (int k = 0; k < 8; ++k) film.add(shade(k), k);
         EXPECT_TRUE(film.finish().empty());
     });
-    EXPECT_EQ(bytes(file("film")), std::string(reinterpret_cast<const char*>(wanted.data()), wanted.size()));
+    EXPECT_EQ(read_bytes(folder / "film"), std::string(reinterpret_cast<const char*>(wanted.data()), wanted.size()));
 }
 
 TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
     const auto full = [](std::int64_t, std::span<const std::byte>) {
         throw Error(ErrorCode::disk_full, "the disk is full");
     };
-    const Error error = error_of([&] {
+    test::expect_error(ErrorCode::disk_full, [&] {
         image::VideoEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
         film.add(Plane<Bgr>({32, 16}), 0);
         film.finish();
     });
-    EXPECT_EQ(error.code(), ErrorCode::disk_full);
+}
+
+TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
+    const auto encode = [](const char* name, Size size) {
+        return [=] { image::encode_picture(name, image::Picture{Plane<image::Rgba>(size)}); };
+    };
+    test::expect_error(ErrorCode::io, encode("a.jpg", {70000, 1}), {"'a.jpg'", "70000x1", "65500"});
+    test::expect_error(ErrorCode::io, encode("a.png", {0, 5}), {"'a.png'"});
+}
+
+TEST(Encoders, CutADescriptionThatIsTooLong) {
+    const auto bytes = image::encode_picture("a.jpg", image::Picture{Plane<image::Rgba>({8, 8})},
+                                             {{"title", std::string(70000, 'x')}});
+    EXPECT_EQ(image::settings_of(image::decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
+}
+
+TEST(Encoders, MarkTextsOfAPngAsUtf8) {
+    const image::Metadata settings{{"title", "Süd, 10 °C"}, {"theme", "light"}};
+    const auto png = image::encode_picture("a.png", image::Picture{Plane<image::Rgba>({8, 8})}, settings);
+    const std::string file(reinterpret_cast<const char*>(png.data()), png.size());
+    EXPECT_NE(file.find("iTXtvvr:title"), std::string::npos);
+    EXPECT_NE(file.find("tEXtvvr:theme"), std::string::npos);
+    EXPECT_EQ(image::settings_of(image::decode_samples("a.png", png)), settings);
+}
+
+TEST(Encoders, GiveAFrameItsColours) {
+    const auto png = image::encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
+    const image::Samples samples = image::decode_samples("a.png", png);
+    EXPECT_EQ(samples.channels, (std::vector<std::string>{"R", "G", "B"}));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(255 * samples.at(2, 1)[c], 30 - 10 * static_cast<int>(c), 1e-3);
 }
 
 }  // namespace

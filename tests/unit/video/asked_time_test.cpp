@@ -1,11 +1,9 @@
-#include <cstdlib>
-#include <ctime>
-#include <string>
 
 #include <gtest/gtest.h>
 
 #include "core/video/frame_span.h"
 #include "tests/support/errors.h"
+#include "tests/support/zone.h"
 
 namespace vvr {
 namespace {
@@ -36,18 +34,6 @@ video::FrameSpan asked(std::optional<video::RequestedTime> start, std::optional<
     return span;
 }
 
-/// What a test does in another time zone.
-struct InZone {
-    explicit InZone(const char* zone) {
-        ::setenv("TZ", zone, 1);
-        ::tzset();
-    }
-    ~InZone() {
-        ::setenv("TZ", "UTC", 1);
-        ::tzset();
-    }
-};
-
 TEST(RequestedTime, IsASecondOfTheClip) {
     const video::RequestedTime dated{evening + 6 * 3600, true, "2026-11-22 02:00"};
     const video::RequestedTime of_day{2 * 3600, false, "@02:00"};
@@ -74,7 +60,7 @@ TEST(RequestedTime, IsASecondOfTheClip) {
 }
 
 TEST(RequestedTime, FollowsSummerTime) {
-    const InZone berlin("Europe/Berlin");
+    const test::InZone berlin("Europe/Berlin");
     // From 2026-03-28 23:30 for eight hours: at 2:00 clocks are put forward to 3:00.
     const Clock forward = local_clock(1'774'737'000, 8 * hour, ClockSource::file_name);
     EXPECT_EQ(video::seconds_of({3600 + 1800, false, ""}, forward), 2 * hour);

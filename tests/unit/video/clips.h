@@ -3,38 +3,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <memory>
+#include <functional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/y4m.h"
+#include "tests/support/temp_folder.h"
 
 // Clips for the tests of core/video, made when they are needed with the ffmpeg program.
 namespace vvr::test {
-
-/// A folder of its own that vanishes with the object.
-class TempFolder {
-  public:
-    TempFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "vvr-test-XXXXXX").string();
-        if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
-        path_ = pattern;
-    }
-    ~TempFolder() { std::filesystem::remove_all(path_); }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
 
 inline std::string quoted(const std::string& word) {
     return "'" + word + "'";
@@ -50,33 +33,29 @@ inline int level(std::int64_t i) {
     return static_cast<int>(20 + 2 * i);
 }
 
-/// Frames of one grey level each, so that a decoded frame tells which one it is.
-class Counting final : public generator::Story {
-  public:
-    explicit Counting(Size size) : size_(size) {}
-    Plane<Bgr> paint(int frame) const override {
-        const auto grey = static_cast<std::uint8_t>(level(frame));
-        return Plane<Bgr>(size_, {grey, grey, grey});
-    }
-    generator::Truth truth(int) const override { return {}; }
-
-  private:
-    Size size_;
-};
-
 inline void write_scene(const generator::Scene& scene, const std::string& name) {
     std::ofstream file(name, std::ios::binary);
     generator::write_y4m(scene, file);
+}
+
+inline void write_painted(Size size, int frames, std::function<Plane<Bgr>(int)> paint, const std::string& name) {
+    write_scene(generator::told({.size = size, .frames = frames}, std::move(paint), {}), name);
+}
+
+/// Writes frames of one grey level each, so that a decoded frame tells which one it is.
+inline void write_counting(Size size, int frames, const std::string& name) {
+    const auto paint = [size](int frame) {
+        const auto grey = static_cast<std::uint8_t>(level(frame));
+        return Plane<Bgr>(size, {grey, grey, grey});
+    };
+    write_painted(size, frames, paint, name);
 }
 
 /// Writes a counting clip of 100 frames, 25 a second, encoded as `encoding` says.
 inline std::string counting_clip(const TempFolder& folder, const std::string& name, const std::string& encoding,
                                  Size size = {64, 48}) {
     const std::string raw = folder / (name + ".y4m");
-    generator::Options options;
-    options.size = size;
-    options.frames = 100;
-    write_scene({options, std::make_shared<Counting>(size)}, raw);
+    write_counting(size, 100, raw);
     ffmpeg("-i " + quoted(raw) + " " + encoding + " " + quoted(folder / name));
     return folder / name;
 }
@@ -85,30 +64,17 @@ inline std::string counting_clip(const TempFolder& folder, const std::string& na
 inline std::string walkers_clip(const TempFolder& folder, const std::string& name, const std::string& encoding) {
     const std::string raw = folder / "walkers.y4m";
     if (!std::filesystem::exists(raw)) {
-        generator::Options options;
-        options.frames = 75;
-        options.size = {192, 144};
-        options.noise = 3;
+        generator::Options options{.size = {192, 144}, .frames = 75, .noise = 3};
         write_scene(generator::make_walkers(options), raw);
     }
     ffmpeg("-i " + quoted(raw) + " " + encoding + " " + quoted(folder / name));
     return folder / name;
 }
 
-inline std::string read_bytes(const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-inline void write_bytes(const std::string& name, const std::string& bytes) {
-    std::ofstream(name, std::ios::binary) << bytes;
-}
-
 /// The first part of a file, as if its disk had been full.
 inline std::string cut(const TempFolder& folder, const std::string& name, double part) {
     const auto bytes = read_bytes(name);
-    const auto extension = std::filesystem::path(name).extension().string();
-    const std::string out = folder / ("cut" + extension);
+    const std::string out = folder / ("cut" + std::filesystem::path(name).extension().string());
     write_bytes(out, bytes.substr(0, static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
     return out;
 }

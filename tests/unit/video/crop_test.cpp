@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,6 +15,7 @@ extern "C" {
 
 #include "core/base/cv_view.h"
 #include "core/video/scaler.h"
+#include "tests/support/planes.h"
 
 namespace vvr {
 namespace {
@@ -27,14 +26,10 @@ using video::Orientation;
 
 /// Waves of several lengths and colours, so that every place looks different.
 Plane<Bgr> chart(Size size) {
-    Plane<Bgr> picture(size);
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            const auto wave = [](double x) { return static_cast<std::uint8_t>(std::lround(128 + 90 * std::sin(x))); };
-            picture.at(i, j) = {wave(0.07 * i + 0.02 * j), wave(0.4 * i - 0.3 * j), wave(0.05 * j + 0.0004 * i * j)};
-        }
-    }
-    return picture;
+    const auto wave = [](double x) { return static_cast<std::uint8_t>(std::lround(128 + 90 * std::sin(x))); };
+    return test::plane_of<Bgr>(size, [&](int i, int j) {
+        return Bgr{wave(0.07 * i + 0.02 * j), wave(0.4 * i - 0.3 * j), wave(0.05 * j + 0.0004 * i * j)};
+    });
 }
 
 std::shared_ptr<const DecodedFrame> decoded(Size size, AVPixelFormat format, Orientation orientation) {

@@ -30,8 +30,7 @@ TEST_P(Damage, SpoiledBytesAreCountedAndPassed) {
     const auto name = spoiled(folder, clip);
     std::size_t first = 0;
     for (const int threads : {1, 2, 4, 4}) {
-        video::SourceOptions options;
-        options.threads = threads;
+        video::SourceOptions options{.threads = threads};
         const auto source = video::open_source(name, options);
         const auto frames = read_all(*source);
         EXPECT_GT(frames.size(), 25u);

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -11,9 +9,10 @@ extern "C" {
 #include <libavutil/mem.h>
 }
 
-#include "core/base/error.h"
 #include "core/video/input_files.h"
 #include "core/video/packet_copy.h"
+#include "core/video/recorder_names.h"
+#include "tests/support/errors.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -168,9 +167,8 @@ TEST(VideoFile, MakesPixelsSquare) {
 
 /// Two clips of four seconds, one after another, whose clocks both begin at the same time.
 std::string clip_whose_clock_goes_back(const TempFolder& folder) {
-    std::ifstream part(counting_clip(folder, "part.ts", "-c:v libx264 -qp 4 -g 25 -bf 2"), std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(part), {});
-    std::ofstream(folder / "whole.ts", std::ios::binary) << bytes << bytes;
+    const std::string part = read_bytes(counting_clip(folder, "part.ts", "-c:v libx264 -qp 4 -g 25 -bf 2"));
+    write_bytes(folder / "whole.ts", part + part);
     return folder / "whole.ts";
 }
 
@@ -199,13 +197,9 @@ TEST(VideoFile, BeganWhenItWasLastWrittenLessItsLength) {
 TEST(VideoFile, TakesTinyAndOddSizes) {
     const TempFolder folder;
     for (const Size size : {Size{1, 1}, Size{1, 40}, Size{40, 1}, Size{33, 17}}) {
-        video::SourceOptions options;
-        options.colour = true;
+        video::SourceOptions options{.colour = true};
         const auto name = folder / "odd.y4m";
-        generator::Options drawn;
-        drawn.size = size;
-        drawn.frames = 3;
-        write_scene({drawn, std::make_shared<Counting>(size)}, name);
+        write_counting(size, 3, name);
         const auto source = video::open_source(name, options);
         const auto frames = read_all(*source);
         ASSERT_EQ(frames.size(), 3u);
@@ -281,12 +275,7 @@ TEST(Sample, ReportsThatMemoryEndedWhileItDecodesAKeyFrame) {
     ffmpeg("-f lavfi -i testsrc2=size=640x480:rate=10:duration=2 -c:v mjpeg " + quoted(clip));
     const auto source = video::open_source(clip);
     const LibavLimit limit(200'000);  // bytes: more than libavformat needs, and less than a frame
-    try {
-        source->sample(8);
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::out_of_memory) << error.what();
-    }
+    test::expect_error(ErrorCode::out_of_memory, [&] { source->sample(8); });
 }
 
 TEST(Sample, DoesNotTrustTheHeadersDuration) {
@@ -297,6 +286,37 @@ TEST(Sample, DoesNotTrustTheHeadersDuration) {
     const auto frames = source->sample(10);
     EXPECT_GE(frames.size(), 4u);
     EXPECT_GT(frames.back().pts, 1.2);
+}
+
+/// Frames from here to the end.
+int count(video::FrameSource& source) {
+    int frames = 0;
+    while (source.next()) ++frames;
+    return frames;
+}
+
+// A disk that is unmounted, or a recorder that makes room, between the first look and the pass that counts.
+TEST(RecordingSource, SaysThatItsFilesHaveGone) {
+    const TempFolder folder;
+    const std::string day = folder / "day";
+    std::filesystem::create_directory(day);
+    counting_clip(folder, "clip.avi", "-c:v mpeg4");
+    for (const char* name : {"2026-11-21_10-00-00.avi", "2026-11-21_10-00-04.avi"}) {
+        std::filesystem::copy_file(folder / "clip.avi", std::filesystem::path(day) / name);
+    }
+    std::vector<std::string> warnings;
+    const auto source = video::open_sources({day}, {}, video::RecorderNames(), warnings);
+    EXPECT_EQ(count(*source), 200);
+
+    std::filesystem::rename(day, folder / "away");
+    source->rewind();
+    test::expect_error(ErrorCode::io, [&] { source->next(); }, {"2 files"});
+
+    std::filesystem::rename(folder / "away", day);
+    std::filesystem::remove(std::filesystem::path(day) / "2026-11-21_10-00-04.avi");
+    source->rewind();
+    EXPECT_EQ(count(*source), 100) << "what is left is read";
+    EXPECT_EQ(source->problems().size(), 1U) << "and the rest is named";
 }
 
 }  // namespace

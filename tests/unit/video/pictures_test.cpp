@@ -78,8 +78,7 @@ TEST_F(Pictures, MayChangeTheirSizeAndFormat) {
 
 TEST_F(Pictures, HaveTheRateThatIsAskedFor) {
     write("f%02d.png", 10);
-    video::SourceOptions options;
-    options.rate = 2;
+    video::SourceOptions options{.rate = 2};
     const auto source = video::open_source(folder.path(), options);
     EXPECT_DOUBLE_EQ(source->info().duration, 5);
     EXPECT_EQ(source->info().frames, 10);

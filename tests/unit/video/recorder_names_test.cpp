@@ -1,7 +1,6 @@
 #include "core/video/recorder_names.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "tests/support/errors.h"
+#include "tests/support/zone.h"
 
 namespace vvr {
 namespace {
@@ -220,21 +220,18 @@ TEST(RecorderNames, OfAnyBytesAreReadSoon) {
 }
 
 TEST(RecorderNames, AreOnTheLocalClockAcrossSummerTime) {
-    ::setenv("TZ", "Europe/Berlin", 1);
-    ::tzset();
     const video::RecorderNames names;
     const auto utc = [&](const std::string& clock, std::optional<std::int64_t> near = {}) {
         return video::utc_of(*names.read("gate/" + clock + ".mp4").begin, near);
     };
+    EXPECT_EQ(utc("20261121080007"), morning);
+    const test::InZone berlin("Europe/Berlin");
     EXPECT_EQ(utc("20261121080007"), morning - 3600);
     EXPECT_EQ(utc("20260329030000") - utc("20260329015950"), 10) << "clocks leap from 2:00 to 3:00";
     EXPECT_EQ(utc("20260329023000"), utc("20260329033000")) << "no clock shows it";
     const std::int64_t first = utc("20261025023000");
     EXPECT_EQ(utc("20261025023000", first + 3000), first + 3600) << "2:30 comes twice";
     EXPECT_EQ(utc("20261025023000", first + 10), first);
-    ::setenv("TZ", "UTC", 1);
-    ::tzset();
-    EXPECT_EQ(utc("20261121080007"), morning);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ extern "C" {
 }
 
 #include "core/video/scaler.h"
+#include "tests/support/planes.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -19,30 +20,14 @@ namespace {
 using namespace test;
 
 /// Left half red, right half a grey ramp from top to bottom.
-class Chart final : public generator::Story {
-  public:
-    explicit Chart(Size size) : size_(size) {}
-    Plane<Bgr> paint(int) const override {
-        Plane<Bgr> picture(size_);
-        for (int j = 0; j < size_.height; ++j) {
-            for (int i = 0; i < size_.width; ++i) {
-                const auto grey = static_cast<std::uint8_t>(255 * j / (size_.height - 1));
-                picture.at(i, j) = i < size_.width / 2 ? Bgr{30, 40, 200} : Bgr{grey, grey, grey};
-            }
-        }
-        return picture;
-    }
-    generator::Truth truth(int) const override { return {}; }
-
-  private:
-    Size size_;
-};
-
 void write_chart(const std::string& name, Size size) {
-    generator::Options options;
-    options.size = size;
-    options.frames = 2;
-    write_scene({options, std::make_shared<Chart>(size)}, name);
+    const auto paint = [size](int) {
+        return plane_of<Bgr>(size, [size](int i, int j) {
+            const auto grey = static_cast<std::uint8_t>(255 * j / (size.height - 1));
+            return i < size.width / 2 ? Bgr{30, 40, 200} : Bgr{grey, grey, grey};
+        });
+    };
+    write_painted(size, 2, paint, name);
 }
 
 class PixelFormats : public testing::TestWithParam<std::string> {};
@@ -57,9 +42,7 @@ TEST_P(PixelFormats, GiveTheSameGreyAndColour) {
     const auto name = is_picture ? folder / "c%d.png" : folder / "chart.nut";
     ffmpeg("-i " + quoted(folder / "chart.y4m") + (is_picture ? "" : " -c:v " + codec) + " -pix_fmt " + format + " " +
            quoted(name));
-    video::SourceOptions options;
-    options.colour = true;
-    options.field_size = {32, 32};
+    video::SourceOptions options{.field_size = {32, 32}, .colour = true};
     const auto frames = read_all(*video::open_source(name, options));
     ASSERT_EQ(frames.size(), 2u);
     const auto& frame = frames[1];
@@ -104,15 +87,12 @@ double area_mean(const Plane<Bgr>& picture, Size to, int i, int j) {
 
 TEST(Scaler, AveragesAreas) {
     const TempFolder folder;
-    generator::Options drawn;
-    drawn.size = {300, 200};
-    drawn.frames = 2;
+    generator::Options drawn{.size = {300, 200}, .frames = 2};
     const auto scene = generator::make_shifted_texture(drawn);
     write_scene(scene, folder / "texture.y4m");
     const auto truth = scene.frame(1);
     for (const Size size : {Size{150, 100}, Size{100, 50}, Size{133, 89}, Size{299, 199}, Size{3, 2}, Size{1, 1}}) {
-        video::SourceOptions options;
-        options.field_size = size;
+        video::SourceOptions options{.field_size = size};
         const auto frames = read_all(*video::open_source(folder / "texture.y4m", options));
         ASSERT_EQ(frames.size(), 2u);
         double worst = 0;
@@ -165,9 +145,7 @@ TEST(Scaler, DoublesLinearly) {
 TEST(Scaler, EnlargesToo) {
     const TempFolder folder;
     write_chart(folder / "chart.y4m", {16, 16});
-    video::SourceOptions options;
-    options.field_size = {100, 8};
-    options.colour = true;
+    video::SourceOptions options{.field_size = {100, 8}, .colour = true};
     const auto frames = read_all(*video::open_source(folder / "chart.y4m", options));
     EXPECT_EQ(frames[0].grey.size(), (Size{100, 8}));
     EXPECT_NEAR(frames[0].grey.at(10, 4), 87, 3);
