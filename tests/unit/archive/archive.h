@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,25 +12,29 @@
 #include "core/archive/output_files.h"
 #include "core/archive/sidecar.h"
 #include "core/base/digest.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr::test {
 
 namespace fs = std::filesystem;
 
+/// A text in which one part is another.
+inline std::string replaced(std::string text, const std::string& part, const std::string& with) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.replace(at, part.size(), with);
+}
+
 /// An archive: a folder of clips, and one of what is made of them.
 class Archive : public ::testing::Test {
   protected:
-    Archive() : top_(fs::temp_directory_path() / fmt::format("vvr-archive-{}", ::getpid())) {
-        fs::remove_all(top_);
+    Archive() {
         fs::create_directories(in());
         fs::create_directories(out());
     }
-    ~Archive() override { fs::remove_all(top_); }
-    Archive(const Archive&) = delete;
-    Archive& operator=(const Archive&) = delete;
 
-    fs::path in() const { return top_ / "in"; }
-    fs::path out() const { return top_ / "out"; }
+    fs::path in() const { return folder_ / "in"; }
+    fs::path out() const { return folder_ / "out"; }
 
     static void write(const fs::path& path, const std::string& text = "x") {
         fs::create_directories(path.parent_path());
@@ -42,10 +43,9 @@ class Archive : public ::testing::Test {
 
     /// The file of a claim to `name`, as one who was killed leaves it, with any text in it.
     fs::path leave_claim(const std::string& name, const std::string& text) const {
-        char file[64];
-        std::snprintf(file, sizeof file, ".vvr-%016lx.lock", static_cast<unsigned long>(fnv1a(name)));
-        write(out() / file, text);
-        return out() / file;
+        const fs::path file = out() / fmt::format(".vvr-{:016x}.lock", fnv1a(name));
+        write(file, text);
+        return file;
     }
 
     std::vector<std::string> found(const archive::ClipNames& names = archive::ClipNames()) const {
@@ -68,7 +68,7 @@ class Archive : public ::testing::Test {
     }
 
   private:
-    fs::path top_;
+    TempFolder folder_;
 };
 
 }  // namespace vvr::test

@@ -14,7 +14,6 @@
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"
 #include "core/base/atomic_file.h"
-#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "tests/unit/archive/archive.h"
@@ -70,14 +69,17 @@ TEST_F(Archive, IsClaimedByOneAtATime) {
 }
 
 TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        const auto claim = archive::LockFile::try_take(out(), "a.avi");
-        ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_EQ(status, 0);
+    const auto be_killed = [&] {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const auto claim = archive::LockFile::try_take(out(), "a.avi");
+            ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
+        }
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        ASSERT_EQ(status, 0);
+    };
+    be_killed();
     write(out() / "a.avi.png");
     write(out() / "other.png");
     {
@@ -87,12 +89,7 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
         archive::tidy(out(), archive::list_outputs(out(), in()));
         EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
     }
-    const pid_t other = ::fork();
-    if (other == 0) {
-        const auto claim = archive::LockFile::try_take(out(), "a.avi");
-        ::_exit(claim ? 0 : 1);
-    }
-    ASSERT_EQ(::waitpid(other, &status, 0), other);
+    be_killed();
     archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
     EXPECT_TRUE(fs::exists(out() / "other.png"));

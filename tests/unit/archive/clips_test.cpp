@@ -1,7 +1,6 @@
 #include "core/archive/clips.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <set>
@@ -16,6 +15,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"
+#include "tests/support/zone.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -73,8 +73,7 @@ TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
 }
 
 TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
-    ::setenv("TZ", "Europe/Berlin", 1);
-    ::tzset();
+    const test::InZone berlin("Europe/Berlin");
     const std::vector<archive::Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
                                            {"2026-11-21/23/gate/00.00.mp4", 7, 20},
                                            {"2026-11-21/23/gate/00.10.mp4", 9, 30},
@@ -99,8 +98,6 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
         archive::group_by_day(clips, video::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
     EXPECT_EQ(one_ahead[1].files.size(), 2U);
     EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
-    ::setenv("TZ", "UTC", 1);
-    ::tzset();
 }
 
 TEST(CameraDays, OfNightsHaveTheDateOfTheirEvening) {
@@ -132,14 +129,11 @@ TEST(CameraDays, OfNightsHaveTheDateOfTheirEvening) {
         {"UTC", "1970-01-01 00:00:00", hours(12), "1969-12-31"},
     };
     for (const Row& row : rows) {
-        ::setenv("TZ", row.zone, 1);
-        ::tzset();
+        const test::InZone zone(row.zone);
         std::tm parts{};
         ::strptime(row.utc, "%Y-%m-%d %H:%M:%S", &parts);
         EXPECT_EQ(archive::date_of(::timegm(&parts), {row.begins}), row.date) << row.utc << ' ' << row.zone;
     }
-    ::setenv("TZ", "UTC", 1);
-    ::tzset();
 }
 
 }  // namespace

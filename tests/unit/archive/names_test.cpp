@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,6 @@
 #include "core/archive/clips.h"
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
-#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/video/input_files.h"
 #include "core/video/recorder_names.h"

@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Archive;
+using test::replaced;
 
 TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     archive::Sidecar sidecar = done("cam/\xFF.avi", {archive::OutputKind::picture, archive::OutputKind::report});
@@ -41,9 +42,10 @@ TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     sidecar.code = ErrorCode::no_video_stream;
     sidecar.tries = 2;
     archive::write_sidecar(out(), sidecar);
-    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->code, ErrorCode::no_video_stream);
-    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->tries, 2);
-    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->state, archive::Sidecar::State::failed);
+    const auto failed = archive::read_sidecar(out(), sidecar.clip.path);
+    EXPECT_EQ(failed->code, ErrorCode::no_video_stream);
+    EXPECT_EQ(failed->tries, 2);
+    EXPECT_EQ(failed->state, archive::Sidecar::State::failed);
 }
 
 TEST_F(Archive, RemovesOnlyThePiecesOfAClip) {
@@ -67,8 +69,7 @@ TEST_F(Archive, RemovesOnlyThePiecesOfAClip) {
     EXPECT_TRUE(fs::exists(folder / "mine.txt"));
 
     // Names that vvr gives no piece are foreign, wherever they lead.
-    std::string forged = archive::format_sidecar(sidecar);
-    forged.replace(forged.find("event-1.mp4"), 11, "../a.avi.png");
+    const std::string forged = replaced(archive::format_sidecar(sidecar), "event-1.mp4", "../a.avi.png");
     EXPECT_EQ(archive::parse_sidecar(forged)->pieces, (std::vector<std::string>{"evidence.json", "SHA256SUMS"}));
 }
 
@@ -116,10 +117,8 @@ TEST_F(Archive, ReadsNoNumberThatCannotBe) {
                                        {"\"frames\": 0", "-7"},
                                        {"\"bytes\": 3", "1e300"},
                                        {"\"status\": 0", "99999"}}) {
-        std::string forged = text;
         const std::string from(what);
-        ASSERT_NE(forged.find(from), std::string::npos) << what;
-        forged.replace(forged.find(from), from.size(), from.substr(0, from.find(' ') + 1) + number);
+        const std::string forged = replaced(text, from, from.substr(0, from.find(' ') + 1) + number);
         EXPECT_FALSE(archive::parse_sidecar(forged)) << what << " " << number;
     }
 }
@@ -141,12 +140,9 @@ TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
     EXPECT_EQ(read->frames, 7);
     EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
     EXPECT_EQ(read->day->rule, sidecar.day->rule);
-    std::string no_date = archive::format_sidecar(sidecar);
-    no_date.replace(no_date.find("2026-11-21\",\n"), 10, "../../../x");
-    EXPECT_FALSE(archive::parse_sidecar(no_date));
-    std::string out_of_folder = archive::format_sidecar(sidecar);
-    out_of_folder.replace(out_of_folder.find("\"x.avi\""), 7, "\"../x\"");
-    EXPECT_FALSE(archive::parse_sidecar(out_of_folder));
+    const std::string text = archive::format_sidecar(sidecar);
+    EXPECT_FALSE(archive::parse_sidecar(replaced(text, "2026-11-21\",\n", "../../../x\",\n")));
+    EXPECT_FALSE(archive::parse_sidecar(replaced(text, "\"x.avi\"", "\"../x\"")));
 }
 
 TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
@@ -189,13 +185,9 @@ TEST_F(Archive, TakesNothingElseForASidecar) {
         EXPECT_FALSE(archive::read_sidecar(out(), "b.avi"));
         write(out() / "b.avi.json", other);
     }
-    std::string newer = text;
-    newer.replace(newer.find("\"vvr-archive\": 1"), 16, "\"vvr-archive\": 2");
-    write(out() / "a.avi.json", newer);
+    write(out() / "a.avi.json", replaced(text, "\"vvr-archive\": 1", "\"vvr-archive\": 2"));
     EXPECT_FALSE(archive::read_sidecar(out(), "a.avi"));
-    std::string strange = text;
-    strange.replace(strange.find("\"a.avi.png\""), 11, "\"../../x\"");
-    write(out() / "a.avi.json", strange);
+    write(out() / "a.avi.json", replaced(text, "\"a.avi.png\"", "\"../../x\""));
     EXPECT_TRUE(archive::read_sidecar(out(), "a.avi")->files.empty()) << "names a file that is not its own";
 }
 

@@ -4,8 +4,6 @@
 #include <tuple>
 #include <vector>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include "core/archive/clips.h"
@@ -104,15 +102,15 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there)
         << "another clip of the day is there";
     write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
-    EXPECT_NO_THROW(
-        archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)));
+    const auto check_can_prune = [&] {
+        archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders));
+    };
+    EXPECT_NO_THROW(check_can_prune());
     fs::create_symlink("nowhere", in() / "broken.avi");
-    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
-                 Error);
+    EXPECT_THROW(check_can_prune(), Error);
     fs::remove_all(in());
     fs::create_directories(in());
-    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
-                 Error);
+    EXPECT_THROW(check_can_prune(), Error);
 
     const archive::Sidecar gone = done("gone.avi");
     write(out() / "gone.avi.txt");
@@ -146,14 +144,12 @@ TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
 }
 
 TEST(Gone, IsOnlyWhatIsCertainlyNotThere) {
-    const fs::path folder = fs::temp_directory_path() / ("vvr-gone-" + std::to_string(::getpid()));
-    fs::create_directories(folder);
+    const test::TempFolder folder;
     fs::create_symlink("loop", folder / "loop");
     EXPECT_TRUE(archive::is_gone(folder / "none.avi"));
-    EXPECT_TRUE(archive::is_gone(folder / "none" / "a.avi"));
+    EXPECT_TRUE(archive::is_gone(folder / "none/a.avi"));
     EXPECT_FALSE(archive::is_gone(folder / "loop")) << "the link is there";
-    EXPECT_FALSE(archive::is_gone(folder / "loop" / "a.avi")) << "nobody knows";
-    fs::remove_all(folder);
+    EXPECT_FALSE(archive::is_gone(folder / "loop/a.avi")) << "nobody knows";
 }
 
 }  // namespace

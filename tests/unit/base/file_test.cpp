@@ -1,8 +1,6 @@
 #include "core/base/file.h"
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 
@@ -13,6 +11,7 @@
 
 #include "core/base/digest.h"
 #include "tests/support/errors.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
@@ -29,7 +28,8 @@ TEST(ReadFile, TakesNoMoreFromAPipeThanItMay) {
 }
 
 TEST(LockFile, HasOneOwner) {
-    const auto path = std::filesystem::temp_directory_path() / ("vvr-lock-" + std::to_string(::getpid()));
+    const test::TempFolder folder;
+    const std::string path = folder / "lock";
     const int first = ::open(path.c_str(), O_RDWR | O_CREAT, 0600);
     const int second = ::open(path.c_str(), O_RDWR);
     EXPECT_EQ(lock_file(first, false), 0);
@@ -37,23 +37,22 @@ TEST(LockFile, HasOneOwner) {
     ::close(first);
     EXPECT_EQ(lock_file(second, true), 0);
     ::close(second);
-    std::filesystem::remove(path);
 }
 
 TEST(Digest, OfAFileIsThatOfItsBytes) {
-    const auto path = std::filesystem::temp_directory_path() / ("vvr-digest-" + std::to_string(::getpid()));
+    const test::TempFolder folder;
     // As sha256sum prints them: of nothing, of "abc", and of 2 MiB and a byte, which are read in parts.
     const std::pair<std::string, std::string> known[] = {
         {"", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
         {"abc", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"},
         {std::string((2 << 20) + 1, 'x'), "71ac24a75f6bc57bc51b43b3d13c3009aa243986b77a92102a3097c9e53123e9"}};
     for (const auto& [bytes, digest] : known) {
-        std::ofstream(path, std::ios::binary) << bytes;
-        EXPECT_EQ(hex_sha256_of_file(path), digest);
+        test::write_bytes(folder / "file", bytes);
+        EXPECT_EQ(hex_sha256_of_file(folder / "file"), digest);
         EXPECT_EQ(hex_sha256(bytes), digest);
     }
-    std::filesystem::remove(path);
-    test::expect_error(ErrorCode::file_not_found, [&] { hex_sha256_of_file(path); }, {path.string()});
+    const std::string none = folder / "none";
+    test::expect_error(ErrorCode::file_not_found, [&] { hex_sha256_of_file(none); }, {none});
 }
 
 }  // namespace

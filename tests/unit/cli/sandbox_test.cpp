@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 
@@ -14,6 +13,8 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
@@ -37,18 +38,17 @@ int error_behind(const std::function<bool()>& shut_in, const std::function<long(
 /// A folder with a file that may be read, one that may not, and a folder to write into.
 class Files : public testing::Test {
   protected:
-    void SetUp() override {
-        fs::create_directories(folder_ / "out");
-        for (const char* const name : {"mine", "other", "out/old"}) std::ofstream(folder_ / name) << "text";
+    Files() {
+        fs::create_directory(path("out"));
+        for (const char* const name : {"mine", "other", "out/old"}) test::write_bytes(path(name), "text");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     std::string path(const char* name) const { return folder_ / name; }
 
     static long open(const std::string& path, int flags) { return ::open(path.c_str(), flags | O_CLOEXEC, 0600); }
 
   private:
-    fs::path folder_ = fs::temp_directory_path() / ("vvr-sandbox-" + std::to_string(::getpid()));
+    test::TempFolder folder_;
 };
 
 TEST_F(Files, EachVersionOfLandlockKeepsThem) {

@@ -1,21 +1,18 @@
 #include "core/detector/detector.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "tests/support/errors.h"
+#include "tests/support/planes.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/detector/tiny_model.h"
 
 namespace vvr::detector {
@@ -26,26 +23,18 @@ using test::TinyModel;
 /// A file of a model for one test.
 class DetectorTest : public testing::Test {
   protected:
-    DetectorTest()
-        : file_(std::filesystem::temp_directory_path() /
-                ("vvr-detector-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" +
-                 std::to_string(::getpid()) + ".onnx")) {}
-    ~DetectorTest() override { std::filesystem::remove(file_); }
-    DetectorTest(const DetectorTest&) = delete;
-    DetectorTest& operator=(const DetectorTest&) = delete;
-
-    const std::filesystem::path& write(std::string_view bytes) const {
-        std::ofstream(file_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    std::string write(std::string_view bytes) const {
+        test::write_bytes(file_, bytes);
         return file_;
     }
 
     void expect_refused(std::string_view bytes, std::string_view fact = "") const {
-        test::expect_error(ErrorCode::not_a_model, [&] { const Detector detector(write(bytes)); },
-                           {file_.native(), fact});
+        test::expect_error(ErrorCode::not_a_model, [&] { const Detector detector(write(bytes)); }, {file_, fact});
     }
 
   private:
-    std::filesystem::path file_;
+    test::TempFolder folder_;
+    std::string file_ = folder_ / "model.onnx";
 };
 
 /// A black image of 64x64 pixels. The first pixel of one cell of 8 pixels has a colour.
@@ -70,9 +59,7 @@ TEST_F(DetectorTest, FindsWhatTheModelTells) {
 TEST_F(DetectorTest, ReturnsBoxesInPixelsOfTheImage) {
     Detector detector(write(TinyModel().onnx()));
     Plane<Bgr> image({256, 128}, Bgr{0, 0, 0});
-    for (int j = 64; j < 96; ++j) {
-        for (int i = 96; i < 128; ++i) image.at(i, j) = {255, 0, 0};
-    }
+    test::fill(image, {96, 64, 128, 96}, {255, 0, 0});
     // The image is a quarter of its size in the input: the cell is at 24, 16, and a box has 16 pixels there.
     const auto found = detector.detect(view_of(image), 0.5F);
     ASSERT_EQ(found.size(), 1);
@@ -133,7 +120,7 @@ TEST_F(DetectorTest, SaysWhyAFileIsNoModel) {
 }
 
 TEST_F(DetectorTest, RefusesAFileThatIsTooLong) {
-    const std::filesystem::path& file = write("x");
+    const std::string file = write("x");
     std::filesystem::resize_file(file, (std::uintmax_t{1} << 30U) + 1);  // without blocks on the disk
     test::expect_error(ErrorCode::file_too_large, [&] { const Detector detector(file); });
 }

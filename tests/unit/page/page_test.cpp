@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <random>
 #include <stdexcept>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,11 +12,11 @@
 #include "core/page/html.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
+#include "tests/support/planes.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text));
@@ -156,16 +152,6 @@ TEST(Stills, AreAllFramesOfAShortClip) {
     EXPECT_EQ(stills.take().size(), 5U);
 }
 
-/// Noise that no encoder makes small.
-Plane<Bgr> noise(Size size, unsigned seed) {
-    std::mt19937 random(seed);
-    Plane<Bgr> picture(size);
-    for (Bgr& pixel : picture.pixels()) {
-        for (std::uint8_t& value : pixel) value = static_cast<std::uint8_t>(random());
-    }
-    return picture;
-}
-
 TEST(Preview, HoldsTheFramesAtTheirTimes) {
     const Size size{64, 48};
     page::Preview preview(size, {50, 5});
@@ -178,10 +164,9 @@ TEST(Preview, HoldsTheFramesAtTheirTimes) {
     ASSERT_TRUE(film);
     EXPECT_NEAR(film->begin, 4.03, 1e-9);
     EXPECT_EQ(film->step, 1);
-    const fs::path path = fs::temp_directory_path() / ("vvr-preview-" + std::to_string(::getpid()) + ".film");
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(film->bytes.data()), static_cast<std::streamsize>(film->bytes.size()));
-    const auto source = video::open_source(path.string(), {});
+    const test::TempFolder folder;
+    test::write_bytes(folder / "film", {reinterpret_cast<const char*>(film->bytes.data()), film->bytes.size()});
+    const auto source = video::open_source(folder / "film", {});
     EXPECT_EQ(source->info().size, size);
     int count = 0;
     while (const auto frame = source->next()) {
@@ -189,7 +174,6 @@ TEST(Preview, HoldsTheFramesAtTheirTimes) {
         ++count;
     }
     EXPECT_EQ(count, 50);
-    fs::remove(path);
 }
 
 TEST(Preview, TakesNotEveryFrameOfALongClip) {
@@ -210,7 +194,7 @@ TEST(Preview, IsNoneWhereItWouldBeLarge) {
     // A header that promises 50 frames, and noise without end.
     const Size size{384, 288};
     page::Preview preview(size, {50, 2});
-    for (unsigned i = 0; i < 700; ++i) preview.add(i, i / 25.0, noise(size, i));
+    for (unsigned i = 0; i < 700; ++i) preview.add(i, i / 25.0, test::noise(size, i));
     const auto film = preview.finish();
     EXPECT_TRUE(!film || film->bytes.size() <= page::Preview::most_bytes);
 }

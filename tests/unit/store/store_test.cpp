@@ -1,13 +1,9 @@
-#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +13,8 @@
 #include "core/store/extraction.h"
 #include "core/store/manifest.h"
 #include "tests/support/errors.h"
+#include "tests/support/planes.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
@@ -51,22 +49,14 @@ store::Manifest manifest_of() {
 
 class Store : public testing::Test {
   protected:
-    Store() : folder_(fs::temp_directory_path() / ("vvr-store-" + std::to_string(::getpid()))) {
-        fs::remove_all(folder_);
-        fs::create_directory(folder_);
-    }
-    ~Store() override { fs::remove_all(folder_); }
-    Store(const Store&) = delete;
-    Store& operator=(const Store&) = delete;
-
     std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
-        store::DataFolder data(folder_ / name, 2);
+        store::DataFolder data(folder / name, 2);
         for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
         data.close(manifest_of(), {});
-        return (folder_ / name).string();
+        return folder / name;
     }
 
-    fs::path folder_;
+    test::TempFolder folder;
 };
 
 TEST_F(Store, GivesBackWhatItTook) {
@@ -80,11 +70,11 @@ TEST_F(Store, GivesBackWhatItTook) {
             const fields::Field expected = field_of(next);
             EXPECT_EQ(field.index, next);
             EXPECT_EQ(field.pts, expected.pts);
-            EXPECT_TRUE(std::ranges::equal(field.scalar.pixels(), expected.scalar.pixels()));
+            EXPECT_TRUE(test::same(field.scalar, expected.scalar));
             EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<fields::Seed>{});
             EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
             if (next == 0 || next == 9) {
-                EXPECT_TRUE(std::ranges::equal(frame->colour.pixels(), frame_of(next).colour.pixels()));
+                EXPECT_TRUE(test::same(frame->colour, frame_of(next).colour));
             }
             ++next;
         });
@@ -93,13 +83,13 @@ TEST_F(Store, GivesBackWhatItTook) {
 
 TEST_F(Store, WithoutCloseNothingStays) {
     {
-        store::DataFolder data(folder_ / "a", 1);
+        store::DataFolder data(folder / "a", 1);
         data.add(frame_of(0), field_of(0));
-        EXPECT_TRUE(store::is_data_folder(folder_ / "a"));
-        const std::vector<std::string> names{(folder_ / "a").string()};
+        EXPECT_TRUE(store::is_data_folder(folder / "a"));
+        const std::vector<std::string> names{folder / "a"};
         EXPECT_THROW(store::StoredFields{names}, Error);
     }
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_EQ(folder.files(), 0);
 }
 
 TEST_F(Store, ListsReplaceSeeds) {
@@ -107,7 +97,7 @@ TEST_F(Store, ListsReplaceSeeds) {
     const std::vector<std::string> rest{write("b", 4, 10)};
     fields::ListedSeeds listed(std::make_unique<store::StoredFields>(rest), whole.front() + "/seeds", {}, true);
     EXPECT_EQ(listed.interval(4), 2);
-    fs::remove(folder_ / "a" / store::stored::seed_file(6));
+    fs::remove(fs::path(whole.front()) / store::stored::seed_file(6));
     fields::ListedSeeds fewer(std::make_unique<store::StoredFields>(rest), whole.front() + "/seeds", {}, true);
     std::size_t seeds = 0;
     fewer.read({.flow = false, .every = 2},

@@ -1,9 +1,10 @@
-#include "cli/workers/archive_progress.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "cli/console.h"
+#include "cli/workers/archive_progress.h"
 
 namespace vvr {
 namespace {
@@ -28,6 +29,13 @@ TEST(ArchiveProgress, FitsIntoALineWhateverTheNamesAre) {
         EXPECT_LE(line.size(), columns * 3 / 2 + 1) << line;
         EXPECT_TRUE(whole.starts_with(line)) << line;
     }
+}
+
+TEST(Progress, TellsPercentAndTheTimeThatIsLeft) {
+    EXPECT_EQ(cli::progress_text("frames", 50, 200, 4), "frames [=====               ] 25 %, 12 s left");
+    EXPECT_EQ(cli::progress_text("frames", 50, 200, 1), "frames [=====               ] 25 %") << "too early";
+    EXPECT_EQ(cli::progress_text("frames", 250, 200, 9), "frames [====================] 100 %") << "a wrong header";
+    EXPECT_EQ(cli::progress_text("frames", 50, 0, 4), "frames 50") << "an unknown length";
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+// What people are told: texts without secrets, and names that they may have meant.
+#include "core/base/text.h"
+
 #include <array>
 #include <string>
 
@@ -8,6 +11,15 @@
 
 namespace vvr {
 namespace {
+
+TEST(ShownText, TellsNoSecrets) {
+    EXPECT_EQ(redact_secrets("rtsp://user:pass@cam:554/live?token=1"), "rtsp://cam:554/live");
+    EXPECT_EQ(redact_secrets("rtsp://user:p@ss@cam/live"), "rtsp://cam/live");
+    EXPECT_EQ(redact_secrets("tcp://127.0.0.1:5000?listen=1"), "tcp://127.0.0.1:5000");
+    EXPECT_EQ(redact_secrets("udp://@:5000"), "udp://:5000");
+    EXPECT_EQ(redact_secrets("http://host"), "http://host");
+    EXPECT_EQ(redact_secrets("http://host/a@b.ts"), "http://host/a@b.ts");
+}
 
 const std::array<std::string, 4> names{"render", "info", "doctor", "horn-schunck"};
 
