@@ -8,12 +8,12 @@
 #include "core/base/error.h"
 #include "core/bricks/cells.h"
 #include "core/bricks/volume.h"
-#include "tests/unit/bricks/frame.h"
+#include "tests/support/fields.h"
 
 namespace vvr {
 namespace {
 
-using test::frame;
+using test::field_of;
 
 template <class Texel>
 std::vector<Texel> texels_of(const bricks::BrickLayers& layers, std::int64_t layer) {
@@ -25,7 +25,7 @@ std::vector<Texel> texels_of(const bricks::BrickLayers& layers, std::int64_t lay
 TEST(BrickLayers, RunAgainstTheImageAndHoldTheNeighboursLayers) {
     bricks::Volume volume({2, 2}, {8});
     for (int i = 0; i < 4; ++i) {
-        fields::Field field = frame(i, {2, 2}, 0);
+        fields::Field field = field_of(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(10 + i);  // top left: x_C and y_C near 1
         volume.add(field);
     }
@@ -44,7 +44,7 @@ TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     const Size size{100, 60};
     bricks::Volume volume(size, {8});
     for (int i = 0; i < 6; ++i) {
-        fields::Field field = frame(i, size, 0);
+        fields::Field field = field_of(i, size, 0);
         if (i == 2) field.scalar.at(20, 40) = 200;
         if (i == 3) field.scalar.at(50, 59) = 100;
         volume.add(field);
@@ -74,7 +74,7 @@ TEST(BrickLayers, GiveAnOwnerItsNeighboursInTimeToo) {
     bricks::Volume volume({6, 6}, {.capacity = 8, .keep_owners = true});
     const std::array run{fields::LabelRun{2, 2, 3, 5}};
     for (int i = 0; i < 5; ++i) {
-        fields::Field field = frame(i, {6, 6}, 0);
+        fields::Field field = field_of(i, {6, 6}, 0);
         if (i == 2) field.scalar.at(2, 2) = 200;
         volume.add(field, {}, i == 2 ? std::span<const fields::LabelRun>(run) : std::span<const fields::LabelRun>());
     }
@@ -93,7 +93,7 @@ TEST(BrickLayers, GiveAnOwnerItsNeighboursInTimeToo) {
 TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
     bricks::Volume volume({2, 2}, {2});
     for (int i = 0; i < 4; ++i) {
-        fields::Field field = frame(i, {2, 2}, 0);
+        fields::Field field = field_of(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(i == 1 ? 90 : 10);
         volume.add(field, Plane<Bgr>({2, 2}, {static_cast<std::uint8_t>(i), 100, 200}));
     }
@@ -109,10 +109,10 @@ TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
         << "red first, the scalar last, against the image";
     EXPECT_EQ(texels_of<std::uint8_t>(layers, 1)[3], 90);
 
-    EXPECT_THROW(volume.add(frame(4, {2, 2}, 0)), Error) << "colours from the first frame on";
+    EXPECT_THROW(volume.add(field_of(4, {2, 2}, 0)), Error) << "colours from the first frame on";
     bricks::Volume plain({2, 2}, {2});
-    plain.add(frame(0, {2, 2}, 0));
-    EXPECT_THROW(plain.add(frame(1, {2, 2}, 0), Plane<Bgr>({2, 2})), Error);
+    plain.add(field_of(0, {2, 2}, 0));
+    EXPECT_THROW(plain.add(field_of(1, {2, 2}, 0), Plane<Bgr>({2, 2})), Error);
     EXPECT_FALSE(bricks::BrickLayers(plain, {0, 1}).coloured());
 }
 
@@ -149,8 +149,8 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
 
 TEST(BrickCells, HoldEveryVoxelWithItsNeighbours) {
     bricks::Volume volume({40, 33}, {64});
-    for (int i = 0; i < 50; ++i) volume.add(frame(i, {40, 33}, 0));
-    fields::Field odd = frame(50, {40, 33}, 0);
+    for (int i = 0; i < 50; ++i) volume.add(field_of(i, {40, 33}, 0));
+    fields::Field odd = field_of(50, {40, 33}, 0);
     odd.scalar.at(17, 9) = 77;
     volume.add(odd);
     const auto layout = space::make_box({0.45, 1, 0.4});

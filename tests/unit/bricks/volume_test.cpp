@@ -6,16 +6,16 @@
 
 #include "core/base/error.h"
 #include "core/bricks/brick.h"
-#include "tests/unit/bricks/frame.h"
+#include "tests/support/fields.h"
 
 namespace vvr {
 namespace {
 
-using test::frame;
+using test::field_of;
 
 TEST(Volume, KeepsEachFrameWhileItFits) {
     bricks::Volume volume({2, 2}, {8});
-    for (int i = 0; i < 8; ++i) volume.add(frame(i, {2, 2}, static_cast<std::uint8_t>(i)));
+    for (int i = 0; i < 8; ++i) volume.add(field_of(i, {2, 2}, static_cast<std::uint8_t>(i)));
     EXPECT_EQ(volume.layers(), 8);
     EXPECT_EQ(volume.step(), 1);
     EXPECT_EQ(volume.layer(5).scalar.at(0, 0), 5);
@@ -24,7 +24,7 @@ TEST(Volume, KeepsEachFrameWhileItFits) {
 
 TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     bricks::Volume volume({2, 2}, {8});
-    for (int i = 0; i < 1000; ++i) volume.add(frame(i, {2, 2}, i == 613 ? 200 : 0));
+    for (int i = 0; i < 1000; ++i) volume.add(field_of(i, {2, 2}, i == 613 ? 200 : 0));
     EXPECT_LE(volume.layers(), 8);
     EXPECT_GT(volume.layers(), 4);
     EXPECT_EQ(volume.step(), 128);
@@ -33,9 +33,9 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         const bricks::Layer& layer = volume.layer(i);
         EXPECT_EQ(layer.first_frame, next);
-        EXPECT_NEAR(layer.pts, 0.1 * static_cast<double>(next), 1e-9);
+        EXPECT_NEAR(layer.pts, static_cast<double>(next) / 25, 1e-9);
         next += layer.frames;
-        EXPECT_NEAR(layer.last_pts, 0.1 * static_cast<double>(next - 1), 1e-9);
+        EXPECT_NEAR(layer.last_pts, static_cast<double>(next - 1) / 25, 1e-9);
         if (layer.scalar.at(1, 1) == 200) {
             ++bright;
             EXPECT_EQ(i, 613 / 128);
@@ -48,7 +48,7 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
 TEST(Volume, ClearsABoxInAllLayers) {
     bricks::Volume volume({4, 4}, {.capacity = 8, .keep_owners = true});
     const fields::LabelRun row{1, 0, 4, 7};
-    for (int i = 0; i < 5; ++i) volume.add(frame(i, {4, 4}, 200), {}, std::span(&row, 1));
+    for (int i = 0; i < 5; ++i) volume.add(field_of(i, {4, 4}, 200), {}, std::span(&row, 1));
     volume.clear({1, 1, 3, 2});
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         EXPECT_EQ(volume.layer(i).scalar.count(), 16 - 2) << i;
@@ -62,7 +62,8 @@ TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
     // Covered from frame 5 to frame 10.
     bricks::Volume volume({1, 1}, {.capacity = 100, .step = 4, .values = fields::Values::band});
     for (int i = 0; i < 16; ++i) {
-        volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(fields::band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
+        volume.add(
+            field_of(i, {1, 1}, static_cast<std::uint8_t>(fields::band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
     }
     const fields::Band expected[] = {fields::Band::background, fields::Band::newly_covered, fields::Band::uncovered,
                                      fields::Band::background};
@@ -74,7 +75,7 @@ TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
 TEST(Volume, ThinsSeedsAsItGrows) {
     bricks::Volume volume({2, 2}, {8, 1, 2});
     for (int i = 0; i < 1000; ++i) {
-        fields::Field field = frame(i, {2, 2}, 0);
+        fields::Field field = field_of(i, {2, 2}, 0);
         field.seeds = {{0, 0, 1, 0}};
         volume.add(field);
     }
@@ -90,7 +91,7 @@ TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
     // Two frames per layer, bricks of three layers: seeds at frames 0, 5, 6 and 13 are those of bricks 0, 0, 1 and 2.
     bricks::Volume volume({4, 4}, {100, 2});
     for (int i = 0; i < 16; ++i) {
-        fields::Field field{i, 0.1 * i, Plane<std::uint8_t>({4, 4}), {}, {}};
+        fields::Field field = field_of(i, {4, 4});
         if (i == 0 || i == 5 || i == 6 || i == 13)
             field.seeds = {{1, 2, 3, 4, *fields::SeedFlags::parse(i == 5 ? "0" : "101")}};
         volume.add(field);
@@ -115,7 +116,7 @@ TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
 TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
     const auto fill = [](bricks::Volume& volume, int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            fields::Field field = frame(i, {2, 2}, static_cast<std::uint8_t>(i));
+            fields::Field field = field_of(i, {2, 2}, static_cast<std::uint8_t>(i));
             field.flow = uniform_flow({2, 2}, static_cast<float>(i), 1);
             field.seeds = {{0, 0, static_cast<float>(i), 0}};
             volume.add(field);
@@ -152,7 +153,7 @@ TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
 TEST(Volume, ThinsFlowWithTheSeeds) {
     bricks::Volume volume({2, 2}, {.capacity = 8, .step = 1, .seed_interval = 2, .keep_flow = true});
     for (int i = 13; i < 1013; ++i) {
-        fields::Field field = frame(i, {2, 2}, 0);
+        fields::Field field = field_of(i, {2, 2}, 0);
         // A clip that begins in its middle: flow comes with frames whose index in the clip is even.
         if (i % 2 == 0) {
             field.flow = uniform_flow({2, 2}, static_cast<float>(i), 0);
@@ -190,7 +191,7 @@ TEST(FlowVolume, IsTrilinear) {
 
 TEST(Volume, RefusesAFrameOfAnotherSize) {
     bricks::Volume volume({2, 2}, {8});
-    EXPECT_THROW(volume.add(frame(0, {3, 2}, 0)), Error);
+    EXPECT_THROW(volume.add(field_of(0, {3, 2}, 0)), Error);
     EXPECT_THROW(bricks::Volume({2, 2}, {1}), Error);
 }
 

@@ -2,25 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/planes.h"
 
 namespace vvr {
 namespace {
 
 /// Each pixel says where it is.
 video::Frame frame_of(std::int64_t index, Size size) {
-    video::Frame frame{index, static_cast<double>(index), Plane<std::uint8_t>(size), Plane<Bgr>(size)};
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            frame.colour.at(i, j) = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
-                                     static_cast<std::uint8_t>(index)};
-        }
-    }
-    return frame;
+    return {
+        index, static_cast<double>(index), Plane<std::uint8_t>(size), test::plane_of<Bgr>(size, [&](int i, int j) {
+            return Bgr{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(index)};
+        })};
 }
 
 events::Event event_of(std::vector<std::size_t> tracks) {
@@ -147,9 +144,7 @@ TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
 }
 
 TEST(Crops, OfDetailTakeNoMoreMemoryThanTheirLimit) {
-    video::Frame frame{1, 1, Plane<std::uint8_t>({416, 416}), Plane<Bgr>({416, 416})};
-    std::mt19937 random(3);
-    for (Bgr& pixel : frame.colour.pixels()) pixel[1] = static_cast<std::uint8_t>(random());
+    const video::Frame frame{1, 1, Plane<std::uint8_t>({416, 416}), test::noise({416, 416}, 3)};
     glance::Crops crops;
     for (std::size_t track = 0; track < 260; ++track) {
         crops.keep(track, {{1, 1}, {100, 100, 300, 300}, static_cast<double>(track)}, frame);

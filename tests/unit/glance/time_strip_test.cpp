@@ -16,15 +16,21 @@ events::Event event_of(double first, double last) {
     return event;
 }
 
+/// Of up to 20 s each.
+std::vector<events::Event> random_events(int count, std::mt19937& random) {
+    std::uniform_real_distribution<double> time(0, 100);
+    std::vector<events::Event> events;
+    for (int i = 0; i < count; ++i) {
+        const double first = time(random);
+        events.push_back(event_of(first, first + time(random) / 5));
+    }
+    return events;
+}
+
 TEST(StripBars, OfOneRowAreNotThereAtTheSameTime) {
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> time(0, 100);
     for (int round = 0; round < 100; ++round) {
-        std::vector<events::Event> events;
-        for (int i = 0; i < 60; ++i) {
-            const double first = time(random);
-            events.push_back(event_of(first, first + time(random) / 5));
-        }
+        const std::vector<events::Event> events = random_events(60, random);
         const std::vector<std::size_t> order = glance::by_importance(events);
         const std::vector<glance::StripBar> bars = glance::strip_bars(events, order, 8, 2);
         EXPECT_GE(bars.size(), 8U);
@@ -47,13 +53,8 @@ TEST(StripBars, WithoutRoomAreNone) {
 // As many rows as there are objects at once are enough for all of them.
 TEST(StripBars, OfAllObjectsFitIfThereAreAsManyRowsAsObjectsAtOnce) {
     std::mt19937 random(9);
-    std::uniform_real_distribution<double> time(0, 100);
     for (int round = 0; round < 100; ++round) {
-        std::vector<events::Event> events;
-        for (int i = 0; i < 40; ++i) {
-            const double first = time(random);
-            events.push_back(event_of(first, first + time(random) / 5));
-        }
+        const std::vector<events::Event> events = random_events(40, random);
         std::ptrdiff_t at_once = 0;
         for (const events::Event& event : events) {
             const auto is_there = [&](const events::Event& other) {
@@ -74,6 +75,45 @@ TEST(StripBars, AreOfTheMostImportantIfNotAllFit) {
     EXPECT_EQ(bars[0].event, 0U);
     EXPECT_EQ(bars[1].event, 1U);
     EXPECT_EQ(bars[2].event, 3U);
+}
+
+TEST(IdlePeriods, AreTheRestOfTheClip) {
+    const std::vector<glance::Period> idle = glance::idle_periods({{5, 8}, {3, 20}, {30, 40}}, 0, 50);
+    ASSERT_EQ(idle.size(), 3U);
+    EXPECT_EQ(idle[0].begin, 0);
+    EXPECT_EQ(idle[0].end, 3);
+    EXPECT_EQ(idle[1].begin, 20);
+    EXPECT_EQ(idle[1].end, 30);
+    EXPECT_EQ(idle[2].begin, 40);
+    EXPECT_EQ(idle[2].end, 50);
+    EXPECT_EQ(glance::idle_periods({}, 0, 50).size(), 1U);
+    EXPECT_TRUE(glance::idle_periods({{0, 50}}, 0, 50).empty());
+}
+
+/// A hundred frames, ten per second. In some of them, every `each`-th pixel of a square differs from the empty scene.
+bricks::Volume changed_in(int first, int last, int each) {
+    constexpr Size size{96, 64};
+    bricks::Volume volume(size, {.keep_owners = true});
+    for (int i = 0; i < 100; ++i) {
+        fields::Field field{i, i / 10.0, Plane<std::uint8_t>(size), {}, {}};
+        for (int k = 0; k < 16 * 16 && i >= first && i <= last; k += each)
+            field.scalar.at(20 + k % 16, 20 + k / 16) = 200;
+        volume.add(field);
+    }
+    return volume;
+}
+
+TEST(UnexplainedPeriods, AreThoseWithAThingThatIsNoObject) {
+    const std::vector<glance::Period> periods =
+        glance::unexplained_periods(changed_in(30, 49, 1), bricks::no_identities);
+    ASSERT_EQ(periods.size(), 1U);
+    EXPECT_NEAR(periods[0].begin, 3, 1e-9);
+    EXPECT_NEAR(periods[0].end, 5, 1e-9);
+}
+
+TEST(UnexplainedPeriods, DoNotCountNoiseAndFlashes) {
+    EXPECT_TRUE(glance::unexplained_periods(changed_in(30, 49, 7), bricks::no_identities).empty());
+    EXPECT_TRUE(glance::unexplained_periods(changed_in(30, 34, 1), bricks::no_identities).empty());
 }
 
 }  // namespace

@@ -1,23 +1,19 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "cli/app/compose.h"
 #include "cli/app/input.h"
-#include "core/base/error.h"
 #include "core/bricks/brick.h"
 #include "core/labels/lettering.h"
 #include "core/labels/ruler.h"
 #include "core/labels/sheet.h"
 #include "core/labels/time_ticks.h"
 #include "core/scene/scene.h"
-#include "core/scene/theme.h"
-#include "core/scene/transfer_function.h"
+#include "tests/support/fields.h"
 #include "tests/support/layouts.h"
+#include "tests/support/zone.h"
 
 namespace vvr {
 namespace {
@@ -110,30 +106,18 @@ TEST(Lettering, TakesNothingThatMeetsAnotherOrLeaves) {
     EXPECT_EQ(lettering.labels.size(), 2U);
 }
 
-/// A volume of `frames` frames, 25 a second.
 bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, {800, std::max(1, frames / 800 + 1)});
-    for (int i = 0; i < frames; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.pts = i / 25.0;
-        field.scalar = Plane<std::uint8_t>({32, 24});
-        volume.add(field);
-    }
-    return volume;
+    return test::even_volume({32, 24}, frames);
 }
 
-bricks::Volume clip_with_gap() {
-    bricks::Volume volume({32, 24}, {800});
+/// 100 frames, of which some are missing.
+bricks::Volume clip_with_gap(int begin, int end, std::int64_t capacity = 800) {
+    bricks::Volume volume({32, 24}, {capacity});
     for (int i = 0; i < 100; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.pts = 0.04 * i;
-        field.scalar = Plane<std::uint8_t>({32, 24}, 200);
-        if (i < 30 || i >= 60) {
-            volume.add(field);
+        if (i < begin || i >= end) {
+            volume.add(test::field_of(i, {32, 24}, 200));
         } else {
-            volume.add_missing(i, field.pts);
+            volume.add_missing(i, i / 25.0);
         }
     }
     return volume;
@@ -151,10 +135,7 @@ app::Composition composed_of(const app::RenderJob& job, const bricks::Volume& vo
 bricks::Volume day_with_pauses(std::int64_t capacity) {
     bricks::Volume volume({32, 24}, {.capacity = capacity, .nonuniform = true});
     for (int i = 0; i < 3 * 3780; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.pts = i;
-        field.scalar = Plane<std::uint8_t>({32, 24});
+        fields::Field field{i, 1.0 * i, Plane<std::uint8_t>({32, 24}), {}, {}};
         const bool moves = i % 3780 >= 3600;
         if (moves) field.scalar.at(i % 32, i % 24) = 200;
         volume.add(field, {}, {}, moves);
@@ -231,8 +212,7 @@ TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
 }
 
 TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
-    ::setenv("TZ", "Europe/Berlin", 1);
-    ::tzset();
+    const test::InZone berlin("Europe/Berlin");
     // From 2026-03-28 23:30 CET for four hours: at 2:00 clocks are put forward to 3:00.
     const Clock clock = local_clock(1774737000, 4 * 3600, ClockSource::file_name);
     EXPECT_EQ(texts(labels::time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
@@ -247,8 +227,6 @@ TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
     const Clock back = local_clock(1792886400, 3 * 3600, ClockSource::file_name);
     EXPECT_EQ(texts(labels::time_ticks(0, 3 * 3600, 4, back)), (Texts{"02:00", "02:00", "03:00", "04:00"}));
     EXPECT_EQ(Clock(1774737000).iso(1.5), "2026-03-28T22:30:01") << "of no zone";
-    ::setenv("TZ", "UTC", 1);
-    ::tzset();
 }
 
 TEST(TimeTicks, LengthsAreRound) {
@@ -258,7 +236,7 @@ TEST(TimeTicks, LengthsAreRound) {
 }
 
 TEST(Gaps, AreWhereNoFrameCame) {
-    const bricks::Volume volume = clip_with_gap();
+    const bricks::Volume volume = clip_with_gap(30, 60);
     EXPECT_EQ(volume.missing(), 30);
     const std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     ASSERT_EQ(gaps.size(), 1U);
@@ -267,17 +245,7 @@ TEST(Gaps, AreWhereNoFrameCame) {
     EXPECT_TRUE(labels::time_gaps(clip_of(100)).empty());
 
     // Layers that hold a frame are none of a gap.
-    bricks::Volume joined({32, 24}, {50});
-    for (int i = 0; i < 100; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.scalar = Plane<std::uint8_t>({32, 24}, 200);
-        if (i < 31 || i >= 61) {
-            joined.add(field);
-        } else {
-            joined.add_missing(i, 0);
-        }
-    }
+    bricks::Volume joined = clip_with_gap(31, 61, 50);
     ASSERT_EQ(labels::time_gaps(joined).size(), 1U);
     EXPECT_NEAR(labels::time_gaps(joined)[0].t_begin, 0.32, 1e-12);
     EXPECT_NEAR(labels::time_gaps(joined)[0].t_end, 0.6, 1e-12);
@@ -287,7 +255,7 @@ TEST(Gaps, AreWhereNoFrameCame) {
 }
 
 TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
-    const bricks::Volume volume = clip_with_gap();
+    const bricks::Volume volume = clip_with_gap(30, 60);
     app::RenderJob job;
     const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
     const app::Composition composed = composed_of(job, volume);
@@ -382,11 +350,7 @@ TEST(Lettering, SaysThatNothingMoves) {
         return std::ranges::count(composed_of(job, volume).lettering.labels, "nothing moves", &labels::Label::text);
     };
     EXPECT_EQ(says_it(), 1);
-    fields::Field field;
-    field.index = 50;
-    field.pts = 2;
-    field.scalar = Plane<std::uint8_t>({32, 24}, 255);
-    volume.add(field);
+    volume.add(test::field_of(50, {32, 24}, 255));
     EXPECT_EQ(says_it(), 0);
 }
 
@@ -409,23 +373,6 @@ TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
     EXPECT_EQ(sheet.text, 0);
     EXPECT_EQ(sheet.volume.size(), (Size{160, 100}));
     EXPECT_EQ(labels::arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
-}
-
-TEST(Themes, AreReadable) {
-    const auto luminance = [](const glm::vec3& c) {
-        const auto linear = [](float v) { return std::pow(v, 2.2F); };
-        return 0.2126F * linear(c.x) + 0.7152F * linear(c.y) + 0.0722F * linear(c.z);
-    };
-    for (const scene::Theme& theme : scene::themes()) {
-        const float paper = luminance(theme.background) + 0.05F;
-        const auto contrast = [&](const glm::vec3& ink) {
-            const float of_ink = luminance(ink) + 0.05F;
-            return std::max(paper, of_ink) / std::min(paper, of_ink);
-        };
-        EXPECT_GT(contrast(theme.ink), 7) << theme.name;
-        EXPECT_GT(contrast(theme.pale_ink), 4.5) << theme.name;
-        EXPECT_NO_THROW(scene::find_transfer(std::string(theme.transfer)));
-    }
 }
 
 }  // namespace

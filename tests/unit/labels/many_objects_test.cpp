@@ -2,26 +2,17 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "cli/app/compose.h"
+#include "tests/support/fields.h"
 
 namespace vvr {
 namespace {
-
-/// Ten seconds.
-bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, {frames});
-    for (int i = 0; i < frames; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.pts = i / 25.0;
-        field.scalar = Plane<std::uint8_t>({32, 24});
-        volume.add(field);
-    }
-    return volume;
-}
 
 /// Events at random places and times, as many as a busy day has.
 std::vector<events::Event> random_events(int count, double seconds, Size field, std::mt19937& random) {
@@ -53,7 +44,7 @@ class OfManyObjects : public testing::TestWithParam<std::tuple<Size, int>> {};
 TEST_P(OfManyObjects, EachPartHasItsPlace) {
     const auto& [size, count] = GetParam();
     std::mt19937 random(static_cast<unsigned>(count));
-    const bricks::Volume volume = clip_of(250);
+    const bricks::Volume volume = test::even_volume({32, 24}, 250);
     app::RenderJob job;
     job.picture.size = size;
     const std::vector<events::Event> events = random_events(count, 9.9, volume.size(), random);
@@ -74,25 +65,19 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
     const labels::Lettering& lettering = composed.lettering;
 
     const PixelBox picture{0, 0, size.width, size.height};
-    std::vector<PixelBox> pictures;
-    for (const labels::PastedPicture& pasted : lettering.pictures) {
-        pictures.push_back(pasted.box.inflated(pasted.border, pasted.border));
-    }
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        EXPECT_TRUE(picture.contains(pictures[i])) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i].intersects(pictures[j])) << i << " " << j;
-        for (const labels::Label& label : lettering.labels) {
-            EXPECT_FALSE(pictures[i].intersects(label.box)) << i << " " << label.text;
-        }
-    }
     const int readable = size.width >= 1280 ? 11 : 9;
-    for (std::size_t i = 0; i < lettering.labels.size(); ++i) {
-        const labels::Label& label = lettering.labels[i];
-        EXPECT_TRUE(picture.contains(label.box)) << label.text;
+    std::vector<std::pair<PixelBox, std::string>> parts;
+    for (const labels::PastedPicture& pasted : lettering.pictures) {
+        parts.emplace_back(pasted.box.inflated(pasted.border, pasted.border), "a picture");
+    }
+    for (const labels::Label& label : lettering.labels) {
+        parts.emplace_back(label.box, label.text);
         EXPECT_GE(label.size, readable) << label.text;
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_TRUE(picture.contains(parts[i].first)) << parts[i].second;
         for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_FALSE(label.box.intersects(lettering.labels[j].box))
-                << label.text << " " << lettering.labels[j].text;
+            EXPECT_FALSE(parts[i].first.intersects(parts[j].first)) << parts[i].second << " " << parts[j].second;
         }
     }
     for (const labels::Badge& badge : lettering.badges) {

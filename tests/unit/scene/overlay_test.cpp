@@ -6,6 +6,7 @@
 
 #include "core/scene/scene.h"
 #include "core/scene/slices.h"
+#include "tests/support/fields.h"
 
 namespace vvr {
 namespace {
@@ -15,9 +16,7 @@ constexpr glm::vec4 green{0, 1, 0, 1};
 bricks::Volume dot_at(int column, int row, int frame) {
     bricks::Volume volume({64, 48}, {64});
     for (int i = 0; i < 64; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.scalar = Plane<std::uint8_t>({64, 48});
+        fields::Field field = test::field_of(i, {64, 48});
         if (i == frame) field.scalar.at(column, row) = 255;
         volume.add(field);
     }

@@ -7,6 +7,7 @@
 #include "core/scene/flow_geometry.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_function.h"
+#include "tests/support/fields.h"
 
 namespace vvr {
 namespace {
@@ -48,27 +49,32 @@ double area_of(const scene::SliceMesh& mesh) {
     return area;
 }
 
+/// A whole volume as one brick, in slices.
+struct Sliced {
+    space::Camera camera;
+    scene::SliceStack stack;
+    scene::SliceMesh mesh;
+
+    Sliced(const bricks::Volume& volume, const space::Layout& layout, const space::View& view, int slices)
+        : camera(space::fit_camera(view, scene::outline_points(layout), {640, 480})),
+          stack(scene::stack_slices(camera, layout, slices, 0)) {
+        const bricks::BrickCells cells =
+            bricks::brick_cells(bricks::BrickLayers(volume, {0, volume.layers()}), 1, layout);
+        mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, layout,
+                                 scene::default_transfer_function(), camera, stack);
+    }
+};
+
 TEST(Slices, FillTheVolumeExactlyOnce) {
     for (const std::string name : {"box", "horseshoe"}) {
-        bricks::Volume volume({48, 40}, {64});
-        for (int i = 0; i < 64; ++i) {
-            fields::Field field;
-            field.index = i;
-            field.scalar = Plane<std::uint8_t>({48, 40}, 255);
-            volume.add(field);
-        }
+        const bricks::Volume volume = test::even_volume({48, 40}, 64, 255);
         const auto layout = space::make_layout(name, {0.45, 1, 0.4});
         const double depth = 0.55;
         const double length = std::numbers::pi * (0.45 + 1) / 2;
-        const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 64}), 1, *layout);
         for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
             for (const double elevation : {0.0, 38.0, 90.0}) {
-                const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
-                const space::Camera camera = space::fit_camera({azimuth, elevation, 30}, outline, {640, 480});
-                const scene::SliceStack stack = scene::stack_slices(camera, *layout, 300, 0);
-                const scene::SliceMesh mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout,
-                                                                scene::default_transfer_function(), camera, stack);
-                EXPECT_NEAR(area_of(mesh) * stack.spacing / (depth * 0.4 * length), 1, 0.01)
+                const Sliced sliced(volume, *layout, {azimuth, elevation, 30}, 300);
+                EXPECT_NEAR(area_of(sliced.mesh) * sliced.stack.spacing / (depth * 0.4 * length), 1, 0.01)
                     << name << " " << azimuth << " " << elevation;
             }
         }
@@ -76,20 +82,8 @@ TEST(Slices, FillTheVolumeExactlyOnce) {
 }
 
 TEST(Slices, GoFromFarToNear) {
-    bricks::Volume volume({32, 32}, {32});
-    for (int i = 0; i < 32; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.scalar = Plane<std::uint8_t>({32, 32}, 255);
-        volume.add(field);
-    }
     const auto layout = space::make_horseshoe({0.45, 1, 0.4});
-    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 32}), 1, *layout);
-    const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
-    const space::Camera camera = space::fit_camera({}, outline, {640, 480});
-    const scene::SliceStack stack = scene::stack_slices(camera, *layout, 50, 0);
-    const scene::SliceMesh mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout,
-                                                    scene::default_transfer_function(), camera, stack);
+    const auto [camera, stack, mesh] = Sliced(test::even_volume({32, 32}, 32, 255), *layout, {}, 50);
     ASSERT_FALSE(mesh.indices.empty());
     double before = std::numeric_limits<double>::infinity();
     for (const std::uint32_t index : mesh.indices) {
@@ -100,34 +94,23 @@ TEST(Slices, GoFromFarToNear) {
 }
 
 TEST(Slices, PassOverWhatCannotBeSeen) {
-    bricks::Volume volume({64, 64}, {64});
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
+    EXPECT_TRUE(Sliced(test::even_volume({64, 64}, 64), *layout, {}, 50).mesh.indices.empty());
+}
+
+/// With a seed in its first frame.
+bricks::Volume volume_with_a_seed() {
+    bricks::Volume volume({100, 80}, {64});
     for (int i = 0; i < 64; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.scalar = Plane<std::uint8_t>({64, 64}, 0);
+        fields::Field field = test::field_of(i, {100, 80});
+        if (i == 0) field.seeds = {{20, 30, 1.5F, -0.5F}};
         volume.add(field);
     }
-    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
-    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 64}), 1, *layout);
-    const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
-    const space::Camera camera = space::fit_camera({}, outline, {640, 480});
-    const scene::SliceMesh mesh =
-        scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout, scene::default_transfer_function(),
-                          camera, scene::stack_slices(camera, *layout, 50, 0));
-    EXPECT_TRUE(mesh.indices.empty());
+    return volume;
 }
 
 TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
-    bricks::Volume volume({100, 80}, {64});
-    fields::Field field;
-    field.scalar = Plane<std::uint8_t>({100, 80});
-    field.seeds = {{20, 30, 1.5F, -0.5F}};
-    volume.add(field);
-    field.seeds.clear();
-    for (int i = 1; i < 64; ++i) {
-        field.index = i;
-        volume.add(field);
-    }
+    const bricks::Volume volume = volume_with_a_seed();
     const auto layout = space::make_horseshoe({0.45, 1, 0.4});
     const std::vector<scene::Glyph> glyphs = scene::arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1});
     ASSERT_EQ(glyphs.size(), 1U);
@@ -142,15 +125,7 @@ TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
 }
 
 TEST(Arrows, LeanAlongTimeByItsVelocity) {
-    bricks::Volume volume({100, 80}, {64});
-    fields::Field field;
-    field.scalar = Plane<std::uint8_t>({100, 80});
-    field.seeds = {{20, 30, 1.5F, -0.5F}};
-    for (int i = 0; i < 64; ++i) {
-        field.index = i;
-        volume.add(field);
-        field.seeds.clear();
-    }
+    const bricks::Volume volume = volume_with_a_seed();
     for (const auto& row : space::layouts()) {
         const auto layout = row.make({0.45, 1, 0.4});
         const double v_t = 0.8;

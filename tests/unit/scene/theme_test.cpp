@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
+
+#include "core/scene/transfer_function.h"
 
 namespace vvr {
 namespace {
@@ -54,6 +57,14 @@ glm::dvec3 lab(const glm::vec3& colour, const Eyes& seen_by) {
 double contrast(const glm::vec3& a, const glm::vec3& b) {
     const auto [less, more] = std::minmax({luminance(a), luminance(b)});
     return (more + 0.05) / (less + 0.05);
+}
+
+TEST(Themes, AreReadable) {
+    for (const scene::Theme& theme : scene::themes()) {
+        EXPECT_GT(contrast(theme.ink, theme.background), 7) << theme.name;
+        EXPECT_GT(contrast(theme.pale_ink, theme.background), 4.5) << theme.name;
+        EXPECT_NO_THROW(scene::find_transfer(std::string(theme.transfer)));
+    }
 }
 
 TEST(ObjectColours, AllEyesTellThemApart) {

@@ -1,11 +1,12 @@
-#include <cmath>
 #include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "core/scene/flow_geometry.h"
+#include "tests/support/fields.h"
 #include "tests/support/layouts.h"
+#include "tests/support/planes.h"
 
 namespace vvr {
 namespace {
@@ -18,17 +19,9 @@ using Motion = std::function<glm::dvec2(double column, double row, int frame)>;
 bricks::Volume volume_of(Size size, int frames, const Motion& motion, const bricks::FrameSeed& seed) {
     bricks::Volume volume(size, {.capacity = frames, .keep_flow = true});
     for (int f = 0; f < frames; ++f) {
-        fields::Field field;
-        field.index = f;
-        field.scalar = Plane<std::uint8_t>(size);
-        field.flow = {Plane<float>(size), Plane<float>(size)};
-        for (int j = 0; j < size.height; ++j) {
-            for (int i = 0; i < size.width; ++i) {
-                const glm::dvec2 v = motion(i, j, f);
-                field.flow.u.at(i, j) = static_cast<float>(v.x);
-                field.flow.v.at(i, j) = static_cast<float>(v.y);
-            }
-        }
+        fields::Field field = test::field_of(f, size);
+        field.flow.u = test::plane_of<float>(size, [&](int i, int j) { return static_cast<float>(motion(i, j, f).x); });
+        field.flow.v = test::plane_of<float>(size, [&](int i, int j) { return static_cast<float>(motion(i, j, f).y); });
         if (f == seed.frame) field.seeds = {seed.seed};
         volume.add(field);
     }
@@ -44,12 +37,8 @@ glm::dvec2 spinning(double column, double row, int) {
     return omega * glm::dvec2(-(row - centre.y), column - centre.x);
 }
 
-glm::dvec2 still(double, double, int) {
-    return {0, 0};
-}
-glm::dvec2 to_the_right(double, double, int) {
-    return {2, 0};
-}
+constexpr auto still = [](double, double, int) { return glm::dvec2(0, 0); };
+constexpr auto to_the_right = [](double, double, int) { return glm::dvec2(2, 0); };
 
 TEST(Trace, StaysOnItsCircleOverHalfATurn) {
     const bricks::Volume volume = volume_of(square, 2, spinning, {});

@@ -1,15 +1,11 @@
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <tuple>
-
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "core/scene/transfer_function.h"
 #include "tests/support/errors.h"
+#include "tests/support/temp_folder.h"
 
 namespace vvr {
 namespace {
@@ -48,10 +44,9 @@ TEST(TransferFile, IsFoundByNameOrPath) {
         EXPECT_GT(scene::find_transfer(row.name).at(255).w, 0) << row.name;
         EXPECT_EQ(scene::find_transfer(row.name).at(0).w, 0) << row.name << ": what is empty is not seen";
     }
-    const auto path = std::filesystem::temp_directory_path() / ("vvr-" + std::to_string(::getpid()) + ".tf");
-    std::ofstream(path) << "7 0 0 0 0\n8 1 0 0 1\n";
-    EXPECT_EQ(scene::find_transfer(path.string()).points().size(), 2U);
-    std::filesystem::remove(path);
+    const test::TempFolder folder;
+    test::write_bytes(folder / "my.tf", "7 0 0 0 0\n8 1 0 0 1\n");
+    EXPECT_EQ(scene::find_transfer(folder / "my.tf").points().size(), 2U);
     test::expect_error(ErrorCode::choice_unknown, [] { scene::find_transfer("heet"); }, {"'heat'", "file"});
     EXPECT_THROW(scene::find_transfer("/"), Error) << "a folder";
 }

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 #include "tests/support/layouts.h"
