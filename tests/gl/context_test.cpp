@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/framebuffer.h"
+#include "gl/program.h"
 #include "tests/support/errors.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
@@ -69,18 +70,35 @@ TEST(Context, ProbeReportsEveryBackend) {
 TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
     GladGLContext gl{};
     gl.GetError = []() -> GLenum { return GL_OUT_OF_MEMORY; };
-    try {
-        gl::check_gl(gl, "uploading brick 3");
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::limit);
-        EXPECT_STREQ(
-            error.what(),
-            "OpenGL ran out of memory while uploading brick 3; choose a smaller picture, smaller fields, or more "
-            "frames per layer");
-    }
+    test::expect_error(ErrorCode::out_of_memory, [&] { gl::check_gl(gl, "uploading brick 3"); },
+                       {"uploading brick 3", "smaller picture", "smaller fields", "more frames per layer"});
     gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
     EXPECT_NO_THROW(gl::check_gl(gl, "drawing"));
+}
+
+const std::vector<gl::ShaderChunk> vertex = {{"corner.vert", "void main() { gl_Position = vec4(0.0); }"}};
+constexpr std::string_view half =
+    "uniform float share;  // of a whole\nfloat half_of(float value) { return share * value; }";
+
+TEST(Program, ErrorNamesThePieceAndItsLine) {
+    const auto context = gl::open_context("software");
+    const gl::ProgramSource source{
+        "the test", vertex, {{"half.glsl", half}, {"whole.frag", "out vec4 colour;\nvoid main() { colour = whole; }"}}};
+    test::expect_error(ErrorCode::backend, [&] { const gl::Program program(context->gl(), source); },
+                       {"the test's fragment shader (lines 1001... half.glsl 2001... whole.frag)", "2002"});
+}
+
+TEST(Program, MisspeltUniformIsABug) {
+    const auto context = gl::open_context("software");
+    const gl::Program program(
+        context->gl(),
+        {"the test",
+         vertex,
+         {{"half.glsl", half}, {"whole.frag", "out vec4 colour;\nvoid main() { colour = vec4(1.0); }"}}});
+    program.use();
+    EXPECT_NO_THROW(program.set("share", 0.5F)) << "though the compiler leaves it out";
+    EXPECT_THROW(program.set("shares", 0.5F), std::logic_error);
+    EXPECT_THROW(gl::shader_chunk("volumes.frag"), std::logic_error);
 }
 
 }  // namespace

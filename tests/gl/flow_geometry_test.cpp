@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "gl/renderer.h"
+#include "tests/support/fields.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -40,9 +40,7 @@ TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     constexpr Size field_size{96, 72};
     bricks::Volume volume(field_size, {64});
     for (int i = 0; i < 64; ++i) {
-        fields::Field field;
-        field.index = i;
-        field.scalar = Plane<std::uint8_t>(field_size);
+        fields::Field field = test::field_of(i, field_size);
         if (i == frame) field.seeds = {seed};
         volume.add(field);
     }
@@ -115,15 +113,17 @@ scene::Tracelines line(const glm::vec3& from, const glm::vec3& to) {
     return {{from, 0, length, 1}, {(from + to) / 2.0F, 0.5F, length, 1}, {to, 1, length, 1}};
 }
 
+const scene::TransferFunction nothing({{0, {}, 0}});
+
 /// The box seen along its depth, from the front.
-Shot before_the_box() {
+Shot before_the_box(const scene::TransferFunction& transfer = scene::TransferFunction({{0, {0, 0, 1}, 4}})) {
     Shot shot;
     shot.options.size = {160, 120};
     shot.options.samples = 1;
     shot.options.slices = 600;
     shot.layout = "box";
     shot.options.view = {0, 0, 0, 0.04};
-    shot.transfer = scene::TransferFunction({{0, {0, 0, 1}, 4}});
+    shot.transfer = transfer;
     shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {1, 0, 0};
     shot.options.traces.shade = 1;
     shot.options.traces.width = 0.2F;
@@ -151,8 +151,7 @@ TEST(Tracelines, HideTheVolumeAndAreHidden) {
 TEST(Tracelines, HideEachOtherAndArrows) {
     const bricks::Volume volume = test::full_volume({32, 24}, 40);
     const auto middle = [&](float line_z, float arrow_z) {
-        Shot shot = before_the_box();
-        shot.transfer = scene::TransferFunction({{0, {}, 0}});
+        Shot shot = before_the_box(nothing);
         shot.options.glyphs.thickness = 1;
         shot.options.glyphs.speed_range = {1, 2};
         shot.options.glyphs.fast_colour = {0, 1, 0};
@@ -171,8 +170,7 @@ TEST(Tracelines, HideEachOtherAndArrows) {
 TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
     const bricks::Volume volume = test::full_volume({32, 24}, 40);
     for (const float width : {0.2F, 0.001F}) {
-        Shot shot = before_the_box();
-        shot.transfer = scene::TransferFunction({{0, {}, 0}});
+        Shot shot = before_the_box(nothing);
         shot.options.samples = 4;
         shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {0, 0, 0};
         shot.options.traces.width = width;
@@ -192,20 +190,15 @@ TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
 
 TEST(Tracelines, LineUpWithoutJoiningOneAnother) {
     const bricks::Volume volume = test::full_volume({32, 24}, 40);
-    Shot shot = before_the_box();
-    shot.transfer = scene::TransferFunction({{0, {}, 0}});
+    Shot shot = before_the_box(nothing);
     shot.options.traces.width = 0.02F;
     shot.scene.tracelines = line({-0.5F, 0.1F, 0.1F}, {-0.4F, 0.1F, 0.1F});
     const scene::Tracelines other = line({0.4F, 0.3F, 0.1F}, {0.5F, 0.3F, 0.1F});
     shot.scene.tracelines.insert(shot.scene.tracelines.end(), other.begin(), other.end());
     const Drawn drawn = draw_volume(volume, shot);
-    const auto at = [&](double x, double y) {
-        const glm::dvec2 pixel = drawn.camera.pixel({x, y, 0.1}, shot.options.size);
-        return drawn.picture.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
-    };
-    EXPECT_EQ(at(-0.45, 0.1).y, 0);
-    EXPECT_EQ(at(0.45, 0.3).y, 0);
-    EXPECT_EQ(at(0, 0.2), glm::vec4(1)) << "between the end of one and the beginning of the next";
+    EXPECT_EQ(drawn.at({-0.45, 0.1, 0.1}).y, 0);
+    EXPECT_EQ(drawn.at({0.45, 0.3, 0.1}).y, 0);
+    EXPECT_EQ(drawn.at({0, 0.2, 0.1}), glm::vec4(1)) << "between the end of one and the beginning of the next";
 }
 
 /// A scene with tracelines, drawn several times by one renderer.
@@ -217,9 +210,7 @@ class Animated {
         renderer_->set_transfer(scene::default_transfer_function());
         window_.emplace(context_->gl(), *layout_, 32, 1);
         window_->show(volume_, bricks::cut_into(32, 1));
-        scene::Scene scene;
-        scene.tracelines = line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F});
-        renderer_->set_scene(std::move(scene));
+        renderer_->set_scene({{}, line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F}), {}, {}, {}});
     }
 
     Plane<glm::vec4> draw(double phase) { return renderer_->draw(*window_, phase); }
@@ -272,9 +263,7 @@ TEST(Zebra, MovesInTheDirectionOfTheFlow) {
     const auto context = gl::open_context("software");
     gl::BrickWindow empty(context->gl(), *layout, 40, 1);
     gl::Renderer renderer(*context, *layout, shot.options);
-    scene::Scene scene;
-    scene.tracelines = line({-1, 0.2F, 0.1F}, {1, 0.2F, 0.1F});
-    renderer.set_scene(std::move(scene));
+    renderer.set_scene({{}, line({-1, 0.2F, 0.1F}, {1, 0.2F, 0.1F}), {}, {}, {}});
     const Plane<glm::vec4> first = renderer.draw(empty, 0);
     const Plane<glm::vec4> later = renderer.draw(empty, 0.25);
     const double stripe = 0.4 * (renderer.camera().pixel({1, 0, 0}, shot.options.size).x -

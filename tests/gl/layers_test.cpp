@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
 #include <set>
 
@@ -10,26 +9,12 @@
 #include "core/scene/slices.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
+#include "tests/support/planes.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
 namespace vvr {
 namespace {
-
-/// Where in C-space something lies that is seen at the centre of a pixel, `depth` along the view direction.
-glm::dvec3 c_of_pixel(int i, int j, double depth, const space::Camera& camera, const space::Layout& layout,
-                      Size picture) {
-    const glm::dmat4 p_from_clip = glm::inverse(camera.clip_from_p());
-    const glm::dvec2 at = {(i + 0.5) / picture.width * 2 - 1, 1 - (j + 0.5) / picture.height * 2};
-    const auto point = [&](double z) {
-        const glm::dvec4 p = p_from_clip * glm::dvec4(at, z, 1);
-        return glm::dvec3(p) / p.w;
-    };
-    const glm::dvec3 begin = point(-1);
-    const glm::dvec3 way = point(1) - begin;
-    const double share = (depth - glm::dot(begin - camera.eye, camera.forward)) / glm::dot(way, camera.forward);
-    return layout.c_from_p(begin + share * way);
-}
 
 bool shows_at(const Plane<std::uint8_t>& mask, double column, double row, int reach) {
     for (int j = -reach; j <= reach; ++j) {
@@ -64,13 +49,9 @@ class OneObjectASecond : public testing::TestWithParam<Look> {};
 TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     const Look& look = GetParam();
     constexpr Size field{96, 72};
-    generator::Options options;
-    options.size = field;
-    options.rate = look.rate;
-    options.frames = static_cast<int>(12 * look.rate);
+    generator::Options options{.size = field, .frames = static_cast<int>(12 * look.rate), .rate = look.rate};
     const generator::Scene discs = generator::make_one_object_a_second(options);
-    video::SourceOptions source_options;
-    source_options.colour = true;
+    video::SourceOptions source_options{.colour = true};
     fields::ClipFields source(generator::open_scene(discs, source_options), {});
 
     app::RenderJob job;
@@ -106,7 +87,7 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
             seconds.insert(static_cast<int>(frame / look.rate));
             ASSERT_EQ(layers.time.at(i, j), static_cast<float>(frame / look.rate));
             const glm::dvec3 c =
-                c_of_pixel(i, j, static_cast<double>(layers.depth.at(i, j)), camera, *layout, job.picture.size);
+                test::c_of_pixel(i, j, static_cast<double>(layers.depth.at(i, j)), camera, *layout, job.picture.size);
             const double column = (1 - c.x) * field.width - 0.5;
             const double row = (1 - c.y) * field.height - 0.5;
             ASSERT_TRUE(shows_at(discs.truth(frame).objects.front().mask, column, row, 2))
@@ -145,8 +126,7 @@ class Layers : public testing::Test {
         camera_ = renderer.camera();
         picture_ = renderer.draw(window);
         image::PixelData layers = renderer.draw_pixel_data(window, scene::TimeTable(volume));
-        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels()))
-            << "the picture stays the same";
+        EXPECT_TRUE(test::same(picture_, renderer.draw(window))) << "the picture stays the same";
         return layers;
     }
 
@@ -255,11 +235,7 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
 TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
     bricks::Volume volume({2, 2}, {4});
     for (int i = 0; i < 7; ++i) {
-        fields::Field field;
-        field.index = 100 + i;
-        field.pts = 10 + (i < 4 ? 0.5 * i : i);
-        field.scalar = Plane<std::uint8_t>({2, 2});
-        volume.add(field);
+        volume.add({100 + i, 10 + (i < 4 ? 0.5 * i : i), Plane<std::uint8_t>({2, 2}), {}, {}});
     }
     ASSERT_EQ(volume.step(), 2);
     const scene::TimeTable times(volume);

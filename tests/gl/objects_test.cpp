@@ -1,7 +1,6 @@
 #include "cli/app/objects.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "core/scene/theme.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
+#include "tests/support/ray_caster.h"
 
 namespace vvr {
 namespace {
@@ -117,24 +117,14 @@ TEST_P(Objects, AreWhereTheirVoxelsAre) {
                             Owned{{30, 20, 42, 32}, 6}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
     draw(volume, {10, 40, 0, 0.04});
-    const glm::dmat4 p_from_clip = glm::inverse(camera_.clip_from_p());
     std::set<float> seen;
     for (int j = 0; j < options_.size.height; ++j) {
         for (int i = 0; i < options_.size.width; ++i) {
             const float number = data_.object.at(i, j);
             if (number == 0) continue;
             seen.insert(number);
-            const glm::dvec2 at = {(i + 0.5) / options_.size.width * 2 - 1, 1 - (j + 0.5) / options_.size.height * 2};
-            const auto point = [&](double z) {
-                const glm::dvec4 p = p_from_clip * glm::dvec4(at, z, 1);
-                return glm::dvec3(p) / p.w;
-            };
-            const glm::dvec3 begin = point(-1);
-            const glm::dvec3 way = point(1) - begin;
-            const double depth = static_cast<double>(data_.depth.at(i, j));
-            const double share =
-                (depth - glm::dot(begin - camera_.eye, camera_.forward)) / glm::dot(way, camera_.forward);
-            const glm::dvec3 c = layout_->c_from_p(begin + share * way);
+            const glm::dvec3 c =
+                test::c_of_pixel(i, j, static_cast<double>(data_.depth.at(i, j)), camera_, *layout_, options_.size);
             const double column = (1 - c.x) * field_size.width - 0.5;
             const double row = (1 - c.y) * field_size.height - 0.5;
             const auto* const thing = std::ranges::find(things, static_cast<std::size_t>(number) - 1, &Owned::track);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "gl/volume_slicer.h"
+#include "tests/support/fields.h"
 #include "tests/support/layouts.h"
+#include "tests/support/planes.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -16,6 +18,11 @@ using test::Drawn;
 using test::Shot;
 
 constexpr Size small{160, 120};
+
+const bricks::Volume& balls() {
+    static const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
+    return volume;
+}
 
 Shot small_shot() {
     Shot shot;
@@ -44,6 +51,18 @@ TEST(Slicer, UniformSlabLetsExpMinusSigmaLThrough) {
     }
 }
 
+/// \param step of the rays
+void expect_picture_of_ray_caster(const Shot& shot, double step) {
+    const bricks::Volume& volume = balls();
+    const Drawn drawn = draw_volume(volume, shot);
+    const auto layout = space::make_layout(shot.layout, space::shape_for(volume.size()));
+    const Plane<glm::vec4> expected =
+        test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, step);
+    EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
+    EXPECT_LT(test::quantile_difference(drawn.picture, expected, 0.001), 12);
+    EXPECT_GT(test::max_contrast(expected), 100) << "there is something to see";
+}
+
 struct Viewpoint {
     double azimuth;
     double elevation;
@@ -54,19 +73,10 @@ class EveryView : public testing::TestWithParam<std::tuple<std::string, Viewpoin
 
 TEST_P(EveryView, AgreesWithTheRayCaster) {
     const auto& [layout_name, at] = GetParam();
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.layout = layout_name;
     shot.options.view = {at.azimuth, at.elevation, at.fov, 0.04};
-    const Drawn drawn = draw_volume(volume, shot);
-
-    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
-    const Plane<glm::vec4> expected =
-        test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.004);
-    EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
-    EXPECT_LT(test::quantile_difference(drawn.picture, expected, 0.001), 12);
-    EXPECT_GT(test::max_difference(expected, Plane<glm::vec4>(small, glm::vec4(1))), 100)
-        << "there is something to see";
+    expect_picture_of_ray_caster(shot, 0.004);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -111,19 +121,11 @@ class FromWithin : public testing::TestWithParam<std::tuple<std::string, Inside>
 
 TEST_P(FromWithin, AgreesWithTheRayCaster) {
     const auto& [layout_name, at] = GetParam();
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.layout = layout_name;
     shot.options.camera = camera_at(at);
     shot.options.slices = 1000;  // near the eye the same distance takes more pixels
-    const Drawn drawn = draw_volume(volume, shot);
-    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
-    const Plane<glm::vec4> expected =
-        test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.002);
-    EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
-    EXPECT_LT(test::quantile_difference(drawn.picture, expected, 0.001), 12);
-    EXPECT_GT(test::max_difference(expected, Plane<glm::vec4>(small, glm::vec4(1))), 100)
-        << "there is something to see";
+    expect_picture_of_ray_caster(shot, 0.002);
 }
 
 std::string name_of(const testing::TestParamInfo<std::tuple<std::string, Inside>>& tested) {
@@ -146,15 +148,14 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 TEST(Slicer, ManyBricksLookLikeOne) {
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     for (const std::string& layout : test::layout_names()) {
         Shot shot = small_shot();
         shot.layout = layout;
         shot.bricks = 1;
-        const Drawn one = draw_volume(volume, shot);
+        const Drawn one = draw_volume(balls(), shot);
         for (const int bricks : {2, 8, 32}) {
             shot.bricks = bricks;
-            EXPECT_LE(test::max_difference(draw_volume(volume, shot).picture, one.picture), 2)
+            EXPECT_LE(test::max_difference(draw_volume(balls(), shot).picture, one.picture), 2)
                 << layout << " " << bricks;
         }
     }
@@ -179,17 +180,16 @@ TEST(Slicer, PictureDoesNotDependOnTheNumberOfSlices) {
                 EXPECT_LE(test::max_difference(drawn.picture, fine.picture), 3) << layout << " " << slices;
             }
         }
-        EXPECT_GT(test::max_difference(fine.picture, Plane<glm::vec4>(shot.options.size, glm::vec4(1))), 150);
+        EXPECT_GT(test::max_contrast(fine.picture), 150);
     }
 }
 
 TEST(Slicer, TilesOfALargePictureFitTogether) {
     // Larger than one tile; the same picture enlarged from a fine one would show any seam as a line of difference.
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.options.size = {2400, 1800};
     shot.options.slices = 100;
-    const Plane<glm::vec4> large = draw_volume(volume, shot).picture;
+    const Plane<glm::vec4> large = draw_volume(balls(), shot).picture;
     double steepest = 0;
     double across_border = 0;
     const int border = static_cast<int>(1536 * 1024 / 2400);
@@ -207,17 +207,12 @@ TEST(Slicer, TilesOfALargePictureFitTogether) {
 }
 
 TEST(Slicer, DrawsTheSameBytesAgain) {
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
-    const Drawn once = draw_volume(volume, small_shot());
-    const Drawn again = draw_volume(volume, small_shot());
-    EXPECT_TRUE(std::ranges::equal(once.picture.pixels(), again.picture.pixels()));
+    EXPECT_TRUE(test::same(draw_volume(balls(), small_shot()).picture, draw_volume(balls(), small_shot()).picture));
 }
 
 TEST(Slicer, OneLayerAndOnePixelAreVolumesToo) {
     for (const Size size : {Size{1, 1}, Size{48, 1}, Size{1, 36}, Size{48, 36}}) {
-        Shot shot = small_shot();
-        const Drawn drawn = draw_volume(test::full_volume(size, 1), shot);
-        EXPECT_GT(test::max_difference(drawn.picture, Plane<glm::vec4>(small, glm::vec4(1))), 20);
+        EXPECT_GT(test::max_contrast(draw_volume(test::full_volume(size, 1), small_shot()).picture), 20);
     }
 }
 
@@ -227,14 +222,9 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     constexpr Size size{32, 24};
     bricks::Volume volume(size, {8});
     for (int f = 0; f < 8; ++f) {
-        fields::Field field;
-        field.index = f;
-        field.scalar = Plane<std::uint8_t>(size, 255);
         Plane<Bgr> colour(size, {51, 128, 255});
-        for (int j = 0; j < size.height; ++j) {
-            for (int i = size.width / 2; i < size.width; ++i) colour.at(i, j) = {26, 204, 51};
-        }
-        volume.add(field, colour);
+        test::fill(colour, {size.width / 2, 0, size.width, size.height}, {26, 204, 51});
+        volume.add(test::field_of(f, size, 255), colour);
     }
     Shot shot = small_shot();
     shot.layout = "box";
@@ -243,25 +233,17 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     shot.options.view = {-90, 0, 0, 0.04};  // from the volume's beginning
     const Drawn drawn = draw_volume(volume, shot);
     const auto layout = space::make_layout("box", space::shape_for(size));
-    const auto pixel_at = [&](double column) {
-        const glm::dvec2 pixel = drawn.camera.pixel(layout->p_from_c({1 - column / size.width, 0.5, 0}), small);
-        return drawn.picture.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
-    };
-    const glm::vec4 left = pixel_at(6);
-    const glm::vec4 right = pixel_at(26);
-    for (const auto& [seen, expected] :
+    const glm::dvec3 left = layout->p_from_c({1 - 6.0 / size.width, 0.5, 0});
+    const glm::dvec3 right = layout->p_from_c({1 - 26.0 / size.width, 0.5, 0});
+    for (const auto& [place, expected] :
          {std::pair(left, glm::vec3(1, 0.5, 0.2)), std::pair(right, glm::vec3(0.2, 0.8, 0.1))}) {
-        EXPECT_NEAR(seen.x, expected.x, 0.01);
-        EXPECT_NEAR(seen.y, expected.y, 0.01);
-        EXPECT_NEAR(seen.z, expected.z, 0.01);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn.at(place)[c], expected[c], 0.01);
     }
-    EXPECT_LT(drawn.camera.pixel(layout->p_from_c({1 - 6.0 / 32, 0.5, 0}), small).x,
-              drawn.camera.pixel(layout->p_from_c({1 - 26.0 / 32, 0.5, 0}), small).x)
+    EXPECT_LT(drawn.camera.pixel(left, small).x, drawn.camera.pixel(right, small).x)
         << "and it reads as the image does";
 
     shot.transfer = scene::TransferFunction({{0, {1, 0, 1}, 0}});
-    const Plane<glm::vec4> nothing = draw_volume(volume, shot).picture;
-    EXPECT_EQ(test::max_difference(nothing, Plane<glm::vec4>(small, glm::vec4(1))), 0) << "opacity is the scalar's";
+    EXPECT_EQ(test::max_contrast(draw_volume(volume, shot).picture), 0) << "opacity is the scalar's";
 }
 
 TEST(Slicer, ReliefLightsWhatFacesTheLightAndChangesNoOpacity) {
@@ -305,8 +287,7 @@ TEST_P(OpaqueGeometry, HidesAndIsHidden) {
     shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {1, 0, 0};
     const auto middle_with_arrow_at = [&](float z) {
         shot.scene.arrows = {{{-0.25F, 0.2F, slab.front + z}, {0.5F, 0, 0}, 1}};
-        const Drawn drawn = draw_volume(volume, shot);
-        return drawn.picture.at(small.width / 2, small.height / 2);
+        return draw_volume(volume, shot).picture.at(small.width / 2, small.height / 2);
     };
     const glm::vec4 before = middle_with_arrow_at(-0.03F);
     const glm::vec4 inside = middle_with_arrow_at(0.275F);
@@ -330,7 +311,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
                 // Interpolation reaches half a layer beyond a slab: a layer is free on each side of the frame.
                 const bool beside = i == layers / 2 - 1 || i == layers / 2;
                 const bool lit = !beside && (i < layers / 2) == slab_is_first;
-                volume.add({i, i / 25.0, Plane<std::uint8_t>(size, static_cast<std::uint8_t>(lit ? 255 : 0)), {}, {}});
+                volume.add(test::field_of(i, size, lit ? 255 : 0));
             }
             for (const bool from_beginning : {true, false}) {
                 Shot shot = small_shot();
@@ -343,8 +324,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
                 shot.options.view = {(box ? 90.0 : 60.0) * (from_beginning ? -1 : 1), box ? 0.0 : 8.0, 0, 0.04};
                 const Drawn drawn = draw_volume(volume, shot);
                 const auto map = space::make_layout(layout, space::shape_for(size));
-                const glm::dvec2 at = drawn.camera.pixel(map->p_from_c({0.5, 0.5, 0.5}), small);
-                const glm::vec4 pixel = drawn.picture.at(static_cast<int>(at.x), static_cast<int>(at.y));
+                const glm::vec4 pixel = drawn.at(map->p_from_c({0.5, 0.5, 0.5}));
                 const bool hidden = slab_is_first == from_beginning;
                 EXPECT_NEAR(pixel.y, hidden ? 0 : 1, 0.02) << layout << slab_is_first << from_beginning;
                 EXPECT_NEAR(pixel.z, hidden ? 1 : 0, 0.02) << layout << slab_is_first << from_beginning;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "gl/renderer.h"
+#include "tests/support/fields.h"
 #include "tests/support/layouts.h"
+#include "tests/support/planes.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -22,9 +24,7 @@ bricks::Volume part_of(
     const bricks::Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
     bricks::Volume part(field, {clip.layers()});
     for (std::int64_t i = begin; i < end; ++i) {
-        fields::Field of;
-        of.index = i;
-        of.scalar = test::whole(clip.layer(i).scalar);
+        fields::Field of = test::field_of(i, test::whole(clip.layer(i).scalar));
         change(i, of.scalar);
         part.add(of);
     }
@@ -77,7 +77,7 @@ class MovingWindow : public testing::TestWithParam<std::string> {
             }
             moving.show(part, bricks, oldest);
             const Plane<glm::vec4> moved = drawing.draw(moving);
-            EXPECT_TRUE(std::ranges::equal(moved.pixels(), fresh(oldest, newest).pixels())) << "brick " << newest;
+            EXPECT_TRUE(test::same(moved, fresh(oldest, newest))) << "brick " << newest;
             if (newest > 0) {
                 EXPECT_GT(test::max_difference(moved, before), 50) << "it moves";
             }
@@ -109,8 +109,7 @@ TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
             gl::BrickWindow shown = window(volume.layers(), textures);
             shown.show(volume, bricks);
             for (int again = 0; again < 2; ++again) {
-                EXPECT_TRUE(std::ranges::equal(drawing.draw(shown).pixels(), expected.pixels()))
-                    << textures << " textures";
+                EXPECT_TRUE(test::same(drawing.draw(shown), expected)) << textures << " textures";
             }
         }
     }
