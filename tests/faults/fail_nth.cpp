@@ -17,12 +17,12 @@
 #include <csignal>
 #include <cstdarg>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <string_view>
+#include <utility>
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -50,35 +50,30 @@ int __libc_start_main(Main, int, char**, Main, void (*)(), void (*)(), void*);
 
 namespace {
 
-enum Call {
-    call_open,
-    call_write,
-    call_fsync,
-    call_rename,
-    call_read,
-    call_malloc,
-    call_mmap,
-    call_thread,
-    call_clock,
-    calls
-};
-
+/// A kind of call that can fail.
 struct Kind {
     std::string_view name;
     int error;
+    std::atomic<long> count = 0;
 };
 
-constexpr std::array<Kind, calls> kinds{
-    Kind{"open", EMFILE}, Kind{"write", ENOSPC},  Kind{"fsync", EIO},   Kind{"rename", EIO},
-    Kind{"read", EIO},    Kind{"malloc", ENOMEM}, Kind{"mmap", ENOMEM}, Kind{"pthread_create", EAGAIN},
-    Kind{"clock", 0},
-};
+constinit Kind call_open{"open", EMFILE};
+constinit Kind call_write{"write", ENOSPC};
+constinit Kind call_fsync{"fsync", EIO};
+constinit Kind call_rename{"rename", EIO};
+constinit Kind call_read{"read", EIO};
+constinit Kind call_malloc{"malloc", ENOMEM};
+constinit Kind call_mmap{"mmap", ENOMEM};
+constinit Kind call_thread{"pthread_create", EAGAIN};
+constinit Kind call_clock{"clock", 0};
+constexpr std::array kinds{&call_open,   &call_write, &call_fsync,  &call_rename, &call_read,
+                           &call_malloc, &call_mmap,  &call_thread, &call_clock};
 
 constexpr std::time_t jump = -10L * 365 * 24 * 3600;
 
 struct Plan {
     bool counts = false;
-    int call = -1;  // the kind that fails
+    const Kind* kind = nullptr;  // which fails
     long nth = 0;
     bool for_ever = false;
 };
@@ -88,13 +83,12 @@ bool is_worker = false;
 int log_file = -1;
 Main program = nullptr;
 std::atomic<bool> armed = false;
-std::array<std::atomic<long>, calls> counted{};
 // What this library and libc do on behalf of a call that is looked at already is not looked at.
 thread_local bool inside [[gnu::tls_model("initial-exec")]] = false;
 
 class Inside {
   public:
-    Inside() : before_(inside) { inside = true; }
+    Inside() : before_(std::exchange(inside, true)) {}
     ~Inside() { inside = before_; }
     Inside(const Inside&) = delete;
     Inside& operator=(const Inside&) = delete;
@@ -148,27 +142,27 @@ void add_callers(Line& line) {
 }
 
 /// Counts a call. \returns whether it is to fail; then errno says why
-bool fails(Call call) {
+bool fails(Kind& kind) {
     if (inside || !armed.load(std::memory_order_relaxed)) return false;
-    const long number = ++counted.at(call);
-    if (plan.call != call || (plan.for_ever ? number < plan.nth : number != plan.nth)) return false;
+    const long number = ++kind.count;
+    if (plan.kind != &kind || (plan.for_ever ? number < plan.nth : number != plan.nth)) return false;
     if (number == plan.nth) {
         const Inside now;
         Line line;
-        line << "fault " << process() << " " << kinds.at(call).name << " " << number;
+        line << "fault " << process() << " " << kind.name << " " << number;
         add_callers(line);
         line.log();
     }
-    errno = kinds.at(call).error;
+    errno = kind.error;
     return true;
 }
 
 void say_counts() {
     armed = false;
-    for (int call = 0; plan.counts && call < calls; ++call) {
+    if (!plan.counts) return;
+    for (const Kind* kind : kinds) {
         Line line;
-        line << "count " << process() << " " << kinds.at(static_cast<std::size_t>(call)).name << " "
-             << counted.at(static_cast<std::size_t>(call)).load();
+        line << "count " << process() << " " << kind->name << " " << kind->count.load();
         line.log();
     }
 }
@@ -190,11 +184,11 @@ Plan read_plan() {
     const std::string_view text = asked;
     read.counts = text == "count";
     const std::size_t colon = text.find(':');
-    for (int call = 0; call < calls; ++call) {
-        if (text.substr(0, colon) == kinds.at(static_cast<std::size_t>(call)).name) read.call = call;
+    for (const Kind* kind : kinds) {
+        if (text.substr(0, colon) == kind->name) read.kind = kind;
     }
     if (colon != std::string_view::npos) read.nth = std::atol(asked + colon + 1);
-    read.for_ever = text.ends_with('+') || read.call == call_clock;
+    read.for_ever = text.ends_with('+') || read.kind == &call_clock;
     return read;
 }
 
@@ -212,7 +206,7 @@ int run(int count, char** arguments, char** environment) {
     ::backtrace(first.data(), 1);  // which loads a library the first time
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) ::signal(signal, say_crash);
     std::atexit(say_counts);
-    armed = plan.counts || plan.call >= 0;
+    armed = plan.counts || plan.kind != nullptr;
     return program(count, arguments, environment);
 }
 

@@ -43,39 +43,29 @@ std::string place(const char* name) {
 }
 
 // Functions, as no variable of this file is made yet when it begins.
-std::string clip() {
-    return place("HIJACK_CLIP");
-}
-
-std::string other() {
-    return place("HIJACK_OTHER");
-}
-
-std::string outside() {
-    return place("HIJACK_OUTSIDE");
-}
-
-std::string out() {
-    return place("HIJACK_OUT");
-}
+constexpr auto clip = [] { return place("HIJACK_CLIP"); };
+constexpr auto other = [] { return place("HIJACK_OTHER"); };
+constexpr auto outside = [] { return place("HIJACK_OUTSIDE"); };
+constexpr auto out = [] { return place("HIJACK_OUT"); };
 
 /// The error of a call that answers with less than 0.
 int error_of(long answer) {
     return answer < 0 ? errno : 0;
 }
 
-int try_open(const std::string& file, int flags) {
-    const int descriptor = open(file.c_str(), flags | O_CLOEXEC, 0600);
+/// The error of a call that answers with a file, which is closed again.
+int error_of_file(int descriptor) {
     const int error = error_of(descriptor);
     if (descriptor >= 0) close(descriptor);
     return error;
 }
 
+int try_open(const std::string& file, int flags) {
+    return error_of_file(open(file.c_str(), flags | O_CLOEXEC, 0600));
+}
+
 int try_socket(int family, int type) {
-    const int descriptor = socket(family, type, 0);
-    const int error = error_of(descriptor);
-    if (descriptor >= 0) close(descriptor);
-    return error;
+    return error_of_file(socket(family, type, 0));
 }
 
 int try_fork() {
@@ -133,10 +123,6 @@ int with_file(Use use, int mode = 0600) {
     return error;
 }
 
-int nothing_more(int) {
-    return 0;
-}
-
 int try_flags() {
     return with_file([](int file) {
         int flags = 0;
@@ -162,10 +148,6 @@ int try_processors() {
     return error != 0 ? error : error_of(sched_setaffinity(getppid(), sizeof all, &all));
 }
 
-int try_priority() {
-    return error_of(setpriority(PRIO_PROCESS, static_cast<id_t>(getppid()), getpriority(PRIO_PROCESS, 0)));
-}
-
 int try_hiding() {
     const int error = error_of(prctl(PR_SET_DUMPABLE, 0));
     prctl(PR_SET_DUMPABLE, 1);
@@ -175,13 +157,6 @@ int try_hiding() {
 int try_outliving() {
     const int error = error_of(prctl(PR_SET_PDEATHSIG, 0));
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    return error;
-}
-
-int try_memory_file() {
-    const int file = memfd_create("hijack", MFD_CLOEXEC);
-    const int error = error_of(file);
-    if (file >= 0) close(file);
     return error;
 }
 
@@ -231,13 +206,13 @@ constexpr std::array attempts{
     Attempt{"let all read its clip", [] { return error_of(chmod(clip().c_str(), 0777)); }},
     Attempt{"read the parent's environment",
             [] { return try_open("/proc/" + std::to_string(getppid()) + "/environ", O_RDONLY); }},
-    Attempt{"make a file with its owner's rights", [] { return with_file(nothing_more, 04755); }},
-    Attempt{"make a file with its group's rights", [] { return with_file(nothing_more, 02755); }},
+    Attempt{"make a file with its owner's rights", [] { return with_file([](int) { return 0; }, 04755); }},
+    Attempt{"make a file with its group's rights", [] { return with_file([](int) { return 0; }, 02755); }},
     Attempt{"give a file its owner's rights",
             [] { return with_file([](int f) { return error_of(fchmod(f, 04755)); }); }},
     Attempt{"make a file with creat", [] { return error_of(creat((out() + "/hijack.new").c_str(), 0600)); }},
     Attempt{"make a file without a name", [] { return try_open(out(), O_WRONLY | O_TMPFILE); }},
-    Attempt{"make a file in memory", try_memory_file},
+    Attempt{"make a file in memory", [] { return error_of_file(memfd_create("hijack", MFD_CLOEXEC)); }},
     Attempt{"make a FIFO", [] { return error_of(mkfifo((out() + "/fifo").c_str(), 0600)); }},
     Attempt{"set the flags of a file", try_flags},
     Attempt{"reserve room for a file", [] { return with_file([](int f) { return error_of(fallocate(f, 0, 0, 1)); }); }},
@@ -260,7 +235,9 @@ constexpr std::array attempts{
     Attempt{"outlive the parent", try_outliving},
     Attempt{"hide from the parent", try_hiding},
     Attempt{"set the parent's scheduler", try_scheduler},
-    Attempt{"set the parent's priority", try_priority},
+    Attempt{
+        "set the parent's priority",
+        [] { return error_of(setpriority(PRIO_PROCESS, static_cast<id_t>(getppid()), getpriority(PRIO_PROCESS, 0))); }},
     Attempt{"set the parent's processors", try_processors},
     Attempt{"set its own limits", try_own_limit},
     Attempt{"leave its group", [] { return error_of(setsid()); }},
@@ -397,9 +374,7 @@ std::string planned_report() {
     std::size_t at = plan.find(name);
     if (at == std::string::npos) return "";
     at += name.size();
-    const auto byte = [&plan](std::size_t place) {
-        return static_cast<std::size_t>(static_cast<unsigned char>(plan[place]));
-    };
+    const auto byte = [&plan](std::size_t nth) { return std::size_t{static_cast<unsigned char>(plan[nth])}; };
     constexpr std::size_t text = 0x60;
     switch (const std::size_t head = byte(at)) {
         case 0x78:
@@ -419,14 +394,14 @@ std::string planned_report() {
 }
 
 /// Once per process, with the clip that is about to be opened.
-void take_over(std::string_view clip) {
+void take_over(std::string_view opened) {
     if (!std::exchange(is_worker, false)) return;
     report = place("HIJACK_REPORT");
     if (!out().empty()) return try_all();
-    clip = clip.substr(clip.rfind('/') + 1);
-    clip = clip.substr(0, clip.rfind('.'));
+    opened = opened.substr(opened.rfind('/') + 1);
+    opened = opened.substr(0, opened.rfind('.'));
     for (const Deed& deed : deeds) {
-        if (deed.clip == clip) deed.make();
+        if (deed.clip == opened) deed.make();
     }
 }
 
