@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -40,14 +41,10 @@ struct Case {
 
 std::vector<Case> cases() {
     const auto shifted = [](double u, double v) {
-        generator::Options options;
-        options.u = u;
-        options.v = v;
-        options.noise = 1;
+        generator::Options options{.noise = 1, .u = u, .v = v};
         return generator::make_shifted_texture(options);
     };
-    generator::Options noisy;
-    noisy.noise = 1;
+    generator::Options noisy{.noise = 1};
     return {{"texture, 0.8 px", shifted(0.7, 0.4)},
             {"texture, 4 px", shifted(3.5, -2)},
             {"spinning disc", generator::make_spinning_sphere(noisy)}};
@@ -86,9 +83,7 @@ struct Estimate {
     fields::Flow flow;
 
     Estimate(const Method& row, const generator::Scene& scene, int middle) {
-        fields::FlowOptions options;
-        options.method = row.method;
-        options.solver = row.solver;
+        fields::FlowOptions options{.method = row.method, .solver = row.solver};
         method = fields::make_flow(options);
         for (int k = -method->reach(); k <= method->reach(); ++k) frames.push_back(grey_of(scene.frame(middle + k)));
         for (const Plane<std::uint8_t>& frame : frames) prepared.push_back(method->prepare(frame));
@@ -110,8 +105,8 @@ void flow() {
     for (const Case& c : cases()) {
         std::vector<Estimate> estimates;
         for (const Method& row : methods) estimates.emplace_back(row, c.scene, middle);
-        std::vector<bench::Work> works;
-        for (Estimate& estimate : estimates) works.push_back({{}, [&estimate] { estimate.run(); }});
+        std::vector<std::function<void()>> works;
+        for (Estimate& estimate : estimates) works.push_back([&estimate] { estimate.run(); });
         const auto seconds = bench::in_turn(works, runs);
         const generator::Truth truth = c.scene.truth(middle);
         for (std::size_t i = 0; i < estimates.size(); ++i) {

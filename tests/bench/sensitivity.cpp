@@ -37,33 +37,16 @@ const std::vector<Threshold>& table() {
     return rows;
 }
 
-/// Changes a threshold by a factor, an integer by at least 1. Restores it at the end.
-class Changed {
-  public:
-    Changed(const Threshold& threshold, double factor) : threshold_(threshold) {
-        if (auto* const* real = std::get_if<double*>(&threshold.value)) {
-            before_ = **real;
-            **real *= factor;
-        } else {
-            int& whole = *std::get<int*>(threshold.value);
-            before_ = whole;
-            const int moved = static_cast<int>(std::lround(whole * factor));
-            whole = moved == whole ? whole + (factor < 1 ? -1 : 1) : moved;
-        }
+/// Changes a threshold by a factor, an integer by at least 1.
+void change(const Threshold& threshold, double factor) {
+    if (auto* const* real = std::get_if<double*>(&threshold.value)) {
+        **real *= factor;
+        return;
     }
-    ~Changed() {
-        if (auto* const* real = std::get_if<double*>(&threshold_.value))
-            **real = before_;
-        else
-            *std::get<int*>(threshold_.value) = static_cast<int>(before_);
-    }
-    Changed(const Changed&) = delete;
-    Changed& operator=(const Changed&) = delete;
-
-  private:
-    const Threshold& threshold_;
-    double before_ = 0;
-};
+    int& whole = *std::get<int*>(threshold.value);
+    const int moved = static_cast<int>(std::lround(whole * factor));
+    whole = moved == whole ? whole + (factor < 1 ? -1 : 1) : moved;
+}
 
 /// A clip's fields, read once.
 struct Clip {
@@ -79,8 +62,7 @@ struct Clip {
 };
 
 Clip read(const std::string& name) {
-    video::SourceOptions source;
-    source.colour = true;
+    video::SourceOptions source{.colour = true};
     const auto opened = video::open_source(name, source);
     fields::FieldOptions options;
     options.flow.method = "none";
@@ -138,8 +120,10 @@ void walk(const std::string& name) {
     print("", 1, clip);
     for (const Threshold& threshold : table()) {
         for (const double factor : {0.75, 1.25}) {
-            const Changed changed(threshold, factor);
+            const events::Thresholds before = thresholds;
+            change(threshold, factor);
             print(threshold.name, factor, clip);
+            thresholds = before;
         }
     }
 }
