@@ -21,6 +21,14 @@ PUBLIC = "cli/library/vvr"
 OF_C = {"stddef.h", "stdint.h"}  # the headers of C that a public header may include
 
 
+def sources(root, floors=FLOORS, endings=(".h", ".cpp")):
+    """The path and the text of each file in these folders."""
+    for floor in floors:
+        for file in sorted((root / floor).rglob("*")):
+            if file.suffix in endings and file.is_file():
+                yield file.relative_to(root), file.read_text(encoding="utf-8")
+
+
 def commands(file):
     """The commands of a CMake file as pairs of a name and its arguments."""
     text = re.sub(r"#.*", "", file.read_text(encoding="utf-8"))
@@ -75,15 +83,12 @@ class House:
 
     def _includes(self):
         """File, line number, the name in the include, and the folder of one of our headers (else None)."""
-        for floor in FLOORS:
-            for file in sorted((self.root / floor).rglob("*")):
-                if file.suffix not in (".h", ".cpp"):
-                    continue
-                for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-                    if found := re.match(r'#\s*include\s+(["<])([^">]+)', line):
-                        header = pathlib.Path(found[2])
-                        ours = found[1] == '"' and len(header.parts) > 1
-                        yield file.relative_to(self.root), number, found[2], str(header.parent) if ours else None
+        for file, text in sources(self.root):
+            for number, line in enumerate(text.splitlines(), 1):
+                if found := re.match(r'#\s*include\s+(["<])([^">]+)', line):
+                    header = pathlib.Path(found[2])
+                    ours = found[1] == '"' and len(header.parts) > 1
+                    yield file, number, found[2], str(header.parent) if ours else None
 
     def reach(self, target):
         """The target and all that it links, directly or through others."""

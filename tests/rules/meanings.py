@@ -1,4 +1,4 @@
-"""Checks that a name has one meaning: meanings.py [ROOT] prints what breaks the rules.
+"""Checks that a name has one meaning.
 
 A module's files open only the namespace of that module: core/video is vvr::video, cli is vvr::cli. core/base and cli/library are
 vvr itself; rows of settings are in vvr::setting wherever they are.
@@ -8,25 +8,18 @@ of them and drops the other's, and nobody is told. What is in an unnamed namespa
 """
 
 import collections
-import pathlib
 import re
-import sys
+
+from includes import sources
 
 NAMESPACE = re.compile(r"^(?:inline )?namespace ([\w:]+) \{")
 TYPE = re.compile(r"^(?:struct|class|enum class|union) (\w+)(?: final)?(?: ?:(?!:)[^;{]*)?(?: \{|$)")
 
 
-def sources(root):
-    for floor in ("core", "gl", "cli"):
-        for file in sorted((root / floor).rglob("*")):
-            if file.suffix in (".h", ".cpp"):
-                yield file.relative_to(root)
-
-
-def types_of(root, file):
+def types_in(text):
     """The qualified names of the types that a file declares at its first column, each with its line."""
     spaces = []  # None = unnamed
-    for number, line in enumerate((root / file).read_text(encoding="utf-8").splitlines(), 1):
+    for number, line in enumerate(text.splitlines(), 1):
         if found := NAMESPACE.match(line):
             spaces.append(found[1])
         elif line.startswith("namespace {"):
@@ -43,32 +36,22 @@ def namespace_of(file):
     return "vvr" if module in ("base", "library") else f"vvr::{module}"
 
 
-def strays(root):
+def strays(file, text):
     """The namespaces that a file opens and that are not of its module."""
-    for file in sources(root):
-        spaces = []
-        for number, line in enumerate((root / file).read_text(encoding="utf-8").splitlines(), 1):
-            if found := NAMESPACE.match(line):
-                module = namespace_of(file)
-                ours = found[1] in ("vvr::setting", module) or found[1].startswith(f"{module}::")
-                if found[1].split("::")[0] == "vvr" and not ours:
-                    yield f"{file}:{number}: {found[1]} is not the namespace of this module, {module}"
-                spaces.append(found[1])
-            elif line.startswith("namespace {"):
-                spaces.append(None)
-            elif line.startswith("}  // namespace") and spaces:
-                spaces.pop()
+    module = namespace_of(file)
+    for number, line in enumerate(text.splitlines(), 1):
+        if found := NAMESPACE.match(line):
+            ours = found[1] in ("vvr::setting", module) or found[1].startswith(f"{module}::")
+            if found[1].split("::")[0] == "vvr" and not ours:
+                yield f"{file}:{number}: {found[1]} is not the namespace of this module, {module}"
 
 
 def complaints(root):
-    root = pathlib.Path(root)
+    said = []
     places = collections.defaultdict(list)
-    for file in sources(root):
-        for name, line in types_of(root, file):
+    for file, text in sources(root):
+        said += strays(file, text)
+        for name, line in types_in(text):
             places[name].append(f"{file}:{line}")
-    return [*strays(root), *(f"{name} is {len(found)} types: {', '.join(found)}" for name, found in sorted(places.items()) if len(found) > 1)]
-
-
-if __name__ == "__main__":
-    said = complaints(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
-    sys.exit("\n".join(said) if said else 0)
+    return said + [f"{name} is {len(found)} types: {', '.join(found)}" for name,
+                   found in sorted(places.items()) if len(found) > 1]

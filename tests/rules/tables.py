@@ -1,4 +1,4 @@
-"""Checks that a row of a table is all there is to add: tables.py [ROOT] prints what breaks the rules.
+"""Checks that a row of a table is all there is to add.
 
 The table of event kinds is in core/events/event_kind.h. Elsewhere
 
@@ -18,9 +18,9 @@ path, the folder is.
 """
 
 import json
-import pathlib
 import re
-import sys
+
+from includes import FLOORS, sources
 
 KINDS = "core/events/event_kind.h"
 FORMATS = "core/image/picture_file.cpp"
@@ -29,14 +29,7 @@ CODES = "core/base/error.cpp"
 STATUSES = "cli/exit_status.h"
 LISTED_CODES = "docs/reliability.md"
 CHECKLISTS = "docs/developing.md"
-DECIDES = ("core/events/conclude.cpp",)
-
-
-def files(root, floors, endings):
-    for floor in floors:
-        for file in sorted((root / floor).rglob("*")):
-            if file.suffix in endings and file.is_file():
-                yield file.relative_to(root).as_posix(), file.read_text(encoding="utf-8")
+DECIDES = "core/events/conclude.cpp"
 
 
 def kinds_of(root):
@@ -55,13 +48,12 @@ def names_in_web(text, names):
 
 def lists_of_kinds(root):
     enumerators, names = kinds_of(root)
-    for file, text in files(root, ("core", "gl", "cli"), (".h", ".cpp")):
-        found = sorted(set(re.findall(r"\bEventKind::(\w+)", text)) & set(enumerators))
-        if len(found) > 1 and file not in (KINDS, *DECIDES):
-            yield f"{file} names the kinds {', '.join(found)}; what it says of each is for the table in {KINDS}"
-    for file, text in files(root, ("core",), (".js", ".css", ".html")):
-        found = list(names_in_web(text, names))
-        if len(found) > 1:
+    for file, text in sources(root, FLOORS, (".h", ".cpp", ".js", ".css", ".html")):
+        if file.suffix in (".h", ".cpp"):
+            found = sorted(set(re.findall(r"\bEventKind::(\w+)", text)) & set(enumerators))
+        else:
+            found = list(names_in_web(text, names))
+        if len(found) > 1 and str(file) not in (KINDS, DECIDES):
             yield f"{file} names the kinds {', '.join(found)}; what it says of each is for the table in {KINDS}"
 
 
@@ -74,8 +66,8 @@ def schema_of_kinds(root):
 
 def lists_of_formats(root):
     endings = re.findall(r'Format\{"\.(\w+)"', (root / FORMATS).read_text(encoding="utf-8"))
-    for file, text in files(root, ("core", "gl", "cli", "tests/unit", "tests/cli"), (".h", ".cpp", ".py")):
-        if file == FORMATS:
+    for file, text in sources(root, (*FLOORS, "tests/unit", "tests/cli"), (".h", ".cpp", ".py")):
+        if str(file) == FORMATS:
             continue
         for number, line in enumerate(text.splitlines(), 1):
             if endings and all(re.search(rf"\b{ending}\b", line) for ending in endings):
@@ -111,9 +103,3 @@ def checklists(root):
 
 def complaints(root):
     return [*lists_of_kinds(root), *schema_of_kinds(root), *lists_of_formats(root), *list_of_codes(root), *checklists(root)]
-
-
-if __name__ == "__main__":
-    found = complaints(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])
-    print("\n".join(found), end="\n" if found else "")
-    sys.exit(bool(found))
