@@ -3,7 +3,6 @@ that run in turn: neither depends on what else the machine does. Ends with 1 whe
 
 import argparse
 import json
-import os
 import pathlib
 import re
 import subprocess
@@ -35,18 +34,9 @@ def check_counts(renew):
         yield f"instructions of {kernel}", count / known[kernel], 1 + TOLERANCE
 
 
-def processor_time(command):
-    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(child.pid, 0)
-    if status != 0:
-        sys.exit(f"bench: {' '.join(command)} failed")
-    return usage.ru_utime + usage.ru_stime
-
-
 def least_times(commands, runs=5):
     """The least processor time of each, run in turn."""
-    times = [[processor_time(command) for command in commands] for _ in range(runs)]
-    return [min(of) for of in zip(*times)]
+    return [min(run.processor for run in of) for of in in_turn(dict(enumerate(commands)), runs).values()]
 
 
 def check_ratios(clip):

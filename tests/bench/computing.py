@@ -21,8 +21,7 @@ def peers(setting):
                      setting.runs)
     theirs = median([r.seconds for r in next(iter(motion.values()))])
     text += (f"\nA scan for motion as people script it, over `{pathlib.Path(setting.clip).name}` at its own size, and a picture "
-             "of "
-             "the same clip:\n\n" + table(["", "s", "ratio"], [[name, spread([r.seconds for r in of]),
+             "of the same clip:\n\n" + table(["", "s", "ratio"], [[name, spread([r.seconds for r in of]),
                                                                f"{median([r.seconds for r in of]) / theirs:.2f}"] for name, of in motion.items()]))
     measured = ("The flow of a frame of 384×288 on one core (median time, and the mean angle between (u, v, 1) and the truth: "
                 "less is better), on generated scenes with the noise of a camera.")

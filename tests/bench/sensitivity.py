@@ -17,6 +17,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from measure import table  # noqa: E402
 from threshold_table import numbers  # noqa: E402
 
 HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../core/events/event_options.h")
@@ -107,15 +108,13 @@ def main():
     for name, _, comment in numbers(HEADER):
         less, more = (measure((name, factor)) for factor in (0.75, 1.25))
         mark = "=" if less == base == more else "" if max(abs(one[0] - base[0]) for one in (less, more)) <= 0.03 else "!"
-        text = lambda one: "=" if one[1:] == base[1:] else f"{one[1]}, {one[2]}, {one[4]}"
+        told = lambda one: "=" if one[1:] == base[1:] else f"{one[1]}, {one[2]}, {one[4]}"
         change = lambda one: "=" if one[0] == base[0] else f"{one[0] - base[0]:+.3f}"
-        rows.append((name, mark, change(less), change(more), text(less), text(more), comment))
-    lines = ["| " + " | ".join(row) + " |" for row in rows]
-    lines.insert(1, "|" + "---|" * len(rows[0]))
-    table = "\n".join(lines) + "\n"
+        rows.append((name, mark, change(less), change(more), told(less), told(more), comment))
+    text = table(rows[0], rows[1:])
     if options.o:
-        open(options.o, "w").write(table)
-    print(table, end="")
+        open(options.o, "w").write(text)
+    print(text, end="")
 
 
 if __name__ == "__main__":
