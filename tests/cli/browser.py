@@ -160,6 +160,8 @@ class Served:
 class Page:
     """A page that is open, and what a person would do with it."""
 
+    READY = "return document.documentElement.dataset.ready !== undefined && (film !== null || stills)"
+
     def __init__(self, t, name, *arguments):
         self.driver = driver_of(t.path(".profile"), *arguments)
         self.driver.set_script_timeout(30)
@@ -174,7 +176,11 @@ class Page:
     def open(self, path):
         """A file's path, or an address."""
         self.driver.get(str(path) if str(path).startswith("http:") else pathlib.Path(path).as_uri())
-        self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined && (film !== null || stills)")
+        self.wait("the page is ready", self.READY)
+
+    def reload(self):
+        self.driver.refresh()
+        self.wait("it is there again", self.READY)
 
     def run(self, script, *arguments):
         """Runs a script, which can use the names that the page's script exports (as `vvr`) and those of its state."""
@@ -222,6 +228,10 @@ class Page:
     def key(self, *keys):
         from selenium.webdriver.common.action_chains import ActionChains
         ActionChains(self.driver).send_keys(*keys).perform()
+
+    def hold(self, modifier, key):
+        from selenium.webdriver.common.action_chains import ActionChains
+        ActionChains(self.driver).key_down(modifier).send_keys(key).key_up(modifier).perform()
 
     def _to(self, x, y):
         """The pointer on a point of the picture, in its pixels."""
@@ -271,6 +281,26 @@ class Page:
         if is_firefox():
             pytest.skip(f"Firefox has no {command}")
         return self.driver.execute_cdp_cmd(command, values)
+
+    def allow_clipboard(self):
+        self.cdp("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+
+    def clipboard(self):
+        """What was copied."""
+        self.run("window.copied = null; navigator.clipboard.readText().then(text => { window.copied = text; });")
+        self.wait("what was copied", "return window.copied !== null")
+        return self.run("return window.copied")
+
+    def saved(self, t, selector, pattern):
+        """The file that a button saves."""
+        t.path("saved").mkdir(exist_ok=True)
+        self.cdp("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(t.path("saved")))
+        self.press(selector)
+        end = time.monotonic() + 10
+        while not (found := list(t.path("saved").glob(pattern))):
+            check(time.monotonic() < end, f"nothing is saved as {pattern}")
+            time.sleep(0.05)
+        return found[0]
 
     def window(self, width, height, mobile=False):
         if is_firefox() and not mobile:

@@ -46,15 +46,20 @@ class Result:
     out: str
     err: str
 
-    def expect(self, status, *texts, code=None, out=""):
-        """The exit status, the error's code, parts of what stderr says, and all that stdout says (None: anything)."""
+    def expect(self, status, *texts, code=None, out="", err=None):
+        """The exit status, the error's code, parts of stderr, and all of stdout and of stderr (None: anything)."""
         __tracebackhide__ = True
         check(self.status == status, f"{self}\nexpected status {status}")
         check(code is None or f"[{code}]\n" in self.err, f"{self}\nexpected the code {code}")
         for text in texts:
             check(text in self.err, f"{self}\nexpected on stderr: {text}")
         check(out is None or self.out == out, f"{self}\nexpected on stdout: {out!r}")
+        check(err is None or self.err == err, f"{self}\nexpected on stderr: {err!r}")
         return self
+
+    def json(self):
+        """What stdout says, as data."""
+        return json.loads(self.out)
 
     def __str__(self):
         return f"$ {self.command}\nstatus {self.status}\nstdout: {self.out}\nstderr: {self.err}"
@@ -85,11 +90,17 @@ class Bench:
 
     def help(self):
         """Each command's help as data, by its name."""
-        return {command["name"]: command for command in json.loads(self.vvr("help", "--json").expect(0, out=None).out)["commands"]}
+        said = self.vvr("help", "--json").expect(0, out=None).json()
+        return {command["name"]: command for command in said["commands"]}
 
     def render(self, clip, *arguments, output="out.png", **options):
         """A small and quick picture."""
         return self.vvr("render", clip, "-o", output, "--size", "160x100", *arguments, **options)
+
+    def start(self, *arguments, **options):
+        """A run of vvr that goes on, without a word unless the options say otherwise."""
+        nothing = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
+        return subprocess.Popen([self.vvr_path, *arguments], **({"cwd": self.folder} | nothing | options))
 
     def archive(self, clips, *arguments, **options):
         """`vvr archive` of clips that nobody writes any more: none waits for the next run."""
@@ -100,9 +111,8 @@ class Bench:
         """Copies of one clip below the folder in, written a day ago."""
         self.clip("one.avi", seconds)
         for name in names:
-            self.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(self.path("one.avi"), self.path(f"in/{name}"))
-            os.utime(self.path(f"in/{name}"), (time.time() - 86400,) * 2)
+            self.copy("one.avi", f"in/{name}")
+            self.stamp(f"in/{name}", -86400)
         self.path("one.avi").unlink()
 
     def age(self, folder):
@@ -113,10 +123,16 @@ class Bench:
             at = path.stat()
             os.utime(path, ns=(at.st_atime_ns, at.st_mtime_ns - 120 * 10**9))
 
-    def peak_memory(self, *arguments):
+    def put_on_path(self):
+        """The environment in which programs find this vvr."""
+        self.path("bin").mkdir(exist_ok=True)
+        if not self.path("bin/vvr").exists():
+            self.path("bin/vvr").symlink_to(self.vvr_path)
+        return os.environ | {"PATH": f"{self.path('bin')}:{os.environ['PATH']}"}
+
+    def peak_memory(self, *arguments, **options):
         """Bytes at the highest of a run of vvr that succeeds."""
-        child = subprocess.Popen([self.vvr_path, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        child = self.start(*arguments, **options)
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         check(child.returncode == 0, f"{arguments}: status {child.returncode}")
@@ -125,14 +141,32 @@ class Bench:
     def path(self, name):
         return self.folder / name
 
+    def json(self, name):
+        """What a file of JSON holds."""
+        return json.loads(self.path(name).read_text(encoding="utf-8"))
+
+    def folder_of(self, name):
+        """Makes the folder that a file is to be in."""
+        self.path(name).parent.mkdir(parents=True, exist_ok=True)
+
     def write(self, name, content):
         data = content if isinstance(content, bytes) else content.encode()
+        self.folder_of(name)
         self.path(name).write_bytes(data)
         return name
 
+    def copy(self, name, *copies):
+        for copy in copies:
+            self.folder_of(copy)
+            shutil.copyfile(self.path(name), self.path(copy))
+
+    def stamp(self, name, seconds):
+        """Says that a file was last written then: seconds since 1970, or before now if they are negative."""
+        os.utime(self.path(name), (seconds if seconds >= 0 else time.time() + seconds,) * 2)
+
     def ffmpeg(self, *arguments):
-        done = self.run(["ffmpeg", "-v", "error", "-y", *arguments])
-        check(done.status == 0, str(done))
+        self.folder_of(arguments[-1])
+        self.run(["ffmpeg", "-v", "error", "-y", *arguments]).expect(0)
 
     def clip(self, name="clip.avi", seconds=2, size="64x48", codec=("-c:v", "mpeg4", "-g", "5")):
         """A clip in which much moves, 10 frames per second."""
@@ -142,6 +176,7 @@ class Bench:
     def make(self, name, *key, how):
         """A file that `how` makes, or a copy of what an earlier test of this run has made by the same key."""
         ending = pathlib.Path(name).suffix
+        self.folder_of(name)
         kept = self._made / (hashlib.sha256(repr((key, ending)).encode()).hexdigest()[:24] + ending)
         if kept.exists():
             shutil.copyfile(kept, self.path(name))
@@ -153,14 +188,24 @@ class Bench:
             part.rename(kept)
         return name
 
+    def make_folders(self, key, *names, how):
+        """Folders that `how` makes, or copies of what an earlier test of this run has made by the same key."""
+        kept = self._made / key
+        if kept.exists():
+            for name in names:
+                shutil.copytree(kept / name, self.path(name))
+            return
+        how()
+        part = kept.with_name(f"{os.getpid()} {key}")
+        for name in names:
+            shutil.copytree(self.path(name), part / name)
+        if not kept.exists():
+            part.rename(kept)
+
     def scene(self, name, clip, *options):
         """A generated scene, of which everything is known."""
-
-        def run():
-            done = self.run([os.environ["VVR_SCENE"], name, clip, *options])
-            check(done.status == 0, str(done))
-
-        return self.make(clip, name, options, how=run)
+        command = [os.environ["VVR_SCENE"], name, clip, *options]
+        return self.make(clip, name, options, how=lambda: self.run(command).expect(0))
 
     def files(self):
         """Everything in the folder, hidden files too."""
@@ -169,17 +214,33 @@ class Bench:
     def expect_files(self, *names):
         check(self.files() == sorted(names), f"expected the files {sorted(names)}, there are {self.files()}")
 
+    def probe(self, name, entries, *options):
+        """What ffprobe says of a file."""
+        said = self.run(["ffprobe", "-v", "error", *options, "-show_entries", entries, "-of", "csv=p=0", name])
+        return said.out.strip().rstrip(",")
+
+    def frames_in(self, name):
+        return int(self.probe(name, "stream=nb_read_frames", "-select_streams", "v", "-count_frames"))
+
     def picture_size(self, name):
-        probe = self.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0", name])
-        return tuple(int(number) for number in re.findall(r"\d+", probe.out))
+        return tuple(int(number) for number in re.findall(r"\d+", self.probe(name, "stream=width,height")))
+
+    def raw(self, name, kind="rgb24", *options):
+        """The pixels of a file's frames as ffmpeg decodes them."""
+        return subprocess.run(["ffmpeg", "-v", "error", "-i", name, *options, "-f", "rawvideo", "-pix_fmt", kind, "-"],
+                              cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
 
     def rgb(self, name):
         """The rows of a picture, each of its pixels' red, green and blue, 0 to 255."""
         width, _ = self.picture_size(name)
-        raw = subprocess.run(["ffmpeg", "-v", "error", "-i", name, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                             cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
+        raw = self.raw(name, "rgb24", "-frames:v", "1")
         rows = (raw[at:at + 3 * width] for at in range(0, len(raw), 3 * width))
         return [[tuple(row[i:i + 3]) for i in range(0, len(row), 3)] for row in rows]
+
+    def columns(self, name, is_shown):
+        """The columns, from 0 to 1, that have a pixel whose red, green and blue are so."""
+        rows = self.rgb(name)
+        return sorted({i / len(rows[0]) for row in rows for i, pixel in enumerate(row) if is_shown(*pixel)})
 
     def expect_picture(self, name="out.png", size=(160, 100)):
         check(os.path.exists(self.path(name)), f"there is no {name}")
