@@ -2,7 +2,6 @@
 
 import json
 import os
-import pathlib
 import time
 import urllib.parse
 
@@ -19,9 +18,7 @@ NOW = 1795248000  # 2026-11-21 08:00 UTC
 class Index(Page):
     """The page that lists the clips."""
 
-    def open(self, path):
-        self.driver.get(pathlib.Path(path).as_uri())
-        self.wait("the list", "return document.querySelector('#days .day, #days .empty') !== null")
+    READY = "return document.querySelector('#days .day, #days .empty') !== null"
 
     def filter(self, text):
         self.run("const box = document.getElementById('text'); box.value = arguments[0]; box.dispatchEvent(new Event('input'))", text)
@@ -45,9 +42,13 @@ def write_index(t):
     t.vvr("archive", "-o", "out", "--write", "index").expect(0, "is up to date")
 
 
-def opened(t):
+def opened(t, cards=None):
+    """The index, once it has so many cards."""
     t.zone("UTC")
-    return Index(t, "out/index.html")
+    page = Index(t, "out/index.html")
+    if cards is not None:
+        page.wait("cards", f"return document.querySelectorAll('.card').length === {cards}")
+    return page
 
 
 def test_index_lists_by_day_and_camera(t):
@@ -88,9 +89,6 @@ def test_index_lists_by_day_and_camera(t):
         page.run("history.back()")
         page.wait("back again", "return document.querySelectorAll('.card').length === 2")
         check(page.text("count") == "2 of 5 clips", page.text("count"))
-        light = page.run("return getComputedStyle(document.documentElement).backgroundColor")
-        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
-        check(page.run("return getComputedStyle(document.documentElement).backgroundColor") != light, "no dark colours")
 
 
 def test_index_of_a_redraw_that_failed(t):
@@ -130,36 +128,47 @@ def test_index_of_names_that_mean_harm(t):
         check(complaints == [], str(complaints))
 
 
-def test_index_of_thousands(t):
+def test_index_of_ten_thousand_clips(t):
     t.clip("one.avi", seconds=1)
     t.vvr("render", "one.avi", "-o", "one.jpg", "--size", "400x250", "--backend", "software").expect(0)
-    small = t.path("one.jpg")
-    for number in range(6000):
-        clip = f"cam {number % 6}/{number:05}.avi"
-        known(t, clip, NOW - 600 * number, events=number % 3)
-        os.link(small, t.path(f"out/{clip}.jpg"))
+    stood = ["stood", 1, 90, 0, 1, 1, 100, 5, 5]
+    for number in range(10_000):
+        clip = f"cam {number % 8}/{number:05}.avi"
+        known(t, clip, NOW - 600 * number, events=number % 3, found=[] if number % 50 else [stood])
+        os.link(t.path("one.jpg"), t.path(f"out/{clip}.jpg"))
     begin = time.monotonic()
     write_index(t)
     took = time.monotonic() - begin
-    check(took < 5, f"writing takes {took:.1f} s")
+    check(took < 8, f"writing takes {took:.1f} s")
     size = t.path("out/index.html").stat().st_size
-    check(size < 600_000, f"{size} bytes")
-    begin = time.monotonic()
+    check(size < 1_000_000, f"{size} bytes")
     with opened(t) as page:
-        check("6,000 clips · 6 cameras" in page.text("summary"), page.text("summary"))
+        painted = []
+        for _ in range(3):
+            page.open(t.path("out/index.html"))
+            page.wait("it is painted", "return performance.getEntriesByName('first-contentful-paint').length > 0")
+            painted.append(page.run("return performance.getEntriesByName('first-contentful-paint')[0].startTime"))
+        print(f"first paint after {[round(ms) for ms in painted]} ms, {size} bytes")
+        check(min(painted) < 3000, f"it opens in {painted} ms")
+        check("10,000 clips · 8 cameras" in page.text("summary"), page.text("summary"))
         page.wait("thumbnails", "return [...document.querySelectorAll('.card img')].filter(i => i.naturalWidth === 400).length > 5")
-        check(time.monotonic() - begin < 30, "slow to open")
         loaded = [url for url in page.requests() if url.endswith(".jpg")]
         check(len(loaded) < 600, f"{len(loaded)} thumbnails are loaded at once")
         check(page.run("return document.querySelectorAll('.card').length") < 1500, "everything is built at once")
         begin = time.monotonic()
         page.filter("cam 3 2026-11-0")
-        page.wait("the filter", "return document.getElementById('count').textContent.endsWith('of 6,000 clips')")
+        page.wait("the filter", "return document.getElementById('count').textContent.endsWith('of 10,000 clips')")
         check(time.monotonic() - begin < 3, "filtering is slow")
         page.filter("")
         page.run("scrollTo(0, document.documentElement.scrollHeight)")
-        page.wait("the oldest", "return [...document.querySelectorAll('.card .name')].some(n => n.textContent === '05999.avi')"
-                                " || (scrollTo(0, document.documentElement.scrollHeight), false)")
+        page.wait("the oldest",
+                  "return [...document.querySelectorAll('.card .name')].some(n => n.textContent === '09999.avi')"
+                                " || (scrollTo(0, document.documentElement.scrollHeight), false)", 60)
         strange = [url for url in page.requests() if not url.startswith(("file:", "data:"))]
         check(strange == [], f"the page asks for {strange}")
         check(page.complaints() == [], str(page.complaints()))
+        page.run("scrollTo(0, 0)")
+        begin = time.monotonic()
+        page.press("#views [value=days]")
+        page.wait("days", "return document.querySelectorAll('#overview td button').length > 60")
+        check(time.monotonic() - begin < 5, "the view of days is slow")

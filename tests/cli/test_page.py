@@ -2,7 +2,6 @@
 
 import os
 import re
-import subprocess
 
 import pytest
 from browser import Page
@@ -11,6 +10,7 @@ from harness import check, without_colours
 SIZE = (192, 144)
 RATE = 25
 FRAMES = 250
+TWENTY = range(7, FRAMES, 12)[:20]
 
 # Straight from the side and without perspective, with time along x: then it is known where in the picture each moment is.
 WIDTH, HEIGHT = 1200, 300
@@ -34,8 +34,7 @@ def row_of(row):
 
 def brightest(t, clip):
     """The middle of what is bright in each frame of a clip, as shares of width and height."""
-    grey = subprocess.run(["ffmpeg", "-v", "fatal", "-i", t.path(clip), "-vsync", "passthrough", "-f", "rawvideo", "-pix_fmt",
-                           "gray", "-"], stdout=subprocess.PIPE, check=True).stdout
+    grey = t.raw(clip, "gray", "-vsync", "passthrough")
     area = SIZE[0] * SIZE[1]
     middles = []
     for begin in range(0, len(grey), area):
@@ -55,22 +54,25 @@ def discs(t, clip, *codec):
     return places
 
 
-def opened(page, t, name):
-    """A page in the browser that is there, if there is one."""
-    if page is None:
-        return Page(t, name)
-    page.open(t.path(name))
-    return page
+def disc_page(t, clip="discs.mp4", codec=H264, *options):
+    """The page out.html of such a clip. Returns where the object is in each frame."""
+    places = discs(t, clip, *codec)
+    t.vvr("render", clip, "-o", "out.html", *SIDE_VIEW, *options).expect(0)
+    return places
 
 
-def twenty():
-    return [7 + 12 * k for k in range(20)]
+def bag(t, *arguments):
+    """A page of 16 s in which a bag is put down: three events."""
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    t.make("bag.mp4", "bag of pages", how=lambda: t.ffmpeg("-i", "bag.y4m", *H264, "bag.mp4"))
+    command = ("render", "bag.mp4", "-o", "out.html", "--size", "640x400", "--backend", "software", *arguments)
+    return t.make("out.html", "page of the bag", arguments, how=lambda: t.vvr(*command).expect(0, "3 events"))
 
 
 def click_at_twenty(page, places, begin=0):
     """Clicks at 20 moments and holds the player's clock, and the frame that it shows, against the truth."""
     page.hold_still()
-    for frame in twenty():
+    for frame in TWENTY:
         clock, shown = page.click_and_look(column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         off = (clock - begin) * RATE - frame
         check(-1 < off < 2, f"frame {frame}: the clock stands {off} frames after its beginning")
@@ -80,8 +82,7 @@ def click_at_twenty(page, places, begin=0):
 
 @pytest.mark.browser
 def test_page_plays_the_clip(t):
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0, "'out.html': 250 frames")
+    places = disc_page(t)
     with Page(t, "out.html") as page:
         check(page.source() == "the clip itself", page.source())
         frame = 100
@@ -96,10 +97,9 @@ def test_page_plays_the_clip(t):
 
 @pytest.mark.browser
 def test_page_points_at_moments(t):
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t)
     with Page(t, "out.html") as page:
-        for frame in twenty()[::4]:
+        for frame in TWENTY[::4]:
             page.point(column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
             page.wait("a tip", "return !document.getElementById('tip').hidden")
             minutes, seconds = page.text("when").split(":")
@@ -115,13 +115,12 @@ def test_page_points_at_moments(t):
 
 @pytest.mark.browser
 def test_page_shows_a_preview_of_what_browsers_cannot_play(t):
-    places = discs(t, "discs.avi", *MSMPEG4)
-    t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t, "discs.avi", MSMPEG4)
     with Page(t, "out.html") as page:
         check("a small preview" in page.source(), page.source())
         click_at_twenty(page, places)
         # The preview's pixels can be read, so here is what a person sees: the object where it was in that frame.
-        for frame in twenty():
+        for frame in TWENTY:
             page.click_and_look(column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
             x, y = page.run("""
                 const canvas = document.createElement('canvas');
@@ -143,8 +142,7 @@ def test_page_shows_a_preview_of_what_browsers_cannot_play(t):
 
 @pytest.mark.browser
 def test_page_of_a_clip_that_has_gone(t):
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t)
     t.path("discs.mp4").unlink()
     with Page(t, "out.html") as page:
         check(page.source().startswith("the clip is not where it was, so this is a small preview"), page.source())
@@ -181,14 +179,13 @@ def test_page_of_a_variable_rate(t):
         t.ffmpeg("-i", "steady.mkv", "-vf", "setpts='N*N/2500/TB+N/40/TB'", "-vsync", "vfr", "-enc_time_base", "1/1000",
                  *codec, clip)
         places = brightest(t, clip)
-        probe = t.run(["ffprobe", "-v", "error", "-select_streams", "v", "-show_entries", "frame=pts_time", "-of", "csv=p=0", clip])
-        times = [float(line.rstrip(",")) for line in probe.out.split()]
+        times = [float(line.rstrip(",")) for line in t.probe(clip, "frame=pts_time", "-select_streams", "v").split()]
         check(len(times) == len(places), f"{len(times)} times of {len(places)} frames")
         t.vvr("render", clip, "-o", "out.html", *SIDE_VIEW).expect(0)
         with Page(t, "out.html") as page:
             check(page.source() == "the clip itself", page.source())
             page.hold_still()
-            for frame in twenty():
+            for frame in TWENTY:
                 _, shown = page.click_and_look(column_of((frame + 0.5) / len(times)), row_of(places[frame][1]))
                 check(shown is not None, f"{clip}: frame {frame} is not shown")
                 nearest = min(range(len(times)), key=lambda k, at=shown: abs(times[k] - times[0] - at))
@@ -197,8 +194,7 @@ def test_page_of_a_variable_rate(t):
 
 @pytest.mark.browser
 def test_page_in_a_browser_that_tells_noise(t):
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t)
     text = t.path("out.html").read_text()
     changed = re.sub(r'"sum":(\d+)', lambda found: f'"sum":{int(found[1]) + 1}', text)
     t.write("noise.html", changed)
@@ -217,8 +213,7 @@ def test_page_in_a_browser_that_tells_noise(t):
 
 @pytest.mark.browser
 def test_page_of_a_part(t):
-    places = discs(t, "discs.avi", *MSMPEG4)
-    t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW, "--start", "4s", "--end", "8s").expect(0)
+    places = disc_page(t, "discs.avi", MSMPEG4, "--start", "4s", "--end", "8s")
     with Page(t, "out.html") as page:
         check(page.text("summary") == "0:04 to 0:08, 100 frames, 4.0 s; time of day not known", page.text("summary"))
         page.hold_still()
@@ -230,10 +225,7 @@ def test_page_of_a_part(t):
 
 @pytest.mark.browser
 def test_page_steps_through_events(t):
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
-    t.ffmpeg("-i", "bag.y4m", *H264, "bag.mp4")
-    t.vvr("render", "bag.mp4", "-o", "out.html", "--report", "report.json", "--size", "640x400").expect(0, "3 events")
-    with Page(t, "out.html") as page:
+    with Page(t, bag(t)) as page:
         from selenium.webdriver.common.keys import Keys
         check(page.text("heading") == "3 events", page.text("heading"))
         firsts = page.run("return data.events.map(event => event.first)")
@@ -268,9 +260,7 @@ def test_page_steps_through_events(t):
 
 @pytest.mark.browser
 def test_page_tells_which_object_it_is(t):
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
-    t.vvr("render", "bag.y4m", "-o", "out.html", "--size", "960x600", "--backend", "software").expect(0)
-    with Page(t, "out.html") as page:
+    with Page(t, bag(t, "--size", "960x600")) as page:
         portraits = page.run("return data.overlay.portraits")
         check({portrait["event"] for portrait in portraits} == {0, 1, 2}, f"{portraits}")
         colours = page.run("return data.events.map(event => event.colour)")
@@ -302,12 +292,11 @@ def test_page_tells_which_object_it_is(t):
 
 @pytest.mark.browser
 def test_page_zooms_and_pans(t):
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t)
     with Page(t, "out.html") as page:
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.keys import Keys
-        frame = twenty()[12]
+        frame = TWENTY[12]
         spot = (column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         where = """const b = picture.getBoundingClientRect();
                    return [b.left + arguments[0] * b.width / pictureSize[0], b.top + arguments[1] * b.height / pictureSize[1], b.width]"""
@@ -332,7 +321,7 @@ def test_page_zooms_and_pans(t):
         page.key("+")
         check(page.run(where, *spot)[2] > 1.4 * before[2], "+ does not zoom")
         left = page.run(where, *spot)[0]
-        ActionChains(page.driver).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT).perform()
+        page.hold(Keys.SHIFT, Keys.ARROW_RIGHT)
         check(page.run(where, *spot)[0] < left - 40, "Shift and an arrow do not move the picture")
         check(page.run("return chosen") is None, "Shift and an arrow step through the events")
 
@@ -343,14 +332,18 @@ def test_page_of_hostile_names(t):
              "--><!--{{name}}{{data}} #1?x=%41.mp4", "javascript:alert(1).mp4"]
     names = [name.replace("/", "\u2044") for name in names]
     t.clip("plain.mp4", 2, size="96x72", codec=H264)
+    t.copy("plain.mp4", *names)
     t.path("in <b>").mkdir()
-    page = None
-    try:
+    for k, name in enumerate(names):
+        t.vvr("render", f"./{name}", "-o", f"in <b>/page {k}.html", "--size", "320x200", "--backend",
+              "software").expect(0)
+    # A name that is no text at all.
+    os.rename(t.path("plain.mp4"), bytes(t.folder) + b"/bad\xff.mp4")
+    t.run([t.vvr_path, "render", b"bad\xff.mp4", "-o", "bad.html", "--size", "320x200"]).expect(0)
+    with Page(t, "bad.html") as page:
+        check(page.source() == "the clip itself", page.source())
         for k, name in enumerate(names):
-            os.rename(t.path("plain.mp4"), t.path(name))
-            file = f"in <b>/page {k}.html"
-            t.vvr("render", f"./{name}", "-o", file, "--size", "320x200", "--backend", "software").expect(0)
-            page = opened(page, t, file)
+            page.open(t.path(f"in <b>/page {k}.html"))
             check(page.text_of("h1") == name, page.text_of("h1"))
             check(page.run("return document.title") == name, page.run("return document.title"))
             check(page.source() == "the clip itself", f"{name}: {page.source()} {page.run('return data.clip')}")
@@ -358,15 +351,6 @@ def test_page_of_hostile_names(t):
             plain = page.run("return [8, 3 + document.querySelectorAll('#events img, #letters img, #map img').length, document.querySelectorAll('#help b, #events b, #strip b, #letters b').length + 1]")
             check(count == plain, f"{name}: the name made {count} of {plain} elements")
             check(page.complaints() == [], str(page.complaints()))
-            os.rename(t.path(name), t.path("plain.mp4"))
-        # A name that is no text at all.
-        os.rename(t.path("plain.mp4"), bytes(t.folder) + b"/bad\xff.mp4")
-        t.run([t.vvr_path, "render", b"bad\xff.mp4", "-o", "bad.html", "--size", "320x200"]).expect(0)
-        page = opened(page, t, "bad.html")
-        check(page.source() == "the clip itself", page.source())
-    finally:
-        if page:
-            page.driver.quit()
 
 
 @pytest.mark.browser

@@ -1,15 +1,13 @@
 """A page says whose it is, without a script: camera, day and time, what tells them, and the file's name."""
 
 import html
-import json
-import os
 import re
 
 import pytest
 from harness import check
+from test_archive import QUICK
 from test_page_live import page_of
 
-QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 MTIME = 1_790_000_000  # no day that a name here tells
 
 
@@ -26,9 +24,8 @@ def words_of(t, page):
 def clips(t, *names, seconds=2):
     t.clip("one.avi", seconds=seconds)
     for name in names:
-        t.path(name).parent.mkdir(parents=True, exist_ok=True)
-        t.path(name).write_bytes(t.path("one.avi").read_bytes())
-        os.utime(t.path(name), (MTIME, MTIME))
+        t.copy("one.avi", name)
+        t.stamp(name, MTIME)
     t.path("one.avi").unlink()
 
 
@@ -52,7 +49,7 @@ def test_page_heading_of_a_day_in_an_archive(t):
     check(heading == "hall · Tue 17 Nov 2026, 07:30–21:30", heading)
     check(file == "3 files", file)
     check("60 frames" in summary, summary)  # those that there are, as in the picture: not those of 14 h
-    report = json.loads(t.path("out/hall/2026-11-17.report.json").read_text())
+    report = t.json("out/hall/2026-11-17.report.json")
     check(report["frames"]["used"] == 60, str(report["frames"]))
 
 
@@ -78,8 +75,7 @@ def test_page_heading_of_a_stream(t):
     heading, _, summary = words_of(t, "file.html")
     check(heading == "gate" and summary.endswith("; time of day not known"), f"a file is not of now: {heading}, {summary}")
     watch = f"cat cam.ts | {t.vvr_path} watch - -o live.html --title gate --brick 1s --window 3 --size 480x300 --backend software"
-    ended = t.run(["bash", "-c", watch])
-    check(ended.status == 0, str(ended))
+    t.run(["bash", "-c", watch]).expect(0)
     heading, _, summary = words_of(t, "live.html")
     check(re.fullmatch(r"gate · \w{3} \d+ \w{3} 20\d\d, \d\d:\d\d(–\d\d:\d\d)?", heading), heading)
     check(summary.endswith("; times of day live"), summary)
@@ -96,11 +92,10 @@ def test_page_events_do_not_span_time_without_signal(t, hours):
                  f"[g][w]overlay=x='{place}':y=60:shortest=1")
         begin = 7 * 3600 + number * (seconds + hours * 3600)
         name = f"in/gate_2026-11-17_{begin // 3600:02}-{begin // 60 % 60:02}-{begin % 60:02}.avi"
-        t.path("in").mkdir(exist_ok=True)
         t.ffmpeg("-filter_complex", graph, "-c:v", "mpeg4", "-q:v", "2", name)
     t.vvr("render", "in", "-o", "out.html", "--size", "320x200", "--backend", "software", "--report", "report.json",
           "--names", "{camera}_%Y-%m-%d_%H-%M-%S").expect(0)
-    events = json.loads(t.path("report.json").read_text())["events"]
+    events = t.json("report.json")["events"]
     check(events, "nobody was seen")
     longest = max(event["seconds"] for event in events)
     stood = max(sum(stay["seconds"] for stay in event["stays"]) for event in events)

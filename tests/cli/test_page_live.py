@@ -16,9 +16,7 @@ pytestmark = pytest.mark.browser
 class Live(Page):
     """The page of a stream, which plays nothing but stills."""
 
-    def open(self, path):
-        self.driver.get(path if isinstance(path, str) else path.as_uri())
-        self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined")
+    READY = "return document.documentElement.dataset.ready !== undefined"
 
 
 def page_of(t, name, seconds, *options, ended=False):

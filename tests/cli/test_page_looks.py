@@ -10,21 +10,15 @@ import time
 import pytest
 from browser import Page
 from harness import check
-from test_archive_index import HOUR, NOW, Index, known, write_index
-from test_page_player import bag, crowd
+from test_archive_index import HOUR, NOW, known, opened, write_index
+from test_page import bag
+from test_page_player import crowd
+from test_region_editor import Editor
 
 pytestmark = pytest.mark.browser
 
 SCHEMES = ("light", "dark")
 WINDOWS = ((1440, 900, False), (1280, 720, False), (800, 600, True), (390, 844, True))
-
-
-class Plain(Page):
-    """A page of any kind."""
-
-    def open(self, path):
-        self.driver.get(path.as_uri())
-        self.wait("the page is there", "return document.readyState === 'complete'")
 
 
 def ground_of(page, element):
@@ -97,19 +91,13 @@ def show_view(page, view):
     page.wait(view, f"const shown = document.getElementById('{VIEWS[view]}'); return !shown.hidden && shown.textContent.length > 20")
 
 
-def index_of_all_kinds(t):
-    """An index with a card of each kind."""
+def test_index_is_readable_light_and_dark(t):
     left, stood, taken = ["left", 1, 0, 0, 100, 100, 260, 100, 100], ["stood", 2, 90, 0, 5, 5, 100, 500, 900], ["taken", 3, 0, 0, 1, 1, 9, 9, 9]
     known(t, "gate/a.avi", NOW, events=3, found=[left, stood, taken])
     known(t, "hall/b.avi", NOW - HOUR, events=0)
     known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
     write_index(t)
-    t.zone("UTC")
-    return "out/index.html"
-
-
-def test_index_is_readable_light_and_dark(t):
-    with Index(t, index_of_all_kinds(t)) as page:
+    with opened(t) as page:
         for view in VIEWS:
             show_view(page, view)
             expect_readable(page, 18)
@@ -126,8 +114,7 @@ def test_index_is_readable_light_and_dark(t):
 def test_region_editor_is_readable_light_and_dark(t):
     t.clip()
     t.vvr("inspect", "clip.avi", "--frame", "0", "-o", "roi.html", "--roi", "5,5 40,5 40,40").expect(0)
-    with Plain(t, "roi.html") as page:
-        page.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined")
+    with Editor(t, "roi.html") as page:
         expect_readable(page, 12)
         expect_names(page)
 
@@ -238,8 +225,7 @@ def test_index_is_printed_whole(t):
     for number in range(200):
         known(t, f"{('gate', 'hall', 'yard', 'street')[number % 4]}/{number}.avi", NOW - number // 2 * 24 * HOUR, events=1)
     write_index(t)
-    t.zone("UTC")
-    with Index(t, "out/index.html") as page:
+    with opened(t) as page:
         check(page.run("return document.querySelectorAll('.card').length") < 200, "all is built at once")
         page.window(718, 1047)
         page.cdp("Page.printToPDF", paperWidth=8.27, paperHeight=11.69)
@@ -336,9 +322,7 @@ def test_index_of_names_that_turn_the_writing(t):
         known(t, f"{RLO}cam{number}/{name}", NOW - number * HOUR, events=1, found=[["moved", 1, 0, 0, 1, 1, 5, 5, 5]])
     known(t, f"{RLO}cam0/{RLO}bad.avi", NOW, state="failed", tries=1, status=3, reason=f"'{RLO}bad.avi' is not a video", files={})
     write_index(t)
-    t.zone("UTC")
-    with Index(t, "out/index.html") as page:
-        page.wait("cards", "return document.querySelectorAll('.card').length === 5")
+    with opened(t, cards=5) as page:
         for view in VIEWS:
             show_view(page, view)
             expect_upright(page)

@@ -6,19 +6,10 @@ import re
 import pytest
 from browser import Page, Served
 from harness import check
-from test_archive import age
 from test_keep_events import two_events
-from test_page import FRAMES, H264, RATE, SIDE_VIEW, column_of, discs, row_of
+from test_page import FRAMES, RATE, bag, column_of, disc_page, row_of
 
 pytestmark = pytest.mark.browser
-
-
-def bag(t, *arguments):
-    """A page of 16 s in which a bag is put down: three events."""
-    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
-    t.ffmpeg("-i", "bag.y4m", *H264, "bag.mp4")
-    t.vvr("render", "bag.mp4", "-o", "out.html", "--size", "640x400", "--backend", "software", *arguments).expect(0, "3 events")
-    return "out.html"
 
 
 def with_events(t, name, paths, kind_of=lambda _: "moved"):
@@ -45,8 +36,7 @@ def crowd(t, count):
 @pytest.mark.parametrize("ranges", [True, False])
 def test_page_from_a_server(t, ranges):
     """A server without Range would play the clip's beginning, whatever was clicked: then the preview takes over."""
-    places = discs(t, "discs.mp4", *H264)
-    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    places = disc_page(t)
     with Served(t.folder, ranges) as served, Page(t, served.url("out.html")) as page:
         page.wait("a film is open", "return film !== null")
         wanted = "the clip itself" if ranges else "the server can’t send a part of the clip, so this is a small preview"
@@ -199,8 +189,8 @@ def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
 
 def test_page_plays_the_pieces_of_its_events_when_the_clip_is_gone(t):
     two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
-    age(t, "in/gate/2026-11-21_20-00-00.mp4")
-    t.vvr("archive", "in", "-o", "out", "--size", "640x400", "--backend", "software", "--keep-events", "--margin", "0.5s").expect(0, "1 clip drawn")
+    options = ("--size", "640x400", "--backend", "software", "--keep-events", "--margin", "0.5s")
+    t.archive("in", "-o", "out", *options).expect(0, "1 clip drawn")
     page_name = "out/gate/2026-11-21_20-00-00.mp4.html"
     with Page(t, page_name) as page:
         page.wait("a film is open", "return film !== null")

@@ -6,7 +6,8 @@ import time
 import pytest
 from browser import Page, Served
 from harness import check
-from test_page_player import bag, crowd, with_events
+from test_page import bag
+from test_page_player import crowd, with_events
 
 pytestmark = pytest.mark.browser
 
@@ -137,8 +138,7 @@ def test_page_player_is_as_large_as_one_wants(t):
         dragged = wide("#side")
         page.key("\ue014")
         check(wide("#side") == dragged - 40, "the border has no keys")
-        page.driver.refresh()
-        page.wait("it is there again", "return document.documentElement.dataset.ready !== undefined && film !== null")
+        page.reload()
         check(abs(wide("#side") - dragged + 40) < 2, "the width is forgotten")
         page.run("localStorage.removeItem('vvr-side'); set({side: null}); document.activeElement.blur()")
         page.key("x")
@@ -168,19 +168,10 @@ def test_page_keeps_stars_notes_and_what_is_nothing(t):
         page.press("#events li:nth-child(3) .acts button:nth-child(3)")
         check(page.text("heading") == "2 of 3 events, 1 hidden", page.text("heading"))
         check("is hidden" in page.text("told") and page.texts("#told button") == ["Undo", "Copy --mask"], page.text("told"))
-        page.driver.refresh()
-        page.wait("it is there again", "return document.documentElement.dataset.ready !== undefined && film !== null")
+        page.reload()
         check(page.text("heading") == "2 of 3 events, 1 hidden" and len(page.texts("#events .noted")) == 1, "it is forgotten")
-        folder = t.path("saved")
-        folder.mkdir()
-        page.cdp("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
         page.open_menu("share")
-        page.press("#savenotes")
-        for _ in range(100):
-            if list(folder.glob("*.notes.json")):
-                break
-            time.sleep(0.05)
-        rows = json.loads(next(folder.glob("*.notes.json")).read_text())["events"]
+        rows = json.loads(page.saved(t, "#savenotes", "*.notes.json").read_text())["events"]
         check([(row["event"], row["star"], row["nothing"], row["note"]) for row in rows] == [(2, True, False, "a blue bag"), (3, False, True, "")], f"{rows}")
         page.run("set({showsHidden: true})")
         page.press("#events li:nth-child(3) .acts button:nth-child(3)")
