@@ -30,12 +30,15 @@ case $1 in
 esac
 """
 
+def script_of(t, name, text):
+    t.write(name, text)
+    t.path(name).chmod(0o755)
+    return str(t.path(name))
+
 
 def submit(t, script, *arguments, **environment):
-    t.path("bin").mkdir(exist_ok=True)
-    for name, text in [("sbatch", SBATCH), ("scontrol", SCONTROL)]:
-        t.write(f"bin/{name}", text)
-        t.path(f"bin/{name}").chmod(0o755)
+    script_of(t, "bin/sbatch", SBATCH)
+    script_of(t, "bin/scontrol", SCONTROL)
     path = f"{t.path('bin')}:{os.environ['PATH']}"
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("SLURM_", "SBATCH_", "VVR"))}
     return t.run([str(t.source / "scripts/cluster" / script), *arguments],
@@ -48,7 +51,6 @@ def text_of(t, pattern):
 
 def test_cluster_draws_an_archive(t):
     for name in ("gate", "hall"):
-        t.path(f"in/{name}").mkdir(parents=True)
         t.clip(f"in/{name}/clip.avi", seconds=1)
     t.write("in/bad.avi", "no video")
     t.age("in")
@@ -66,13 +68,12 @@ def test_cluster_draws_an_archive(t):
 
 def test_cluster_requeues_what_may_be_the_nodes_fault(t):
     t.path("in").mkdir()
-    t.write("vvr", "#!/bin/sh\ncase $* in *--dry-run*) ;; *) exit 4 ;; esac\n")
-    t.path("vvr").chmod(0o755)
+    vvr = script_of(t, "vvr", "#!/bin/sh\ncase $* in *--dry-run*) ;; *) exit 4 ;; esac\n")
 
     def tried(**environment):
         t.path("ended").unlink(missing_ok=True)
         t.path("requeued").unlink(missing_ok=True)
-        submit(t, "submit-archive", "in", "out", "--shards", "1", VVR=str(t.path("vvr")), **environment).expect(0, out=None)
+        submit(t, "submit-archive", "in", "out", "--shards", "1", VVR=vvr, **environment).expect(0, out=None)
         check("task 1: status 4" in t.path("ended").read_text(), "the status is another")
         return t.path("requeued").exists()
 
@@ -84,7 +85,6 @@ def test_cluster_requeues_what_may_be_the_nodes_fault(t):
 
 
 def test_cluster_waits_for_the_run_that_slurm_lost(t):
-    t.path("in").mkdir()
     t.path("out").mkdir()
     t.clip("in/a.avi", seconds=1)
     t.age("in")
@@ -124,16 +124,16 @@ def test_cluster_draws_a_clip_in_parts(t):
 
 def test_cluster_makes_the_parts_that_are_missing(t):
     t.clip("clip.avi", seconds=2)
-    t.write("vvr", f"""#!/bin/bash
+    vvr = script_of(t, "vvr", f"""#!/bin/bash
 [[ $* != *--part* ]] || echo "$*" >>extracted
 [[ $* != *--part\\ 2/3* || -e mended ]] || exit 3
 exec '{t.vvr_path}' "$@"
 """)
-    t.path("vvr").chmod(0o755)
 
     def once():
         t.path("extracted").unlink(missing_ok=True)
-        submit(t, "submit-clip", "clip.avi", "out.png", "--parts", "3", "--", "--size", "160x100", VVR=str(t.path("vvr"))).expect(0, out=None)
+        arguments = ("clip.avi", "out.png", "--parts", "3", "--", "--size", "160x100")
+        submit(t, "submit-clip", *arguments, VVR=vvr).expect(0, out=None)
         return len(t.path("extracted").read_text().splitlines())
 
     check(once() == 3, "not every part was tried")
@@ -148,25 +148,22 @@ exec '{t.vvr_path}' "$@"
 def test_cluster_refuses_what_cannot_be(t):
     t.clip("clip.avi", seconds=1)
     t.path("in").mkdir()
-    for arguments, text in [
-        (("in",), "asked for IN and OUT, found 1 names"),
-        (("none", "out"), "cannot read the archive 'none'"),
-        (("in", "out", "--shards", "0"), "--shards: '0' is not a whole number above 0"),
-        (("in", "out", "--cpus"), "--cpus needs a value"),
-        (("in", "out", "--partition", "long"), "unknown option '--partition'"),
-        (("in", "out", "--", "--part=1/2"), "--part is for submit-archive to set"),
-        (("in", "out", "--", "--sise", "1x1"), "did you mean"),
+    for command, text in [
+        (("submit-archive", "in"), "asked for IN and OUT, found 1 names"),
+        (("submit-archive", "none", "out"), "cannot read the archive 'none'"),
+        (("submit-archive", "in", "out", "--shards", "0"), "--shards: '0' is not a whole number above 0"),
+        (("submit-archive", "in", "out", "--cpus"), "--cpus needs a value"),
+        (("submit-archive", "in", "out", "--partition", "long"), "unknown option '--partition'"),
+        (("submit-archive", "in", "out", "--", "--part=1/2"), "--part is for submit-archive to set"),
+        (("submit-archive", "in", "out", "--", "--sise", "1x1"), "did you mean"),
+        (("submit-clip", "clip.avi"), "asked for CLIP and OUT, found 1 names"),
+        (("submit-clip", "none.avi", "out.png"), "none.avi"),
+        (("submit-clip", "clip.avi", "out.png", "--parts", "11"), "--parts 11: 'clip.avi' tells of 10 frames"),
+        (("submit-clip", "clip.avi", "out.png", "--parts", "2", "--", "--start", "3f"),
+         "--start does not go with parts of a whole clip"),
+        (("submit-clip", "clip.avi", "out.png", "--parts", "2", "--", "--sise", "1x1"), "are options of vvr render"),
+        (("submit-clip", "clip.avi", "out.png", "--parts", "2", "--", "--grid", "much"), "--grid"),
     ]:
-        result = submit(t, "submit-archive", *arguments)
-        check(result.status != 0 and text in result.err, f"{result}\nexpected: {text}")
-    for arguments, text in [
-        (("clip.avi",), "asked for CLIP and OUT, found 1 names"),
-        (("none.avi", "out.png"), "none.avi"),
-        (("clip.avi", "out.png", "--parts", "11"), "--parts 11: 'clip.avi' tells of 10 frames"),
-        (("clip.avi", "out.png", "--parts", "2", "--", "--start", "3f"), "--start does not go with parts of a whole clip"),
-        (("clip.avi", "out.png", "--parts", "2", "--", "--sise", "1x1"), "are options of vvr render"),
-        (("clip.avi", "out.png", "--parts", "2", "--", "--grid", "much"), "--grid"),
-    ]:
-        result = submit(t, "submit-clip", *arguments)
+        result = submit(t, *command)
         check(result.status != 0 and text in result.err, f"{result}\nexpected: {text}")
     check(not t.path("submitted").exists(), "something was submitted")

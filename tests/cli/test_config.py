@@ -1,6 +1,5 @@
 """Where a config file is found, and what `vvr config` says of it."""
 
-import json
 import os
 import re
 
@@ -12,17 +11,10 @@ from harness import check
 def made_places(t):
     """A clip, and config files in the places where they are found; the environment that leads to them."""
     t.clip()
-    for folder, size in (("home/.config/vvr", "40x30"), ("xdg/vvr", "50x30")):
-        t.path(folder).mkdir(parents=True)
-        t.write(f"{folder}/vvr.toml", f'[render]\nsize = "{size}"\n')
-    t.write("named.toml", '[render]\nsize = "60x30"\n')
+    for name, size in (("home/.config/vvr/vvr.toml", "40x30"), ("xdg/vvr/vvr.toml", "50x30"), ("named.toml", "60x30")):
+        t.write(name, f'[render]\nsize = "{size}"\n')
     environment = {name: value for name, value in os.environ.items() if name not in ("VVR_CONFIG", "XDG_CONFIG_HOME")}
     return environment | {"HOME": str(t.path("home"))}
-
-
-def size_in_force(t, environment, *arguments):
-    said = t.vvr("config", "render", *arguments, env=environment).expect(0, out=None).out
-    return re.search(r"^size +(\S+) ", said, flags=re.MULTILINE)[1]
 
 
 def test_config_file_is_found(t, places):
@@ -39,8 +31,8 @@ def test_config_file_is_found(t, places):
         (named, ["--config", "none"], "1280x800"),
         (named | {"VVR_CONFIG": ""}, [], "1280x800"),
     ]:
-        found = size_in_force(t, environment, *arguments)
-        check(found == expected, f"{arguments}: the size is {found}, not {expected}")
+        said = t.vvr("config", "render", *arguments, env=environment).expect(0, out=None).out
+        check(re.search(rf"^size +{expected} ", said, flags=re.MULTILINE), f"{arguments}: not {expected}: {said}")
 
 
 def test_found_config_file_with_errors(t, places):
@@ -61,7 +53,6 @@ def test_found_config_file_with_errors(t, places):
 
 def test_workers_of_an_archive_read_no_config_file(t, places):
     """What an archive is drawn with stands in its sidecars; a [render] of its own is not among that."""
-    t.path("in").mkdir()
     t.clip("in/a.avi")
     t.archive("in", "-o", "drawn", "--size", "90x60", env=places).expect(0, "1 clip drawn")
     check(t.picture_size("drawn/a.avi.png") == (90, 60), "the size that archive was given")
@@ -122,11 +113,7 @@ def test_names_that_nobody_knows_stop_every_command(t):
 
 
 def test_each_camera_of_an_archive_has_its_settings(t):
-    for camera in ("house/gate", "house/hall", "yard"):
-        t.path(f"in/{camera}").mkdir(parents=True)
-    t.clip("in/house/gate/21112026-203000.avi", seconds=1)
-    t.clip("in/house/hall/2026-11-21_20-30-00.avi", seconds=1)
-    t.clip("in/yard/2026-11-21_20-30-00.avi", seconds=1)
+    t.old_clips("house/gate/21112026-203000.avi", "house/hall/2026-11-21_20-30-00.avi", "yard/2026-11-21_20-30-00.avi")
     t.write("vvr.toml", """threshold = 20
 [archive]
 size = "160x100"
@@ -145,7 +132,7 @@ threshold = 70
     t.archive("in", "-o", "out", *config).expect(0, "3 clips drawn", "[camera.cellar]", "house/gate, house/hall, yard")
 
     def known(clip):
-        report = json.loads(t.path(f"out/{clip}.report.json").read_text())
+        report = t.json(f"out/{clip}.report.json")
         return report["settings"]["threshold"], report["input"]["recorded"]
 
     evening = "2026-11-21 20:30:00"
@@ -156,19 +143,18 @@ threshold = 70
     t.write("vvr.toml", t.path("vvr.toml").read_text().replace("= 40", "= 41"))
     t.archive("in", "-o", "out", *config).expect(0, "house/gate/21112026-203000.avi: ", "1 clip drawn", "2 done before")
     t.archive("in", "-o", "other", *config, "--threshold", "33").expect(0, "3 clips drawn")
-    check(json.loads(t.path("other/house/gate/21112026-203000.avi.report.json").read_text())["settings"]["threshold"] == "33",
+    check(t.json("other/house/gate/21112026-203000.avi.report.json")["settings"]["threshold"] == "33",
           "the command line")
     # One clip has the settings of its camera too, by its folders or by name.
     clip = "in/house/gate/21112026-203000.avi"
     for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70")):
         t.render(clip, *config, *arguments, "--report", "r.json").expect(0)
-        check(json.loads(t.path("r.json").read_text())["settings"]["threshold"] == expected, f"{arguments}")
+        check(t.json("r.json")["settings"]["threshold"] == expected, f"{arguments}")
     # So has a folder of one camera, whose clips lie deeper.
+    t.clip("tree/gate/2026-11-21/20-30-00.avi", seconds=1)
     for folder in ("in/house/gate", "tree"):
-        t.path("tree/gate/2026-11-21").mkdir(parents=True, exist_ok=True)
-        t.clip("tree/gate/2026-11-21/20-30-00.avi", seconds=1)
         t.render(folder, *config, "--report", "r.json").expect(0)
-        check(json.loads(t.path("r.json").read_text())["settings"]["threshold"] == "41", folder)
+        check(t.json("r.json")["settings"]["threshold"] == "41", folder)
     t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
     t.render(clip, "--camera-name", "gate").expect(1, "[camera.gate]", code="option-value")
     said = t.vvr("config", "archive", "--camera-name", "gate", *config).expect(0, out=None).out

@@ -2,27 +2,19 @@
 
 import datetime
 import json
-import shutil
 
 from harness import check
 from test_cut import H264, KEYS, RATE, apart, bag, grey_frames, packets
+from test_recording import cut as recorded
 
 BEGIN = datetime.datetime(2026, 11, 21, 7, 59, 50)
-LAYOUT = "%Y-%m-%d/%H/gate/%M.%S"
 SECONDS = 3 * KEYS / RATE  # 4.8, of a file
 
 
-def segments(t, clip="bag.mp4", ending=".mp4", folder="day", layout=LAYOUT):
-    """The files that a recorder would have written, as Frigate names them."""
-    t.path("made").mkdir()
-    t.ffmpeg("-i", clip, "-c", "copy", "-f", "segment", "-segment_time", str(SECONDS - 0.5), "-reset_timestamps", "1", "made/%04d" + ending)
-    names = []
-    for number, file in enumerate(sorted(t.path("made").iterdir())):
-        at = BEGIN + datetime.timedelta(seconds=number * SECONDS)
-        names.append(f"{folder}/{at.strftime(layout)}{ending}")
-        t.path(names[-1]).parent.mkdir(parents=True, exist_ok=True)
-        file.rename(t.path(names[-1]))
-    t.path("made").rmdir()
+def segments(t, ending=".mp4"):
+    """The clip with the bag as files of a recorder."""
+    bag(t)
+    names = recorded(t, "bag.mp4", SECONDS, BEGIN, "day/%Y-%m-%d/%H/gate/%M.%S" + ending, SECONDS - 0.5)
     check(len(names) == 4, f"{names}")
     return names
 
@@ -30,13 +22,13 @@ def segments(t, clip="bag.mp4", ending=".mp4", folder="day", layout=LAYOUT):
 def pictures(t, *inputs):
     """A hash of each frame."""
     done = t.run(["ffmpeg", "-v", "error", *inputs, "-map", "0:v", "-fps_mode", "passthrough", "-f", "framemd5", "-"])
-    check(done.status == 0 and done.err == "", str(done))
+    done.expect(0, out=None, err="")
     return [line.split(",")[-1].strip() for line in done.out.splitlines() if not line.startswith("#")]
 
 
 def tags(t, name):
     probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format_tags", "-of", "json", name])
-    return {key.lower(): value for key, value in json.loads(probe.out)["format"].get("tags", {}).items()}
+    return {key.lower(): value for key, value in probe.json()["format"].get("tags", {}).items()}
 
 
 def times(t, name):
@@ -45,11 +37,10 @@ def times(t, name):
 
 def report(t, *inputs):
     t.vvr("render", *inputs, "--report", "r.json").expect(0)
-    return json.loads(t.path("r.json").read_text(encoding="utf-8"))
+    return t.json("r.json")
 
 
 def test_cut_joins_the_files_of_a_recording(t):
-    bag(t)
     names = segments(t)
     t.write("day/all.txt", "\n".join(name.removeprefix("day/") for name in names) + "\n")
     whole = pictures(t, "-i", "bag.mp4")
@@ -71,7 +62,6 @@ def test_cut_joins_the_files_of_a_recording(t):
 
 
 def test_cut_keeps_gaps_and_says_them(t):
-    bag(t)
     names = segments(t)
     t.path(names[1]).unlink()
     whole = pictures(t, "-i", "bag.mp4")
@@ -89,7 +79,6 @@ def test_cut_keeps_gaps_and_says_them(t):
 
 
 def test_cut_of_files_that_overlap(t):
-    bag(t)
     names = segments(t)
     # The third file is the second one as well: it begins before that has ended.
     t.ffmpeg("-i", "bag.mp4", "-ss", "4.8", "-t", "9.5", "-c", "copy", "long.mp4")
@@ -101,7 +90,6 @@ def test_cut_of_files_that_overlap(t):
 
 
 def test_cut_knows_the_footage_of_a_file_whose_clock_goes_back(t):
-    bag(t)
     names = segments(t, ending=".ts")
     t.ffmpeg("-i", names[1], "-c", "copy", "-f", "segment", "-segment_time", "1.5", "-reset_timestamps", "1", "part%d.ts")
     t.path(names[1]).write_bytes(b"".join(t.path(f"part{k}.ts").read_bytes() for k in range(3)))
@@ -110,7 +98,6 @@ def test_cut_knows_the_footage_of_a_file_whose_clock_goes_back(t):
 
 
 def test_cut_refuses_to_join_what_differs(t):
-    bag(t)
     names = segments(t)
     t.ffmpeg("-i", names[1], "-vf", "scale=96:72", *H264, "-c:a", "copy", "small.mp4")
     t.path("small.mp4").rename(t.path(names[1]))
@@ -127,7 +114,6 @@ def test_cut_refuses_to_join_what_differs(t):
 
 
 def test_cut_takes_an_event_of_a_recordings_report(t):
-    bag(t)
     names = segments(t)
     events = report(t, "day")["events"]
     whole = pictures(t, "-i", "bag.mp4")
@@ -142,9 +128,8 @@ def test_cut_takes_an_event_of_a_recordings_report(t):
     # Found anew, or out of those files alone, whatever they are called: the same pictures.
     t.vvr("cut", "day", "--event", number, "-o", "b.mp4").expect(0, "frames copied")
     check(pictures(t, "-i", "b.mp4") == made, "a search finds another piece")
-    t.path("other").mkdir()
     for i, name in enumerate(needed):
-        shutil.copy(t.path(name), t.path(f"other/{i}.mp4"))
+        t.copy(name, f"other/{i}.mp4")
     t.vvr("cut", "other", "--event", number, "--report", "r.json", "-o", "c.mp4").expect(0, "frames copied")
     check(pictures(t, "-i", "c.mp4") == made, "files of other names make another piece")
     # One of them is not enough, and the right ones are named.
@@ -156,7 +141,6 @@ def test_cut_takes_an_event_of_a_recordings_report(t):
 
 def test_cut_of_one_file_by_a_recordings_report_is_at_the_right_place(t):
     """Times of a report are those of the recording; of a file they are others."""
-    bag(t)
     names = segments(t)
     told = report(t, "day")
     inside = [event for event in told["events"] if event["first"]["file"] == event["last"]["file"] != names[0]]
@@ -185,17 +169,15 @@ def test_cut_refuses_a_report_of_another_file(t):
     report(t, "bag.mp4")
     cut = lambda name: t.vvr("cut", name, "--event", "1", "--report", "r.json", "-o", "x.mp4")
     cut("other.mp4").expect(1, "event 1", "'r.json'", "'bag.mp4'", "'other.mp4'", code="input-unsuitable")
-    t.path("moved").mkdir()
     # The name is the same, and a byte of the middle is not: so is the size. Its ends are.
-    shutil.copy(t.path("bag.mp4"), t.path("moved/bag.mp4"))
+    t.copy("bag.mp4", "moved/bag.mp4", "moved/renamed.mp4")
     with open(t.path("moved/bag.mp4"), "r+b") as file:
         file.seek(1000)
         file.write(b"\x5a\xa5")
     cut("moved/bag.mp4").expect(1, "event 1", "'r.json'", "'bag.mp4'", "'moved/bag.mp4'", "--report", code="input-unsuitable")
     check(not t.path("x.mp4").exists(), "something was written")
-    shutil.copy(t.path("bag.mp4"), t.path("moved/renamed.mp4"))
     cut("moved/renamed.mp4").expect(0, "frames copied")
-    old = json.loads(t.path("r.json").read_text())
+    old = t.json("r.json")
     del old["input"]["digest"]
     t.write("r.json", json.dumps(old))
     cut("bag.mp4").expect(1, "--report 'r.json'", "vvr render CLIP --report", code="input-unsuitable")
@@ -203,7 +185,6 @@ def test_cut_refuses_a_report_of_another_file(t):
 
 def test_report_has_the_digests_that_the_docs_describe(t):
     import hashlib
-    bag(t)
     names = segments(t)
     end = 64 * 1024
     for reported, name in [(report(t, "bag.mp4")["input"], "bag.mp4")] + list(zip(report(t, "day")["segments"], names)):
@@ -214,7 +195,6 @@ def test_report_has_the_digests_that_the_docs_describe(t):
 
 
 def test_cut_keeps_camera_date_and_time(t):
-    bag(t)
     names = segments(t)
     t.zone("Europe/Berlin")  # Frigate's names are in UTC
     for ending in (".mp4", ".mkv", ".mov"):
@@ -232,7 +212,7 @@ def test_cut_keeps_camera_date_and_time(t):
     check(tags(t, "c.mkv")["creation_time"].startswith("2026-06-01T10:00:08"), f"{tags(t, 'c.mkv')}")
     t.vvr("cut", "day", "--start", "8s", "--start-time", "none", "-o", "d.mkv").expect(0)
     check("creation_time" not in tags(t, "d.mkv") and tags(t, "d.mkv")["title"] == "gate", f"{tags(t, 'd.mkv')}")
-    shutil.copy(t.path("bag.mp4"), t.path("till__20261121_0930.mp4"))
+    t.copy("bag.mp4", "till__20261121_0930.mp4")
     t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--start", "8s", "-o", "e.mp4").expect(
         0, "which is 2026-11-21T09:30:08+01:00")
     check(tags(t, "e.mp4")["title"] == "till" and tags(t, "e.mp4")["creation_time"].startswith("2026-11-21T08:30:08"), f"{tags(t, 'e.mp4')}")
@@ -292,7 +272,6 @@ def test_cut_exactly_where_each_packet_says_that_it_is_a_key_frame(t):
 
 
 def test_cut_by_the_clock_on_the_wall(t):
-    bag(t)
     segments(t)
     t.zone("UTC")
     whole = pictures(t, "-i", "bag.mp4")

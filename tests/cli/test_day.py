@@ -2,7 +2,6 @@
 
 import base64
 import json
-import subprocess
 
 from harness import check
 
@@ -16,10 +15,6 @@ def recording(t, name="day.mkv"):
     return name
 
 
-def report_of(t, name):
-    return json.loads(t.path(name).read_text(encoding="utf-8"))
-
-
 def room_of(report, begin, end):
     """Share of the arc that a stretch has in which something moves."""
     idle = sum(stretch["room"] for stretch in report["volume"]["compressed"])
@@ -31,24 +26,22 @@ def room_of(report, begin, end):
 def test_room_goes_where_something_moves(t):
     recording(t)
     t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "each layer merges ")
-    check(report_of(t, "even.json")["volume"]["compressed"] == [], "even time is compressed")
+    check(t.json("even.json")["volume"]["compressed"] == [], "even time is compressed")
     told = t.render("day.mkv", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(
         0, "'busy.png': 2400 frames", "36 min without motion are compressed on the time axis, in 3 places")
-    report = report_of(t, "busy.json")
+    report = t.json("busy.json")
     texts = [label["text"] for label in report["labels"]]
     check(any(text.endswith("36 min without motion are shortened") for text in texts), f"{texts}")
     check(any(text.endswith("min idle") for text in texts), f"{texts}")
     check(room_of(report, 300, 420) > 0.7, f"{report['volume']}")
-    check(len(report["events"]) == len(report_of(t, "even.json")["events"]), "other events")
-    t.render("day.mkv", "--time", "busy", "--size", "640x400", output="again.png").expect(0)
-    check(t.path("again.png").read_bytes() != b"", "an empty file")
+    check(len(report["events"]) == len(t.json("even.json")["events"]), "other events")
     # By default the header decides: a short clip has even time, and one of more than two minutes has not.
     t.render("day.mkv", "--end", "110s", "--report", "r.json").expect(0)
-    check(report_of(t, "r.json")["volume"]["compressed"] == [], "a short clip is compressed")
+    check(t.json("r.json")["volume"]["compressed"] == [], "a short clip is compressed")
     t.clip("busy.avi", seconds=130)
     for name, *options in (("auto.png",), ("busy.png", "--time", "busy"), ("even.png", "--time", "even")):
         t.render("busy.avi", "--reference", "first", "--show", "volume,ruler", *options, output=name).expect(0)
-    pixels = [t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out for name in ("auto.png", "busy.png", "even.png")]
+    pixels = [t.raw(name) for name in ("auto.png", "busy.png", "even.png")]
     check(pixels[0] == pixels[1] != pixels[2], "a clip of more than two minutes has even time by default")
 
 
@@ -57,10 +50,8 @@ def test_pixels_of_busy_time_tell_their_frames(t):
     t.render("day.mkv", "--time", "busy", "--filter", "difference", "--report", "r.json", output="busy.html").expect(0)
     text = t.path("busy.html").read_text(encoding="utf-8")
     data = json.loads(text.split('id="pixeldata">')[1].split("</script>")[0])
-    pixels = data["pixels"]["src"].split(",")[1]
-    t.write("pixels.png", base64.b64decode(pixels))
-    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", t.path("pixels.png"), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                         stdout=subprocess.PIPE, check=True).stdout
+    t.write("pixels.png", base64.b64decode(data["pixels"]["src"].split(",")[1]))
+    raw = t.raw("pixels.png")
     frames = {(raw[i] << 16 | raw[i + 1] << 8 | raw[i + 2]) + data["pixels"]["first"] - 1 for i in range(0, len(raw), 3)
               if raw[i:i + 3] != b"\0\0\0"}
     # What stands at both ends of the arc besides are the first and the last frame.
@@ -74,7 +65,7 @@ def test_preset_of_a_day(t):
     recording(t)
     told = t.render("day.mkv", "--preset", "day", "--brick", "600s", "--start-time", "2026-11-21 07:50:00", "--size", "640x400",
                     "--report", "day.json").expect(0)
-    report = json.loads(t.path("day.json").read_text(encoding="utf-8"))
+    report = t.json("day.json")
     texts = [label["text"] for label in report["labels"]]
     check("4 bricks" in told.err or "3 bricks" in told.err, f"bricks by the clock: {told}")
     check(any(text.startswith("07:5") or text.startswith("08:") for text in texts), f"{texts}")
@@ -92,6 +83,4 @@ def test_idle_time_of_extracted_data(t):
     look = ("--time", "busy", "--show", "volume,outline,ruler")
     t.render("day.mkv", *look, output="clip.png").expect(0)
     t.render("data", *look, "--title", "day.mkv", output="data.png").expect(0)
-    one, other = (t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out
-                  for name in ("clip.png", "data.png"))
-    check(one == other, "data files make another picture")
+    check(t.raw("clip.png") == t.raw("data.png"), "data files make another picture")

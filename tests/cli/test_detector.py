@@ -1,7 +1,6 @@
 """--detector: what an object is stands in all outputs, a person was never left behind, and a model that is none is
 refused before the clip is read. The models are the tests' own."""
 
-import json
 import os
 import re
 
@@ -13,6 +12,7 @@ from test_report import read
 from tiny_model import model
 
 SUITCASE = 28
+NO_CLASSES = [[kind, None, None, None, None] for kind in ("moved", "left", "moved")]
 QUICK = ("--size", "160x100", "--backend", "software")
 
 
@@ -34,8 +34,7 @@ def facts(event):
 def test_person_was_not_left_behind(t):
     bag(t)
     before = report_of(t)
-    check([facts(event) for event in before["events"]] == [["moved"] + [None] * 4, ["left"] + [None] * 4, ["moved"] + [None] * 4],
-          str(before["events"]))
+    check([facts(event) for event in before["events"]] == NO_CLASSES, str(before["events"]))
     check(before["detector"] is None and before["events"][1]["evidence"]["refuted"] is None, str(before["detector"]))
     report = report_of(t, "--detector", "tiny.onnx")
     check(len(report["events"]) == 3, f"{len(report['events'])} events")
@@ -61,8 +60,7 @@ def test_thing_was_left_behind(t):
 def test_detector_that_sees_nothing_refutes_nothing(t):
     bag(t, score=0.4)
     report = report_of(t, "--detector", "tiny.onnx")
-    check([facts(event) for event in report["events"]] == [["moved"] + [None] * 4, ["left"] + [None] * 4, ["moved"] + [None] * 4],
-          str(report["events"]))
+    check([facts(event) for event in report["events"]] == NO_CLASSES, str(report["events"]))
     check(report["detector"]["events"] == 3, str(report["detector"]))
 
 
@@ -72,11 +70,11 @@ def test_detector_is_named_by_a_config_file(t):
     config = os.environ | {"VVR_CONFIG": "vvr.toml"}
     t.vvr("render", "bag.y4m", "--report", "report.json", env=config).expect(0, "3 events (3 person)")
     check(read(t)["events"][1]["class"] == "person", "the config file's detector says nothing")
-    said = json.loads(t.vvr("doctor", "--json", env=config).expect(0, out=None).out)
+    said = t.vvr("doctor", "--json", env=config).expect(0, out=None).json()
     check(said["detector"] == {"model": "tiny.onnx", "works": True, "format": "YOLOX", "width": 64, "height": 64, "reason": None}, str(said))
     check("detector       YOLOX, 64x64 pixels: tiny.onnx\n" in t.vvr("doctor", env=config).expect(0, out=None).out, "no line")
     check("detector       none" in t.vvr("doctor").expect(0, out=None).out, "no line where none is set")
-    check(json.loads(t.vvr("doctor", "--json").expect(0, out=None).out)["detector"] is None, "one is set")
+    check(t.vvr("doctor", "--json").expect(0, out=None).json()["detector"] is None, "one is set")
     t.write("tiny.onnx", "no model")
     broken = t.vvr("doctor", env=config).expect(2, "cannot use 'tiny.onnx' as a detector", code="not-a-model", out=None)
     check("detector       does not work: cannot use 'tiny.onnx'" in broken.out, broken.out)
@@ -97,9 +95,7 @@ def test_model_that_is_none_is_refused_before_the_clip_is_read(t, name, content,
         t.write(name, content)
     for command in (["render", "no clip.avi", "-o", "out.png"], ["watch", "no stream.avi", "-o", "out.png"]):
         t.vvr(*command, "--detector", name).expect(2, f"'{name}'", code=code)
-    t.clip("in.avi")
-    t.path("in").mkdir()
-    t.path("in.avi").rename(t.path("in/a.avi"))
+    t.clip("in/a.avi")
     t.archive("in", "-o", "out", *QUICK, "--detector", name).expect(2, f"'{name}'", code=code)
     check(not t.path("out").exists(), "the archive has begun")
 
@@ -127,15 +123,14 @@ def test_pictures_say_what_their_objects_are(t):
 
 def archive_of_bags(t, *arguments):
     bag(t)
-    t.path("in/gate").mkdir(parents=True)
-    t.path("bag.y4m").rename(t.path("in/gate/bag.y4m"))
+    t.copy("bag.y4m", "in/gate/bag.y4m")
     t.clip("in/gate/quiet.avi", seconds=1)
     return t.archive("in", "-o", "out", *QUICK, "--match", "*.y4m", "--match", "*.avi", *arguments)
 
 
 def test_archive_knows_what_came(t):
     archive_of_bags(t, "--detector", "tiny.onnx").expect(0)
-    found = json.loads(t.path("out/gate/bag.y4m.json").read_text())["found"]
+    found = t.json("out/gate/bag.y4m.json")["found"]
     check([[event[0], event[-1]] for event in found] == [["moved", "person"], ["stood", "person"], ["moved", "person"]], str(found))
     index = t.path("out/index.html").read_text()
     check('"classes":{"person":["person"]}' in index, "the index knows no classes")
@@ -147,8 +142,7 @@ def test_archive_knows_what_came(t):
 @pytest.mark.browser
 def test_index_is_filtered_by_class(t):
     archive_of_bags(t, "--detector", "tiny.onnx").expect(0)
-    with opened(t) as page:
-        page.wait("cards", "return document.querySelectorAll('.card').length === 2")
+    with opened(t, cards=2) as page:
         check(not page.hidden("class"), "no choice of classes")
         page.set("class", "person")
         page.wait("one card", "return document.querySelectorAll('.card').length === 1")

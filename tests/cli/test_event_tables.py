@@ -1,7 +1,6 @@
 """--events-csv and --tracks: the events of a clip as tables."""
 
 import csv
-import json
 
 from harness import check
 
@@ -20,7 +19,7 @@ def test_tables_agree_with_the_report(t):
     clip(t)
     t.vvr("render", "clip.mkv", *FAST, "--field-size", "192x144", "--start-time", "2026-11-21 08:00:00", "--report", "r.json",
           "--events-csv", "events.csv", "--tracks", "tracks.txt").expect(0)
-    events = json.loads(t.path("r.json").read_text(encoding="utf-8"))["events"]
+    events = t.json("r.json")["events"]
     with open(t.path("events.csv"), encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     check(len(rows) == len(events) == 1, f"{rows}")

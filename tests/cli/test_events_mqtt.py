@@ -9,7 +9,8 @@ import time
 
 import pytest
 from harness import check
-from test_events_to import FAST, walk
+from test_events_to import FAST, clips, walk
+from test_watch import free_port
 
 pytestmark = pytest.mark.slow
 
@@ -21,9 +22,7 @@ class Broker:
         for program in ("mosquitto", "mosquitto_pub", "mosquitto_sub"):
             if not shutil.which(program, path="/usr/sbin:/usr/bin:/bin"):
                 pytest.skip(f"{program} is not installed; scripts/test --all does it")
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
+        self.port = free_port()
         t.write("mosquitto.conf", f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n")
         self.server = subprocess.Popen(["/usr/sbin/mosquitto", "-c", "mosquitto.conf"], cwd=t.folder, stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL)
@@ -59,13 +58,6 @@ def page(t):
     return (t.source / "docs" / "events.md").read_text(encoding="utf-8")
 
 
-def used_members(text):
-    """The members that Home Assistant's templates read."""
-    found = set(re.findall(r"(?:value_json|payload_json)\.(\w+)", text))
-    check(len(found) >= 3, f"{found}")
-    return found
-
-
 def test_stream_to_home_assistant(t):
     walk(t, "gate.avi", begins=6, seconds=24)
     t.write("gate.url", "gate.avi\n")
@@ -77,7 +69,8 @@ def test_stream_to_home_assistant(t):
     check(topic == "vvr/gate/event" and f"state_topic: {topic}" in page(t) and f"topic: {topic}" in page(t), topic)
     event = json.loads(message)
     check(event["camera"] == "gate" and event["kind"] == "moved" and event["page"].startswith("gate.html#"), message)
-    check(used_members(page(t)) <= set(event), message)
+    used = set(re.findall(r"(?:value_json|payload_json)\.(\w+)", page(t)))  # by Home Assistant's templates
+    check(len(used) >= 3 and used <= set(event), f"{used} of {message}")
 
 
 def test_file_of_a_service(t):
@@ -86,9 +79,7 @@ def test_file_of_a_service(t):
     line = re.search(r"^ExecStart=/bin/sh -c '(.*)'$", unit, flags=re.MULTILINE).group(1)
     option = re.search(r"--events-to (/var/lib/vvr/gate.jsonl)$", page(t), flags=re.MULTILINE).group(1)
     check(option == "/var/lib/vvr/gate.jsonl" and "/var/lib/vvr/%i.jsonl" in line and option in unit, line)
-    t.path("in").mkdir()
-    walk(t, "in/one.avi")
-    t.age("in")
+    clips(t, "in/one.avi")
     with Broker(t, 1) as broker:
         line = line.replace("/var/lib/vvr/%i", str(t.path("gate"))).replace("%i", "gate").replace(
             "-h localhost", f"-h 127.0.0.1 -p {broker.port}")

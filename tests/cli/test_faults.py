@@ -25,16 +25,9 @@ KILLS = int(os.environ.get("VVR_KILLS", "60"))  # for each use
 SEED = os.environ.get("VVR_SEED", "2")
 ONLY = os.environ.get("VVR_FAULT_ONLY")
 SMALL = ("--size", "64x40", "--quiet")
-PNG = next(scene for scene in SCENES if scene.name == "png")
+PNG, EXR, EXTRACT = (next(scene for scene in SCENES if scene.name == name) for name in ("png", "exr", "extract"))
 
-EXR = next(scene for scene in SCENES if scene.name == "exr")
-
-
-def each(scenes):
-    return pytest.mark.parametrize("scene", scenes, ids=[scene.name for scene in scenes])
-
-
-by_name = each(SCENES)
+by_name = pytest.mark.parametrize("scene", SCENES, ids=[scene.name for scene in SCENES])
 
 
 def built(t, name):
@@ -138,12 +131,9 @@ def test_memory_that_is_short_as_libraries_are_loaded_ends_it_with_status_5(walk
 
 def test_data_that_cannot_be_removed_stay_known(walk):
     """With no file left to open, a folder of data can't be emptied, but the next run still knows it for its own."""
-    extract = next(scene for scene in SCENES if scene.name == "extract")
-    walk.learn(extract)
-    stays = 0
-    count = walk.counts[extract.name, "open"]
-    for number in range(count - 11, count, 2):
-        stays += walk.inject(extract, f"open:{number}+").status == 2
+    walk.learn(EXTRACT)
+    count = walk.counts[EXTRACT.name, "open"]
+    stays = sum(walk.inject(EXTRACT, f"open:{number}+").status == 2 for number in range(count - 11, count, 2))
     check_findings(walk)
     check(stays > 0, "each run could remove its data")
 
@@ -274,13 +264,13 @@ def test_a_gpu_that_fails_is_left_for_the_rasteriser(t):
         t.expect_picture("auto.png", size=(64, 40))
 
 
-GL_ERRORS = (("0x505", "", 5, "out-of-memory"), ("0x507", "+", 4, "opengl-lost"))
-
-
-def opengl_fails(t, error, lasts, status, code, step):
+@pytest.mark.parametrize("error, lasts, status, code", [
+    ("0x505", "", 5, "out-of-memory"), ("0x507", "+", 4, "opengl-lost")], ids=["out_of_memory", "context_lost"])
+def test_opengl_that_fails_anywhere(t, error, lasts, status, code):
+    """At each place where OpenGL is asked for errors: a clear text, and the older picture stays."""
     t.clip("clip.avi", seconds=1)
     t.write("out.png", "older")
-    for number in range(1, 200, step):
+    for number in range(1, 200):
         run = t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, env=egl_environment(t, VVR_GL_ERROR=f"{error}:{number}{lasts}"))
         if run.status == 0:
             break
@@ -289,18 +279,3 @@ def opengl_fails(t, error, lasts, status, code, step):
         t.expect_files("clip.avi", "out.png")
     check(number > 10, f"OpenGL was asked {number - 1} times for errors")
     t.expect_picture(size=(64, 40))
-
-
-of_both = pytest.mark.parametrize("error,lasts,status,code", GL_ERRORS, ids=["out_of_memory", "context_lost"])
-
-
-@of_both
-def test_opengl_that_fails_in_the_middle(t, error, lasts, status, code):
-    """A clear text, and the older picture stays."""
-    opengl_fails(t, error, lasts, status, code, step=6)
-
-
-@of_both
-def test_opengl_that_fails_anywhere(t, error, lasts, status, code):
-    """At each place where OpenGL is asked for errors."""
-    opengl_fails(t, error, lasts, status, code, step=1)

@@ -1,6 +1,5 @@
 """The font of a picture's text is fontconfig's, and files say which one it was."""
 
-import json
 import os
 import re
 
@@ -13,17 +12,10 @@ DEJAVU = "/usr/share/fonts/truetype/dejavu"
 @pytest.fixture(name="fonts")
 def two_fonts(t):
     """Two fonts, each with the environment in which it is the only one."""
-    found = {}
-    for name in ("DejaVuSans.ttf", "DejaVuSerif-Bold.ttf"):
-        if not os.path.exists(f"{DEJAVU}/{name}"):
-            pytest.skip("fonts-dejavu-core is not installed")
-        t.path(f"{name}.d").mkdir()
-        t.path(f"{name}.d/{name}").write_bytes(open(f"{DEJAVU}/{name}", "rb").read())
-        t.write(f"{name}.conf", "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig>"
-                                f"<dir>{t.path(name)}.d</dir><cachedir>{t.folder}/cache</cachedir></fontconfig>")
-        found[name] = os.environ | {"FONTCONFIG_FILE": str(t.path(f"{name}.conf"))}
+    if not os.path.exists(f"{DEJAVU}/DejaVuSans.ttf"):
+        pytest.skip("fonts-dejavu-core is not installed")
     t.clip(seconds=4)
-    return found
+    return {name: fonts_of(t, name) for name in ("DejaVuSans.ttf", "DejaVuSerif-Bold.ttf")}
 
 
 def recorded_font(t, picture):
@@ -37,7 +29,7 @@ def test_font_draws_text_and_is_recorded(t, fonts):
     for font, environment in fonts.items():
         t.vvr("render", "clip.avi", "-o", f"{font}.png", "--size", "320x200", "--report", "report.json", env=environment).expect(0)
         check(recorded_font(t, f"{font}.png") == font, f"{font} is not in the picture")
-        check(json.loads(t.path("report.json").read_text())["settings"]["font"] == font, "the report does not name it")
+        check(t.json("report.json")["settings"]["font"] == font, "the report does not name it")
         pictures.append(t.rgb(f"{font}.png"))
         t.vvr("inspect", "clip.avi", "--frame", "1s", "-o", "frame.png", env=environment).expect(0)
         captions.append(t.rgb("frame.png"))
@@ -46,7 +38,7 @@ def test_font_draws_text_and_is_recorded(t, fonts):
 
 
 def test_font_of_the_machine_is_recorded_where_there_is_text(t, fonts):
-    sans = json.loads(t.vvr("doctor", "--json").expect(0, out=None).out)["font"]
+    sans = t.vvr("doctor", "--json").expect(0, out=None).json()["font"]
     t.render("clip.avi", "--size", "320x200").expect(0)
     check(recorded_font(t, "out.png") == sans, f"{recorded_font(t, 'out.png')} is not {sans}")
     bare = []
@@ -79,10 +71,9 @@ def test_golden_of_other_settings_says_so(t):
 def fonts_of(t, *names):
     """The environment in which a text has these fonts, the first before the others."""
     folder = t.path("fonts-" + "-".join(names))
-    folder.mkdir()
     for name in names:
-        (folder / name).write_bytes(open(f"{DEJAVU}/{name}", "rb").read())
-    family = {"DejaVuSans.ttf": "DejaVu Sans", "DejaVuSansMono.ttf": "DejaVu Sans Mono", "DejaVuSerif-Bold.ttf": "DejaVu Serif"}[names[0]]
+        t.copy(f"{DEJAVU}/{name}", folder / name)
+    family = {"DejaVuSans.ttf": "DejaVu Sans", "DejaVuSerif-Bold.ttf": "DejaVu Serif"}[names[0]]
     t.write(f"{folder.name}.conf", "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig>"
                                    f"<dir>{folder}</dir><cachedir>{t.folder}/cache</cachedir><alias binding='strong'>"
                                    f"<family>sans</family><prefer><family>{family}</family></prefer></alias></fontconfig>")

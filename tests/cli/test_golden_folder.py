@@ -1,6 +1,5 @@
 """vvr golden: many golden pictures by one file, one status, and the results for CI systems."""
 
-import json
 import xml.etree.ElementTree as tree
 
 from harness import check, moving_clip
@@ -8,9 +7,8 @@ from harness import check, moving_clip
 GENERAL = 'backend = "software"\nsize = "160x100"\nshow = "volume,outline"\n'
 
 
-def folder(t, text, general=GENERAL):
-    t.path("golden").mkdir(exist_ok=True)
-    t.write("golden/golden.toml", general + text)
+def folder(t, text):
+    t.write("golden/golden.toml", GENERAL + text)
 
 
 def two(t):
@@ -45,7 +43,7 @@ def test_bless_compare_differ(t):
     t.expect_picture("golden/plain.png")
     check(t.path("golden/plain.png").read_bytes() != t.path("golden/dark.png").read_bytes(), "the section's settings don't hold")
     said = t.vvr("golden", "golden", "--junit", "j.xml", "--report", "-", "--diffs").expect(0, "2 of 2 pictures as expected", out=None)
-    report = json.loads(said.out)
+    report = said.json()
     check([(one["name"], one["verdict"], one["percent_off"]) for one in report["pictures"]] == [("plain", "same", 0), ("dark", "same", 0)], said.out)
     check(report["differ"] == report["failed"] == 0, said.out)
     check_junit(t, "j.xml", 2, 0, 0)
@@ -55,7 +53,7 @@ def test_bless_compare_differ(t):
         7, "plain: the picture differs from 'golden/plain.png'", "dark: same", "1 of 2 pictures as expected", code="picture-differs")
     suite = check_junit(t, "j.xml", 2, 1, 0)
     check(suite[0][0].get("type") == "picture-differs" and "plain.candidate.png" in suite[0][0].text, suite[0][0].text)
-    plain = json.loads(t.path("r.json").read_text())["pictures"][0]
+    plain = t.json("r.json")["pictures"][0]
     check(plain["verdict"] == "differs" and plain["code"] == "picture-differs" and plain["percent_off"] > 1, f"{plain}")
     t.expect_picture("golden/plain.candidate.png")
     check(t.path("golden/plain.diff.png").exists(), "no picture of the differences")

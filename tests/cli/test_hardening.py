@@ -96,7 +96,6 @@ def test_what_is_not_hardened_is_found(t, flags, complaint):
         }""")
     hard = ["-O2", "-pie", "-fPIE", "-fstack-protector-strong", "-U_FORTIFY_SOURCE", "-D_FORTIFY_SOURCE=2", "-Wl,-z,relro", "-Wl,-z,now"]
     for name, more, expected in (("hard", [], []), ("soft", flags, [complaint])):
-        done = t.run(["cc", *hard, *more, "echo.c", "-o", name])
-        check(done.status == 0, str(done))
+        t.run(["cc", *hard, *more, "echo.c", "-o", name]).expect(0)
         check(set(expected) <= set(complaints(t.path(name), True)), f"{name}: {complaints(t.path(name), True)}")
         check(expected or complaints(t.path(name), True) == [], f"{name}: {complaints(t.path(name), True)}")

@@ -1,7 +1,6 @@
 """What is read is never written: by each output, the log too, under whatever name."""
 
 import os
-import shutil
 
 from harness import check
 
@@ -40,10 +39,9 @@ def test_a_log_is_no_input(t):
 
 def test_a_file_of_a_recording_is_no_output(t):
     """In a folder below, of a pattern, of a list, and by a link."""
-    t.path("day/sub").mkdir(parents=True)
-    t.clip("day/2026-11-21_10-00-03.avi", seconds=1)
-    shutil.copy(t.path("day/2026-11-21_10-00-03.avi"), t.path("day/sub/2026-11-21_10-00-00.avi"))
     deep = "day/sub/2026-11-21_10-00-00.avi"
+    t.clip("day/2026-11-21_10-00-03.avi", seconds=1)
+    t.copy("day/2026-11-21_10-00-03.avi", deep)
     os.link(t.path(deep), t.path("hard.png"))
     t.write("list.txt", deep + "\n")
     segment = Kept(t, deep)
@@ -59,7 +57,6 @@ def test_a_file_of_a_recording_is_no_output(t):
 
 
 def test_a_picture_of_a_pattern_is_no_output(t):
-    t.path("f").mkdir()
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=0.5", "f/%03d.png")
     picture = Kept(t, "f/003.png")
     for given in ("f/%03d.png", "f/*.png", "f"):

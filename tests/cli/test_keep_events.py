@@ -6,9 +6,8 @@ import os
 import subprocess
 import time
 
-import pytest
 from harness import check, lock_name
-from test_archive import QUICK, age
+from test_archive import QUICK
 from test_cut import packets
 from test_sandbox import walls  # noqa: F401, a fixture
 
@@ -25,7 +24,6 @@ def two_events(t, name, codec=H264):
                  "-f", "lavfi", "-i", "sine=duration=16", "-filter_complex", f"[0][1]overlay=x='{x}':y=40:eval=frame,noise=alls=4:all_seed=7[v]",
                  "-map", "[v]", "-map", "2:a", *codec, "-c:a", "aac", "-shortest", name)
 
-    t.path(name).parent.mkdir(parents=True, exist_ok=True)
     t.make(name, "two events", codec, how=encode)
 
 
@@ -33,11 +31,11 @@ def archive(t, *arguments):
     return t.vvr("archive", "in", "-o", "out", *QUICK, "--keep-events", "--margin", "0.5s", *arguments)
 
 
-def archived(t, clip=CLIP, *arguments):
-    two_events(t, f"in/{clip}")
-    age(t, f"in/{clip}")
+def archived(t, *arguments):
+    two_events(t, f"in/{CLIP}")
+    t.age("in")
     archive(t, *arguments).expect(0, "1 clip drawn")
-    return t.path(f"out/{clip}.events")
+    return t.path(f"out/{CLIP}.events")
 
 
 def names(folder):
@@ -48,11 +46,12 @@ def sha256(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def check_sums(t, folder):
-    """sha256sum agrees, and the list has all files but itself."""
+def evidence(folder):
+    """What the record of a folder says, once SHA256SUMS is found to be right and to have all other files."""
     summed = subprocess.run(["sha256sum", "-c", "SHA256SUMS"], cwd=folder, capture_output=True, text=True)
     check(summed.returncode == 0, f"{summed}")
     check(sorted(line.split(":")[0] for line in summed.stdout.splitlines()) == sorted(set(names(folder)) - {"SHA256SUMS"}), summed.stdout)
+    return json.loads((folder / "evidence.json").read_text())
 
 
 def check_has(t, clip, piece, first, last):
@@ -63,16 +62,14 @@ def check_has(t, clip, piece, first, last):
     lost = [time for time, _, data in whole if first - 1e-3 <= time <= last + 1e-3 and data not in hashes]
     check(not lost, f"the frames at {lost} are missing")
     check(len(part) < len(whole) / 2, f"{len(part)} of {len(whole)} packets")
-    decoded = t.run(["ffmpeg", "-v", "error", "-i", str(t.path(piece)), "-f", "null", "-"])
-    check(decoded.status == 0 and decoded.err == "", str(decoded))
+    t.run(["ffmpeg", "-v", "error", "-i", str(t.path(piece)), "-f", "null", "-"]).expect(0, err="")
 
 
 def test_archive_keeps_events(t):
     folder = archived(t)
     check(names(folder) == ["SHA256SUMS", "event-1.mp4", "event-2.mp4", "evidence.json"], f"{names(folder)}")
-    check_sums(t, folder)
-    report = json.loads(t.path(f"out/{CLIP}.report.json").read_text())
-    record = json.loads((folder / "evidence.json").read_text())
+    record = evidence(folder)
+    report = t.json(f"out/{CLIP}.report.json")
     check([record["camera"], record["clock"]["source"], record["vvr"]] == ["gate", "file-name", report["vvr"]], f"{record}")
     check(record["settings"]["size"] == "160x100" and record["settings"]["threshold"] == report["settings"]["threshold"], f"{record['settings']}")
     footage = t.path(f"in/{CLIP}")
@@ -84,7 +81,7 @@ def test_archive_keeps_events(t):
         check([told["number"], told["kind"], told["first"]["time"]] == [event["number"], event["kind"], event["first"]["time"]], f"{told}")
         check(piece["first"]["time"].startswith("2026-11-21T20:00:"), f"{piece}")
         check_has(t, f"in/{CLIP}", f"out/{CLIP}.events/{piece['file']}", event["first"]["seconds"] - 0.5, event["last"]["seconds"] + 0.5)
-    known = json.loads(t.path(f"out/{CLIP}.json").read_text())
+    known = t.json(f"out/{CLIP}.json")
     check(known["pieces"] == names(folder), f"{known['pieces']}")
     # The page finds them beside it, and knows where in the clip they begin.
     page = t.path(f"out/{CLIP}.html").read_text()
@@ -104,12 +101,12 @@ def test_archive_keeps_events_once(t):
     (folder / "mine.mp4").write_bytes(b"mine")
     archive(t, "--margin", "10s").expect(0, "1 clip drawn")
     check(names(folder) == ["SHA256SUMS", "event-1.mp4", "evidence.json", "mine.mp4"], f"{names(folder)}")
-    record = json.loads((folder / "evidence.json").read_text())
+    record = t.json(f"out/{CLIP}.events/evidence.json")
     check([event["number"] for event in record["pieces"][0]["events"]] == [1, 2], f"{record['pieces']}")
     # Without the option they go when the clip is drawn again.
     t.vvr("archive", "in", "-o", "out", *QUICK).expect(0, "1 clip drawn")
     check(names(folder) == ["mine.mp4"], f"{names(folder)}")
-    check("pieces" not in json.loads(t.path(f"out/{CLIP}.json").read_text()), "the sidecar lists pieces")
+    check("pieces" not in t.json(f"out/{CLIP}.json"), "the sidecar lists pieces")
 
 
 def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
@@ -128,7 +125,7 @@ def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
 
 def test_archive_removes_the_empty_folder_of_pieces(t):
     folder = archived(t)
-    os.utime(t.path(f"in/{CLIP}"), (time.time() - 40 * 86400,) * 2)
+    t.stamp(f"in/{CLIP}", -40 * 86400)
     archive(t, "--margin", "0.4s").expect(0, "1 clip drawn")
     archive(t, "--margin", "0.4s", "--keep", "30d").expect(0, "removed")
     check(not folder.exists(), f"{names(folder.parent)}")
@@ -136,13 +133,12 @@ def test_archive_removes_the_empty_folder_of_pieces(t):
 
 def test_archive_of_a_clip_whose_events_cannot_be_copied(t):
     """It has no time stamps: its picture is drawn, no half piece is left, and it says so once."""
-    t.path("in").mkdir()
     two_events(t, "in/gate/clip.avi", ("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
-    age(t, "in/gate/clip.avi")
+    t.age("in")
     result = archive(t).expect(0, "1 clip drawn", "2 of 2 events could not be kept: ")
     check(result.err.count("could not be kept") == 1, str(result))
     check(not t.path("out/gate/clip.avi.events").exists(), "a folder without pieces")
-    known = json.loads(t.path("out/gate/clip.avi.json").read_text())
+    known = t.json("out/gate/clip.avi.json")
     check(known["state"] == "done" and "could not be kept" in known["reason"] and "pieces" not in known, f"{known}")
     archive(t).expect(0, "nothing to do")
 
@@ -153,27 +149,25 @@ def test_archive_keeps_the_events_of_a_damaged_clip(t):
     for place in range(len(data) // 3, len(data) * 3 // 4, 997):
         data[place] ^= 0xFF
     t.write("in/gate/clip.mkv", bytes(data[:len(data) * 9 // 10]))
-    age(t, "in/gate/clip.mkv")
+    t.age("in")
     result = archive(t)
     check(result.status in (0, 6), str(result))
-    known = json.loads(t.path("out/gate/clip.mkv.json").read_text())
+    known = t.json("out/gate/clip.mkv.json")
     folder = t.path("out/gate/clip.mkv.events")
     there = names(folder) if folder.exists() else []
     check(known.get("pieces", []) == there and not [name for name in t.files() if ".part" in name or ".vvr-" in name], f"{t.files()}")
     for name in there:
         if name.startswith("event-"):
-            probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", str(folder / name)])
-            check(probe.status == 0 and float(probe.out) > 0, str(probe))
+            check(float(t.probe(folder / name, "format=duration")) > 0, f"{name} has no length")
 
 
 def test_kept_events_of_hostile_names(t):
     clip = "in/ga\"te$(x)\n<script>/2026-11-21_20-00-00.mp4"
     two_events(t, clip)
-    age(t, clip)
+    t.age("in")
     archive(t).expect(0, "1 clip drawn")
     folder = t.path("out") / (clip[3:] + ".events")
-    check_sums(t, folder)
-    record = json.loads((folder / "evidence.json").read_text())
+    record = evidence(folder)
     check(record["camera"] == "ga\"te$(x)%0A<script>", record["camera"])
     check([one["file"] for one in record["footage"]] == [str(t.path(clip))] or record["footage"][0]["file"] == clip, f"{record['footage']}")
     page = (t.path("out") / (clip[3:] + ".html")).read_text()
@@ -182,12 +176,10 @@ def test_kept_events_of_hostile_names(t):
 
 def test_kept_events_of_a_day(t):
     two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
-    t.path("in/gate/2026-11-21_20-00-16.mp4").write_bytes(t.path("in/gate/2026-11-21_20-00-00.mp4").read_bytes())
-    age(t, "in/gate/2026-11-21_20-00-00.mp4", "in/gate/2026-11-21_20-00-16.mp4")
+    t.copy("in/gate/2026-11-21_20-00-00.mp4", "in/gate/2026-11-21_20-00-16.mp4")
+    t.age("in")
     archive(t, "--per", "day").expect(0, "1 clip drawn")
-    folder = t.path("out/gate/2026-11-21.events")
-    check_sums(t, folder)
-    record = json.loads((folder / "evidence.json").read_text())
+    record = evidence(t.path("out/gate/2026-11-21.events"))
     check(len(record["footage"]) == 2 and len(record["pieces"]) >= 3 and record["camera"] == "gate", f"{record}")
     last = record["pieces"][-1]
     check(last["first"]["time"] > "2026-11-21T20:00:24", f"{last}")
@@ -196,7 +188,7 @@ def test_kept_events_of_a_day(t):
 def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
     found = []
     for mode in ("off", "required"):
-        folder = archived(t, CLIP, "--sandbox", mode)
+        folder = archived(t, "--sandbox", mode)
         found.append({name: (folder / name).read_bytes() for name in names(folder)})
         t.path("out").rename(t.path(mode))
     check(len(found[0]) == 4 and found[0] == found[1], f"{found[0].keys()} {found[1].keys()}")
@@ -204,7 +196,7 @@ def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
 
 def test_archive_keeps_no_events_where_it_may_not(t):
     two_events(t, f"in/{CLIP}")
-    age(t, f"in/{CLIP}")
+    t.age("in")
     archive(t, "--prune").expect(1, "--prune", "--keep AGE", code="options-conflict")
     archive(t, "--filter", "edges").expect(1, "filter 'edges'", "--keep-events", code="options-conflict")
     archive(t, "--margin", "2h").expect(1, "margin", code="option-value-out-of-range")
@@ -236,18 +228,17 @@ NAMED = "gate_2026-11-21_20-00-00.mp4"  # without an archive, only the name can 
 def test_cut_writes_evidence(t):
     two_events(t, NAMED)
     t.vvr("render", NAMED, "--report", "report.json").expect(0)
-    event = json.loads(t.path("report.json").read_text())["events"][1]
+    event = t.json("report.json")["events"][1]
     t.vvr("cut", NAMED, "--event", "2", "--report", "report.json", "--margin", "1s", "--evidence", "case").expect(
         0, "frames copied", "'case': event-2.mp4, event-2.png, evidence.json and SHA256SUMS")
-    folder = t.path("case")
-    check(names(folder) == ["SHA256SUMS", "event-2.mp4", "event-2.png", "evidence.json"], f"{names(folder)}")
-    check_sums(t, folder)
-    record = json.loads((folder / "evidence.json").read_text())
+    case = t.path("case")
+    check(names(case) == ["SHA256SUMS", "event-2.mp4", "event-2.png", "evidence.json"], f"{names(case)}")
+    record = evidence(case)
     check([one["sha256"] for one in record["footage"]] == [sha256(t.path(NAMED))], f"{record['footage']}")
     check([record["camera"], record["clock"]["source"]] == ["gate", "file-name"], f"{record}")
     [piece], [still] = record["pieces"], record["stills"]
     check([one["number"] for one in piece["events"]] == [2] and piece["copied"], f"{piece}")
-    check(record["settings"]["threshold"] == json.loads(t.path("report.json").read_text())["settings"]["threshold"], f"{record['settings']}")
+    check(record["settings"]["threshold"] == t.json("report.json")["settings"]["threshold"], f"{record['settings']}")
     check_has(t, NAMED, "case/event-2.mp4", event["first"]["seconds"] - 1, min(15.9, event["last"]["seconds"] + 1))
     # The still is the frame of the event's portrait, of full size.
     check(t.picture_size("case/event-2.png") == (160, 120), f"{t.picture_size('case/event-2.png')}")
@@ -260,13 +251,12 @@ def test_cut_writes_evidence(t):
     check(sha256(t.path("searched/event-2.mp4")) == sha256(t.path("case/event-2.mp4")), "another piece")
     t.vvr("cut", NAMED, "--start", "11s", "--end", "13s", "--exact", "--evidence", "between/").expect(0)
     check(names(t.path("between")) == ["SHA256SUMS", "evidence.json", "piece.mp4", "piece.png"], f"{names(t.path('between'))}")
-    record = json.loads(t.path("between/evidence.json").read_text())
+    record = t.json("between/evidence.json")
     check([record["pieces"][0]["copied"], record["pieces"][0]["events"]] == [False, []], f"{record}")
 
 
 def test_cut_writes_evidence_as_a_whole_or_not_at_all(t):
     two_events(t, NAMED)
-    t.path("full").mkdir()
     t.write("full/mine.txt", "mine")
     t.write("file", "mine")
     span = ("--start", "1s", "--end", "2s")

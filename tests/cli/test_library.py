@@ -23,8 +23,7 @@ def installed(t):
     """An installed library, moved to another place than it was installed to."""
     if "VVR_SANITIZE:BOOL=ON" in (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"):
         pytest.skip("a program without sanitizers can't load a library with them")
-    done = t.run(["cmake", "--install", BUILD, "--prefix", t.path("made"), "--component", "development"])
-    check(done.status == 0, str(done))
+    t.run(["cmake", "--install", BUILD, "--prefix", t.path("made"), "--component", "development"]).expect(0, out=None)
     t.path("made").rename(t.path("prefix"))
     return t.path("prefix")
 
@@ -34,20 +33,17 @@ def test_the_library_shows_its_headers_and_nothing_else(t, prefix):
     check(headers == ["vvr.h", "vvr_c.h"], f"{headers}")
     for language, header in [("c++", "vvr.h"), ("c++", "vvr_c.h"), ("c", "vvr_c.h")]:  # each can be included alone
         standard = "c++17" if language == "c++" else "c99"
-        done = t.run(["cc", f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I",
-                      prefix / "include", "-x", language, "-include", f"vvr/{header}", "/dev/null"])
-        check(done.status == 0, str(done))
+        t.run(["cc", f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I",
+               prefix / "include", "-x", language, "-include", f"vvr/{header}", "/dev/null"]).expect(0, out=None)
     symbols = t.run(["nm", "-DC", "--defined-only", prefix / "lib/libvvr.so"]).out
     names = {re.split(r"[\[(@]", line.split(maxsplit=2)[2])[0] for line in symbols.splitlines()} - {"VVR_0"}
     check(names == SHOWN, f"{names ^ SHOWN}")
 
 
 def build_by_cmake(t, prefix, name="render_a_clip"):
-    done = t.run(["cmake", "-G", "Ninja", "-S", t.source / "docs/examples/library", "-B", t.path("built"),
-                  f"-DCMAKE_PREFIX_PATH={prefix}"])
-    check(done.status == 0, str(done))
-    done = t.run(["cmake", "--build", t.path("built"), "--target", name])
-    check(done.status == 0, str(done))
+    t.run(["cmake", "-G", "Ninja", "-S", t.source / "docs/examples/library", "-B", t.path("built"),
+           f"-DCMAKE_PREFIX_PATH={prefix}"]).expect(0, out=None)
+    t.run(["cmake", "--build", t.path("built"), "--target", name]).expect(0, out=None)
     return t.path("built") / name
 
 
@@ -58,9 +54,8 @@ def build_in_c(t, prefix):
 def compile_against(t, prefix, code):
     """A program with this code, which is linked to the library."""
     t.write("main.cpp", code)
-    done = t.run(["c++", "-std=c++17", "main.cpp", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr",
-                  f"-Wl,-rpath,{prefix}/lib"])
-    check(done.status == 0, str(done))
+    t.run(["c++", "-std=c++17", "main.cpp", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr",
+           f"-Wl,-rpath,{prefix}/lib"]).expect(0, out=None)
     return t.path("main")
 
 
@@ -69,9 +64,8 @@ def build_by_pkg_config(t, prefix):
         pytest.skip("needs pkg-config")
     flags = subprocess.run(["pkg-config", "--cflags", "--libs", "vvr"], check=True, capture_output=True, text=True,
                            env=os.environ | {"PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}).stdout.split()
-    done = t.run(["c++", "-std=c++17", t.source / "docs/examples/library/render_a_clip.cpp", "-o", "by_pkg_config", *flags,
-                  f"-Wl,-rpath,{prefix}/lib"])
-    check(done.status == 0, str(done))
+    t.run(["c++", "-std=c++17", t.source / "docs/examples/library/render_a_clip.cpp", "-o", "by_pkg_config", *flags,
+           f"-Wl,-rpath,{prefix}/lib"]).expect(0, out=None)
     return t.path("by_pkg_config")
 
 
@@ -98,8 +92,8 @@ def test_errors_are_failures_with_a_kind(t, prefix):
         done = t.run([example, *arguments])
         check(done.status == status and text in done.err, str(done))
         check("terminate" not in done.err and not t.path("out.png").exists(), str(done))
-    done = t.run([example, "clip.avi", "out.png", "160x100"], env=os.environ | {"VVR_CONFIG": "/none"})
-    check(done.status == 0, f"config files count for nothing: {done}")
+    # Config files count for nothing.
+    t.run([example, "clip.avi", "out.png", "160x100"], env=os.environ | {"VVR_CONFIG": "/none"}).expect(0, out=None)
 
 
 def test_settings_have_the_programs_names_and_checks(t, prefix):
@@ -246,18 +240,15 @@ def test_threads_draw_at_the_same_time_what_they_draw_alone(t, prefix):
             other.join();
             std::printf("%d %d", here, same);
         }""")
-    done = t.run([main])
-    check(done.status == 0 and done.out == "4 4", str(done))
+    t.run([main]).expect(0, out="4 4")
 
 
 def test_examples_draw_frames_in_memory(t, prefix):
     frames = build_by_cmake(t, prefix, "render_frames")
     done = t.run([frames, "frames.png"])
     check(done.status == 0 and "1: moved right, 0 s to 5.96 s\n" in done.out and t.path("frames.png").exists(), str(done))
-    done = t.run([frames, "cancelled.png", "0"])
-    check(done.status == 8 and "[cancelled]" in done.err and not t.path("cancelled.png").exists(), str(done))
-    example = t.source / "docs/examples/library/render_frames.py"
-    done = t.run(["python3", example, prefix / "lib/libvvr.so", "python.png"])
-    check(done.status == 0 and done.out == "75 frames in python.png\n" and t.path("python.png").exists(), str(done))
-    done = t.run(["python3", example, prefix / "lib/libvvr.so", "none/python.png"])
-    check(done.status == 2 and "none" in done.err, str(done))
+    t.run([frames, "cancelled.png", "0"]).expect(8, "[cancelled]", out=None)
+    python = ["python3", t.source / "docs/examples/library/render_frames.py", prefix / "lib/libvvr.so"]
+    t.run([*python, "python.png"]).expect(0, out="75 frames in python.png\n")
+    t.run([*python, "none/python.png"]).expect(2, "none", out=None)
+    check(t.path("python.png").exists() and not t.path("cancelled.png").exists(), f"{t.files()}")

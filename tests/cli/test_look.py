@@ -5,12 +5,6 @@ from harness import check
 LINES = ("--show", "volume,tracelines")
 
 
-def frames_of(t, name):
-    probe = t.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0",
-                   name])
-    return probe.out.strip().rstrip(",")
-
-
 def test_a_series_of_pictures(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", *LINES, output="a.{frame:4}.png").expect(0)
@@ -25,9 +19,9 @@ def test_animated_files(t):
         result = t.render("clip.avi", "--animate", "5", *LINES, output=f"out.{ending}").expect(0, out="")
         check(result.err.count("\n") == 1, f"an encoder talks: {result}")
         t.expect_picture(f"out.{ending}")
-        check(frames_of(t, f"out.{ending}") == "5", f"out.{ending} has {frames_of(t, f'out.{ending}')} pictures")
+        check(t.frames_in(f"out.{ending}") == 5, f"out.{ending} has {t.frames_in(f'out.{ending}')} pictures")
     t.render("clip.avi", *LINES, output="standard.gif").expect(0)
-    check(frames_of(t, "standard.gif") == "24", "pictures if not told how many")
+    check(t.frames_in("standard.gif") == 24, "pictures if not told how many")
 
 
 def test_animations_that_cannot_be(t):
@@ -35,8 +29,6 @@ def test_animations_that_cannot_be(t):
     t.render("clip.avi", "--animate", "3", *LINES).expect(1, "--animate", "3 pictures", "'out.png'", code="options-conflict")
     t.render("clip.avi", *LINES, output="a.{frame}.png").expect(1, "'a.{frame}.png'", "--animate", code="option-needs-another")
     t.render("clip.avi", "--animate", "3", output="a.gif").expect(1, "--show volume,tracelines", code="option-needs-another")
-    t.render("clip.avi", "--animate", "3", *LINES, output="a.{farme}.png").expect(
-        1, "{farme}", "'a.{farme}.png'", "'frame'", code="name-pattern-invalid")
     t.render("clip.avi", "--animate", "3", *LINES, output="a.##.gif").expect(1, "'a.##.gif'", code="name-pattern-invalid")
     t.render("clip.avi", "--animate", "3", *LINES, output="none/a.gif").expect(2, "'none/a.gif'", "mkdir -p 'none'", code="file-not-found")
     t.render("clip.avi", "--animate", "1", *LINES, output="a.gif").expect(1, "--animate", "'1'", code="option-value-out-of-range")
@@ -51,8 +43,8 @@ def test_samples_smooth_edges(t):
     t.render("clip.avi", "--show", "outline", "--backend", "software").expect(0)
 
     def greys(name):
-        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt gray - | od -An -v -tu1 -w1 | sort -u"])
-        return len(raw.out.split())
+        return len(set(t.raw(name, "gray")))
+
     check(greys("1.png") == 2, f"one sample: {greys('1.png')} shades, not that of the paper and that of the line")
     check(greys("4.png") > 3, f"four samples: {greys('4.png')} shades")
     check(greys("out.png") == greys("4.png"), "four is what it is without the option")

@@ -11,8 +11,8 @@ from harness import check
 @pytest.fixture(name="manual")
 def made_manual(t):
     """The folder in which scripts/manual/make has written everything."""
-    done = t.run([t.source / "scripts/manual/make", t.vvr_path, t.path("manual")], env=os.environ | {"SOURCE_DATE_EPOCH": "86400"})
-    check(done.status == 0, str(done))
+    t.run([t.source / "scripts/manual/make", t.vvr_path, t.path("manual")],
+          env=os.environ | {"SOURCE_DATE_EPOCH": "86400"}).expect(0)
     return t.path("manual")
 
 
@@ -34,8 +34,7 @@ def test_man_pages_are_sound(t, manual):
     needs("mandoc")
     pages = sorted((manual / "man1").glob("*.1"))
     check(len(pages) == 1 + len(t.help()), f"{pages}")
-    done = t.run(["mandoc", "-Tlint", "-Wwarning", *pages])
-    check(done.status == 0, str(done))
+    t.run(["mandoc", "-Tlint", "-Wwarning", *pages]).expect(0, out=None)
     text = t.run(["mandoc", "-Tutf8", manual / "man1" / "vvr.1"]).out
     for word in ("CONFIG FILES", "ENVIRONMENT", "VVR_CONFIG", "TMPDIR", "EXIT STATUS", "an internal error", "vvr-render"):
         check(word in re.sub(".\x08", "", text), text)
@@ -47,8 +46,7 @@ def bash_completes(t, manual, *words):
         COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
         [[ $(complete -p vvr) == *" -F _vvr "* ]] && _vvr && printf "%s\\n" "${COMPREPLY[@]}"'''
     done = t.run(["bash", "--norc", "-uc", script, "bash", manual / "bash" / "vvr", "vvr", *words])
-    check(done.status == 0 and done.err == "", str(done))
-    return done.out.split()
+    return done.expect(0, out=None, err="").out.split()
 
 
 def test_bash_completes_commands_options_and_values(t, manual):
@@ -81,5 +79,4 @@ def test_zsh_completion_is_sound(t, manual):
     needs("zsh")
     script = '''autoload -Uz compinit && compinit -D -u && autoload -Uz _vvr && functions _vvr >/dev/null
         [[ $_comps[vvr] == _vvr ]] && zsh -n $fpath[1]/_vvr'''
-    done = t.run(["zsh", "-fc", f"fpath=({manual / 'zsh'} $fpath)\n{script}"])
-    check(done.status == 0 and done.err == "", str(done))
+    t.run(["zsh", "-fc", f"fpath=({manual / 'zsh'} $fpath)\n{script}"]).expect(0, out=None, err="")

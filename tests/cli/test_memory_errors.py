@@ -34,7 +34,6 @@ def test_valgrind_finds_nothing_in(t, name):
     if name == "compare":
         t.render("clip.avi", output="one.png").expect(0)
     if name == "archive":
-        t.path("clips").mkdir()
         t.clip("clips/a.avi", seconds=1)
     # The drivers compile code while they run, and the program asks the processor which instructions it has.
     result = t.run(["valgrind", "--quiet", "--error-exitcode=99", "--trace-children=yes", "--smc-check=all-non-file",

@@ -77,15 +77,9 @@ def test_options_that_exclude_each_other(t):
     t.render("clip.avi", "--quiet", "--verbose").expect(1, "--verbose", "--quiet", code="usage")
 
 
-def test_negative_values_are_values(t):
+def test_negative_values_are_values_and_the_last_of_two_counts(t):
     t.clip()
-    t.render("clip.avi", "--camera", "-30,25", "--layout", "box").expect(0)
-    t.render("clip.avi", "--camera=-30,-25").expect(0)
-
-
-def test_the_last_of_two_counts(t):
-    t.clip()
-    t.render("clip.avi", "--size", "40x30").expect(0)
+    t.render("clip.avi", "--camera", "-30,25", "--camera=-30,-25", "--size", "40x30").expect(0)
     t.expect_picture(size=(40, 30))
 
 

@@ -22,7 +22,6 @@ def texture(t):
 
 
 def one_seed(t, frame=8, x=20, y=32):
-    t.path("one").mkdir(exist_ok=True)
     t.write(f"one/{frame:06}.txt", f"vvr-seeds 1\nframe {frame}\nsize 96 64\npoints 1\n{x} {y} {SPEED} 0 1\n")
     return ("--seeds", "one", *MOVES)
 
@@ -33,11 +32,6 @@ def extent(t, name="out.png"):
     columns = {i for row in rows for i, (red, _, blue) in enumerate(row) if red > blue + 40}
     check(columns, f"{name} is empty")
     return max(columns) - min(columns) + 1
-
-
-def check_ten_frames(line, to_the_end):
-    """Of a line that begins in frame 8, and one that goes on to the end of the clip."""
-    check(abs(line / to_the_end - 10 / (FRAMES - 8.5)) < 0.06, f"ten frames are {line} of {to_the_end} pixels")
 
 
 def flow_of(t, file):
@@ -59,26 +53,18 @@ def test_alpha_of_100_gives_almost_no_flow(t):
     check(u["100"] < 0.25 * SPEED, f"60 steps with α = 100 find {u['100']:.2f} of {SPEED} pixels")
 
 
-def test_size_of_arrows(t):
+def test_size_of_arrows_and_steps_of_tracelines(t):
     texture(t)
-    look = (*ALONG, *one_seed(t), "--show", "arrows")
+    seed = one_seed(t)
 
-    def length(*options):
-        t.render("shift.y4m", *look, *options).expect(0)
+    def length(part, *options):
+        t.render("shift.y4m", *ALONG, *seed, "--show", part, *options).expect(0)
         return extent(t)
-    usual = length()
-    check(abs(length("--glyph-scale", "2") / usual - 2) < 0.1, "--glyph-scale 2 is not twice as long")
 
-
-def test_steps_of_tracelines(t):
-    texture(t)
-    look = (*ALONG, *one_seed(t), "--show", "tracelines")
-
-    def length(*options):
-        t.render("shift.y4m", *look, *options).expect(0)
-        return extent(t)
-    ten = length("--trace-steps", "10")
-    check(abs(length("--trace-steps", "20") / ten - 2) < 0.15, "twice the steps are not twice as long")
+    check(abs(length("arrows", "--glyph-scale", "2") / length("arrows") - 2) < 0.1,
+          "--glyph-scale 2 is not twice as long")
+    ten = length("tracelines", "--trace-steps", "10")
+    check(abs(length("tracelines", "--trace-steps", "20") / ten - 2) < 0.15, "twice the steps are not twice as long")
     pixels_per_column = 960 / 96  # at most: the frame does not fill the picture
     check(ten < 1.1 * 10 * SPEED * pixels_per_column, f"ten steps are {ten} pixels long")
 
@@ -90,18 +76,13 @@ def test_velocity_along_time(t):
     def width(part, *options):
         t.render("shift.y4m", *ASIDE, *seed, "--show", part, *options).expect(0)
         return extent(t)
+
     for part in ("arrows", "tracelines"):
         check(width(part) < 60, f"{part} without v_t leave their frame: {width(part)} pixels")
     check(width("arrows", "--time-velocity", "2") > 2 * width("arrows"), "arrows with v_t don't lean along time")
-    line = width("tracelines", "--time-velocity", "1", "--trace-steps", "10")
-    check_ten_frames(line, width("tracelines", "--time-velocity", "1", "--trace-steps", "100"))
-
-
-def test_a_thing_at_rest_has_no_path_along_time(t):
-    t.scene("still", "still.y4m", "--size", "96x64", "--frames", str(FRAMES))
-    look = (*ASIDE, *one_seed(t), "--show", "tracelines", "--time-velocity", "1", "--trace-steps", "10")
-    t.render("still.y4m", *look).expect(0)
-    check({pixel for row in t.rgb("out.png") for pixel in row} == {(255, 255, 255)}, "its line does not end at once")
+    # A line that begins in frame 8, and one that goes on to the end of the clip.
+    line, whole = (width("tracelines", "--time-velocity", "1", "--trace-steps", steps) for steps in ("10", "100"))
+    check(abs(line / whole - 10 / (FRAMES - 8.5)) < 0.06, f"ten frames are {line} of {whole} pixels")
 
 
 def test_the_preset_is_the_paper(t):

@@ -5,7 +5,6 @@ import pty
 import re
 import shutil
 import signal
-import subprocess
 import time
 
 from harness import check
@@ -13,8 +12,7 @@ from harness import check
 
 def interrupt(t, number, after):
     """Sends a signal to a render of a long clip; its exit status."""
-    child = subprocess.Popen([t.vvr_path, "render", "long.avi", "-o", "out.png"], cwd=t.folder,
-                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    child = t.start("render", "long.avi", "-o", "out.png")
     time.sleep(after)
     child.send_signal(number)
     return child.wait(timeout=60)
@@ -42,16 +40,15 @@ def test_signals_at_any_time_leave_all_or_nothing(t):
 
 def test_ignored_signals_stay_ignored(t):
     t.clip("long.avi", seconds=1)
-    result = t.run(["bash", "-c", f'trap "" HUP; "{t.vvr_path}" render long.avi -o out.png --size 160x100 & sleep 0.2; kill -HUP $!; wait $!'])
-    check(result.status == 0, str(result))
+    render = f'"{t.vvr_path}" render long.avi -o out.png --size 160x100'
+    t.run(["bash", "-c", f'trap "" HUP; {render} & sleep 0.2; kill -HUP $!; wait $!']).expect(0)
     t.expect_picture()
 
 
 def on_terminal(t, *arguments):
     """What a run that succeeds writes to stderr, where that is a terminal."""
     parent, terminal = pty.openpty()
-    environment = os.environ | {"TERM": "xterm"}
-    child = subprocess.Popen([t.vvr_path, *arguments], cwd=t.folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal)
+    child = t.start(*arguments, env=os.environ | {"TERM": "xterm"}, stderr=terminal)
     os.close(terminal)
     said = b""
     try:
@@ -72,10 +69,9 @@ def test_progress_bar_on_a_terminal(t):
 
 
 def test_archive_shows_its_progress_on_a_terminal(t):
-    t.path("in").mkdir()
     for name in ("one.avi", "two.avi"):
         t.clip(f"in/{name}", seconds=20, size="384x288")
-        os.utime(t.path(f"in/{name}"), (time.time() - 3600,) * 2)
+    t.age("in")
     said = on_terminal(t, "archive", "in", "-o", "out", "--jobs", "1")
     lines = [line for line in said.split("\r\033[K") if line.startswith("archive [")]
     check(lines and all(len(line) < 80 and "\n" not in line for line in lines), said)
@@ -89,14 +85,12 @@ def test_archive_shows_its_progress_on_a_terminal(t):
 
 def test_installed_program_is_relocatable(t):
     build = os.path.dirname(os.path.dirname(t.vvr_path))
-    done = t.run(["cmake", "--install", build, "--prefix", str(t.path("first"))])
-    check(done.status == 0, str(done))
+    t.run(["cmake", "--install", build, "--prefix", t.path("first")]).expect(0, out=None)
     for name in ("bin/vvr", "lib/vvr-*/libvvr_pictures.so", "share/doc/vvr/LICENSE"):
         check(len(list(t.path("first").glob(name))) == 1, f"{name} is not installed")
     shutil.move(t.path("first"), t.path("moved"))
     t.clip()
-    done = t.run([str(t.path("moved/bin/vvr")), "render", "clip.avi", "-o", "out.png", "--size", "160x100"])
-    done.expect(0)
+    t.run([t.path("moved/bin/vvr"), "render", "clip.avi", "-o", "out.png", "--size", "160x100"]).expect(0)
     t.expect_picture()
 
 

@@ -1,9 +1,5 @@
 """What docs/reading.md says helps, on generated clips."""
 
-import json
-import os
-import subprocess
-
 from harness import check
 
 NOISE = ("--noise", "2", "--detail", "4")
@@ -11,21 +7,17 @@ SMALL = ("--size", "192x144")
 
 
 def scene(t, name, *options):
-    clip = t.path(f"{name}.y4m")
-    subprocess.run([os.environ["VVR_SCENE"], name, clip, *NOISE, *options], check=True)
-    return clip
+    return t.scene(name, f"{name}.y4m", *NOISE, *options)
 
 
-def filtered(t, clip, name, *filters):
-    out = t.path(f"{name}.mkv")
-    subprocess.run(["ffmpeg", "-v", "error", "-i", clip, *filters, "-c:v", "ffv1", out], check=True)
-    return out
+def filtered(t, clip, *filters):
+    t.ffmpeg("-i", clip, *filters, "-c:v", "ffv1", "filtered.mkv")
+    return "filtered.mkv"
 
 
 def report(t, clip, *options):
-    done = t.vvr("render", clip, "--report", "r.json", "--flow", "none", *options)
-    check(done.status == 0, str(done))
-    return json.loads(t.path("r.json").read_text())
+    t.vvr("render", clip, "--report", "r.json", "--flow", "none", *options).expect(0)
+    return t.json("r.json")
 
 
 def kinds(t, clip, *options):
@@ -49,14 +41,14 @@ def test_reading_a_shaking_camera(t):
 
 
 def test_reading_flicker(t):
-    clip = filtered(t, scene(t, "walks_by", *SMALL), "flicker", "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
+    clip = filtered(t, scene(t, "walks_by", *SMALL), "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
     check(kinds(t, clip, "--illumination", "none") == [], "it makes no difference")
 
 
 def test_reading_somebody_who_was_always_there(t):
     clip = scene(t, "stands", *SMALL)
-    subprocess.run(["ffmpeg", "-v", "error", "-i", clip, "-frames:v", "1", t.path("empty.png")], check=True)
+    t.ffmpeg("-i", clip, "-frames:v", "1", "empty.png")
     piece = ("--start", "4s", "--end", "11s")
     check(kinds(t, clip, *piece) == [], str(kinds(t, clip, *piece)))
     check(len(kinds(t, clip, *piece, "--reference", "empty.png")) == 1, "the empty scene's picture does not help")
@@ -64,11 +56,8 @@ def test_reading_somebody_who_was_always_there(t):
 
 def lit(t, clip, *options):
     """How much of the frames the volume shows, on the disk of an extraction."""
-    done = t.vvr("extract", clip, "-o", "data", "--flow", "none", "--end", "3s", *options)
-    check(done.status == 0, str(done))
-    size = sum(file.stat().st_size for file in t.path("data/scalar").iterdir())
-    subprocess.run(["rm", "-r", t.path("data")], check=True)
-    return size
+    t.vvr("extract", clip, "-o", "data", "--flow", "none", "--end", "3s", *options).expect(0)
+    return sum(file.stat().st_size for file in t.path("data/scalar").iterdir())
 
 
 def test_reading_rain_and_trees(t):
@@ -77,7 +66,7 @@ def test_reading_rain_and_trees(t):
     check(lit(t, rain, "--min-area", "60") < 0.8 * lit(t, rain), "rain is as much as before")
     sway = ("[0:v]split[a][b];[b]crop=150:130:230:5[p];"
             "[a][p]overlay=x='230+5*sin(2*PI*t*1.3)':y='5+3*sin(2*PI*t*0.9)'")
-    tree = filtered(t, scene(t, "walks_by"), "tree", "-filter_complex", sway)
+    tree = filtered(t, scene(t, "walks_by"), "-filter_complex", sway)
     check(kinds(t, tree, "--mask", "220,0 384,0 384,145 220,145") == ["moved"], "nobody walks beside the tree")
     check(lit(t, tree, "--mask", "220,0 384,0 384,145 220,145") < 0.8 * lit(t, tree), "the tree is as much as before")
 

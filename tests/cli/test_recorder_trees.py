@@ -1,8 +1,6 @@
 """Trees of files as recorders write them: camera, begin and order are those of the names, wherever one stands."""
 
 import datetime
-import json
-import os
 import re
 
 from harness import check
@@ -16,38 +14,25 @@ CAMERAS = ("back-door", "front-door")
 # Layouts in the words of strftime; {c} is the camera, {end} the time five minutes later in the form that follows it.
 # tests/unit/video/recorder_names_test.cpp has all of them.
 TREES = {
-    "plain": "%Y-%m-%d/{c}/%H-%M-%S",
     "hours": "{c}/%Y%m%d/%H/%M",
     "start and end": "{c}/%Y-%m-%d/%H-%M-%S_{end:%H-%M-%S}",
     "Frigate": "%Y-%m-%d/%H/{c}/%M.%S",
     "prefix in a folder": "recordings/{c} %Y-%m-%d %H.%M.%S",
-    "channels": ("ch01_%Y%m%d%H%M%S", "ch02_%Y%m%d%H%M%S"),
-    "epoch": "{c}_%s",
-    "Tesla": ("%Y-%m-%d_%H-%M-%S-back", "%Y-%m-%d_%H-%M-%S-front"),
 }
-NAMES_OF_CAMERAS = {"channels": ("ch01", "ch02"), "Tesla": ("back", "front")}
 
 
-def file_name(layout, camera, begin):
-    end = begin + datetime.timedelta(minutes=5)
-    text = re.sub(r"\{end:(.*?)\}", lambda form: end.strftime(form[1]), layout)
-    return begin.strftime(text.replace("%s", str(int(begin.timestamp())))).replace("{c}", camera) + ".avi"
-
-
-def make_tree(t, tree, folder):
+def make_tree(t, tree):
     """By camera, the names of its files in the order of time, and when each begins."""
-    layout = TREES[tree]
-    layouts = layout if isinstance(layout, tuple) else (layout, layout)
     files = {}
-    for camera, form, name in zip(CAMERAS, layouts, NAMES_OF_CAMERAS.get(tree, CAMERAS)):
-        exact = "%S" in form or "%s" in form
-        files[name] = []
+    for camera in CAMERAS:
+        files[camera] = []
         for begin in BEGINS:
-            begin = begin if exact else begin.replace(second=0)
-            path = f"{folder}/{file_name(form, camera, begin)}"
-            t.path(path).parent.mkdir(parents=True, exist_ok=True)
-            os.link(t.path("clip.avi"), t.path(path))
-            files[name].append((path, begin.strftime("%Y-%m-%d %H:%M:%S")))
+            begin = begin if "%S" in TREES[tree] else begin.replace(second=0)
+            end = begin + datetime.timedelta(minutes=5)
+            form = re.sub(r"\{end:(.*?)\}", lambda found, end=end: end.strftime(found[1]), TREES[tree])
+            path = f"{tree}/{begin.strftime(form.replace('{c}', camera))}.avi"
+            t.copy("clip.avi", path)
+            files[camera].append((path, begin.strftime("%Y-%m-%d %H:%M:%S")))
     return files
 
 
@@ -58,14 +43,14 @@ def little_clip(t, name="clip.avi", size="32x24", rate=5, seconds=1):
 
 def told(t, *names):
     """What `vvr info` says of each file."""
-    return json.loads(t.vvr("info", *names, "--json").expect(0, out=None).out)["files"]
+    return t.vvr("info", *names, "--json").expect(0, out=None).json()["files"]
 
 
 def test_tree_tells_camera_begin_and_order(t):
     t.zone("UTC")
     little_clip(t)
     for tree in TREES:
-        files = make_tree(t, tree, tree)
+        files = make_tree(t, tree)
         # An archive lists each clip with what it takes for true.
         lines = t.archive(tree, "-o", "pictures", "--dry-run").expect(0, out=None).out.splitlines()
         expected = {f"new             {path.removeprefix(tree + '/')}  camera {camera}, {begin} by file name"
@@ -83,9 +68,7 @@ def test_tree_tells_camera_begin_and_order(t):
 def test_cameras_of_one_folder_are_several_days(t):
     t.zone("UTC")
     little_clip(t, seconds=2)
-    t.path("in").mkdir()
-    for camera in CAMERAS:
-        os.link(t.path("clip.avi"), t.path(f"in/{camera}_2026-11-21_20-00-00.avi"))
+    t.copy("clip.avi", *[f"in/{camera}_2026-11-21_20-00-00.avi" for camera in CAMERAS])
     for command in (["render", "in", "-o", "x.png"], ["extract", "in", "-o", "data"], ["inspect", "in", "--frame", "0", "-o", "i.png"]):
         t.vvr(*command).expect(1, "'in'", "2 cameras", "back-door, front-door", "'in/back-door*.avi'", "--join", code="recording-mixed")
     out = t.archive("in", "-o", "out", "--per", "day", "--dry-run").expect(0, out=None).out
@@ -98,13 +81,11 @@ def test_cameras_of_one_folder_are_several_days(t):
 
 def test_files_of_the_same_second_are_named(t):
     little_clip(t, seconds=2)
-    t.path("d").mkdir()
-    for number in range(9):
-        os.link(t.path("clip.avi"), t.path(f"d/2026-11-21_10-00-00_{number}.avi"))
+    t.copy("clip.avi", *[f"d/2026-11-21_10-00-00_{number}.avi" for number in range(9)])
     # The first; as much of the second as comes after it; nothing of the others.
     done = t.vvr("render", "d", "-o", "o.png", "--report", "r.json", "--size", "160x100", "--backend", "software").expect(
         6, "8 files", "'d/2026-11-21_10-00-00_1.avi'", "3 more", "80 frames", "16.0 s", code="partial")
-    report = json.loads(t.path("r.json").read_text(encoding="utf-8"))
+    report = t.json("r.json")
     check(report["left_out"] == {"files": 8, "frames": 80, "seconds": 16}, f"{report['left_out']} {done}")
     check(any("8 files were omitted" in problem for problem in report["problems"]), f"{report['problems']}")
     check(report["frames"]["used"] == 10, f"{report['frames']}")
@@ -123,21 +104,19 @@ def test_unrelated_clips_are_refused(t):
     t.vvr("render", "door.avi", "phone.avi", *look).expect(
         1, "'door.avi'", "32x24", "'phone.avi'", "64x48", "--join", code="recording-mixed")
     t.vvr("render", "door.avi", "slow.avi", *look).expect(1, "'slow.avi'", "1 frames per second", "--join", code="recording-mixed")
-    os.link(t.path("door.avi"), t.path("gate_2026-11-21_20-00-00.avi"))
+    t.copy("door.avi", "gate_2026-11-21_20-00-00.avi")
     t.vvr("render", "gate_2026-11-21_20-00-00.avi", "slow.avi", *look).expect(
         1, "2 cameras", "'slow.avi'", "gate_2026-11-21_20-00-00.avi'", code="recording-mixed")
     t.vvr("render", "door.avi", "phone.avi", "--join", *look).expect(0, "10 frames")
     # Beside pictures a clip is not drawn, and that is said.
-    t.path("mixed").mkdir()
     t.ffmpeg("-i", "door.avi", "mixed/%d.png")
-    os.link(t.path("door.avi"), t.path("mixed/clip.avi"))
+    t.copy("door.avi", "mixed/clip.avi")
     t.vvr("render", "mixed", *look).expect(0, "warning: 'mixed'", "1 video in it is ignored: 'mixed/clip.avi'")
 
 
 def test_dry_run_shows_what_names_hide(t):
     little_clip(t)
-    t.path("in").mkdir()
-    os.link(t.path("clip.avi"), t.path("in/a\u202eiva.\n.avi"))
+    t.copy("clip.avi", "in/a\u202eiva.\n.avi")
     out = t.archive("in", "-o", "out", "--dry-run").expect(0, out=None).out
     check("\u202e" not in out and len(out.splitlines()) == 1 and "\\u202e" in out, repr(out))
     check(out.endswith("camera not known, time of day not known\n"), repr(out))

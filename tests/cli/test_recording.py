@@ -1,7 +1,6 @@
 """Many files are one recording: what a recorder writes in segments is drawn as one clip."""
 
 import datetime
-import json
 import os
 import shutil
 import subprocess
@@ -22,22 +21,22 @@ def whole_clip(t, seconds=40):
     return "whole.mkv"
 
 
-def cut(t, clip="whole.mkv", seconds=10, begin=MIDNIGHT, folder="day", layout="%Y-%m-%d/%H/gate/%M.%S.mkv"):
-    """The files that a recorder would have written, as Frigate names them."""
-    t.path("cut").mkdir(exist_ok=True)
-    t.ffmpeg("-i", clip, "-c", "copy", "-f", "segment", "-segment_time", str(seconds), "-reset_timestamps", "1", "cut/%04d.mkv")
+def cut(t, clip="whole.mkv", seconds=10, begin=MIDNIGHT, layout="day/%Y-%m-%d/%H/gate/%M.%S.mkv", least=None):
+    """The files that a recorder would have written, each to the first key frame after `least` seconds."""
+    t.ffmpeg("-i", clip, "-c", "copy", "-f", "segment", "-segment_time", str(least or seconds),
+             "-reset_timestamps", "1", "cut/%04d" + layout[layout.rindex("."):])
     names = []
     for number, piece in enumerate(sorted(t.path("cut").iterdir())):
-        at = begin + datetime.timedelta(seconds=number * seconds)
-        name = f"{folder}/{at.strftime(layout)}"
-        t.path(name).parent.mkdir(parents=True, exist_ok=True)
-        piece.rename(t.path(name))
-        names.append(name)
+        names.append((begin + datetime.timedelta(seconds=number * seconds)).strftime(layout))
+        t.folder_of(names[-1])
+        piece.rename(t.path(names[-1]))
     return names
 
 
-def report_of(t, name="r.json"):
-    return json.loads(t.path(name).read_text(encoding="utf-8"))
+def report_of(t, *arguments, says=()):
+    """That of a picture."""
+    t.render(*arguments, "--report", "r.json").expect(0, *says)
+    return t.json("r.json")
 
 
 def test_recording_of_segments_equals_the_whole_clip(t):
@@ -59,7 +58,7 @@ def test_recording_of_segments_equals_the_whole_clip(t):
     t.render("b", *LOOK, output="b.png").expect(0)
     check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), "data files make another picture")
     t.vvr("inspect", "day", "--frame", "25s", "-o", "i.png").expect(0, "frame 250 at 25.000 s")
-    told = json.loads(t.vvr("info", "day", "--json").expect(0, out=None).out)
+    told = t.vvr("info", "day", "--json").expect(0, out=None).json()
     check(told["frames"] == 400 and told["recorded"] == "2026-11-21 23:59:40", f"{told}")
 
 
@@ -67,8 +66,7 @@ def test_recording_has_gaps_where_files_are_missing(t):
     whole_clip(t)
     names = cut(t)
     t.path(names[1]).unlink()
-    t.render("day", *LOOK, "--report", "r.json").expect(0, "300 frames in 400 layers")
-    report = report_of(t)
+    report = report_of(t, "day", *LOOK, says=["300 frames in 400 layers"])
     check(any(label["text"] == "no signal" for label in report["labels"]), f"{report['labels']}")
     check([segment["first_frame"] for segment in report["segments"]] == [0, 200, 300], f"{report['segments']}")
     check(report["problems"] == [], f"{report['problems']}")
@@ -81,11 +79,12 @@ def test_recording_goes_on_past_damaged_files(t):
     data = t.path(names[2]).read_bytes()
     t.write(names[1], b"no video" * 100)
     t.write(names[2], data[: len(data) // 2])
-    done = t.render("day", *LOOK, "--report", "r.json").expect(0, f"warning: '{names[1]}' is not a video",
-                                                                f"warning: '{names[2]}' ends after ", "its header says 10.0 s", "in 400 layers")
-    report = report_of(t)
+    report = report_of(t, "day", *LOOK, says=[f"warning: '{names[1]}' is not a video",
+                                              f"warning: '{names[2]}' ends after ",
+                                              "its header says 10.0 s", "in 400 layers"])
     check(any(names[1] in problem for problem in report["problems"]), f"{report['problems']}")
-    check(220 <= report["frames"]["used"] <= 260 and report["span"]["last"] == 39.9, f"{done}")
+    check(220 <= report["frames"]["used"] <= 260 and report["span"]["last"] == 39.9,
+          f"{report['frames']} {report['span']}")
     for name in names:
         t.write(name, b"")
     t.render("day").expect(3, "4 files", "'day'", code="not-video")
@@ -97,24 +96,20 @@ def test_recording_joins_overlaps_and_takes_other_sizes(t):
     # A recorder that begins each file some seconds before the end of the one before.
     t.ffmpeg("-ss", "16", "-t", "14", "-i", "whole.mkv", "-c:v", "mpeg4", "-q:v", "3", "day/2026-11-21/23/gate/59.56.mkv")
     t.path(names[2]).unlink()
-    t.render("day", *LOOK, "--report", "r.json").expect(0, "400 frames in 400 layers")
-    check([segment["first_frame"] for segment in report_of(t)["segments"]] == [0, 100, 200, 300], "overlaps count twice")
+    report = report_of(t, "day", *LOOK, says=["400 frames in 400 layers"])
+    check([segment["first_frame"] for segment in report["segments"]] == [0, 100, 200, 300], "overlaps count twice")
     t.ffmpeg("-i", names[1], "-vf", "scale=192:128", "-r", "5", "-c:v", "ffv1", "other.mkv")
     t.path("other.mkv").rename(t.path(names[1]))
-    t.render("day", *LOOK, "--report", "r.json").expect(0)
-    check(report_of(t)["frames"]["used"] == 350, "a file at half the rate has half the frames")
+    check(report_of(t, "day", *LOOK)["frames"]["used"] == 350, "a file at half the rate has half the frames")
 
 
 def test_recording_of_copies_leaves_nothing_out(t):
     """Copies have the time of the copy, which is no time at which a recorder wrote them."""
     whole_clip(t)
     for number, (written, name) in enumerate(((1e9, "b.avi"), (1e9 + 3, "a.avi"), (1e9 + 3.5, "c.avi"))):
-        t.ffmpeg("-ss", f"{10 * number}", "-t", "10", "-i", "whole.mkv", "-c:v", "mpeg4", f"{name}")
-        t.path("copies").mkdir(exist_ok=True)
-        t.path(name).rename(t.path("copies") / name)
-        os.utime(t.path("copies") / name, (written, written))
-    t.render("copies", *LOOK, "--report", "r.json").expect(0, "300 frames", "vvr orders them by their names")
-    segments = report_of(t)["segments"]
+        t.ffmpeg("-ss", f"{10 * number}", "-t", "10", "-i", "whole.mkv", "-c:v", "mpeg4", f"copies/{name}")
+        t.stamp(f"copies/{name}", written)
+    segments = report_of(t, "copies", *LOOK, says=["300 frames", "vvr orders them by their names"])["segments"]
     check([(segment["file"][-5:], segment["first_frame"]) for segment in segments] == [("a.avi", 0), ("b.avi", 100), ("c.avi", 200)], f"{segments}")
 
 
@@ -123,15 +118,15 @@ def test_recording_says_what_overlaps(t):
     cut(t)
     t.ffmpeg("-ss", "10", "-t", "20", "-i", "whole.mkv", "-c:v", "mpeg4", "-q:v", "3", "day/2026-11-21/23/gate/59.52.mkv")
     done = t.render("day", *LOOK, "--report", "r.json").expect(6, "80 frames", "1 file", "5 s", "20 frames, 2.0 s", code="partial")
-    check(any("omitted" in problem for problem in report_of(t)["problems"]), str(done))
+    check(any("omitted" in problem for problem in t.json("r.json")["problems"]), str(done))
 
 
 def test_recording_tells_which_file_an_event_is_in(t):
     moving_clip(t, frames=400)
     t.ffmpeg("-i", "clip.mkv", "-c:v", "mpeg4", "-g", "10", "-q:v", "3", "whole.mkv")
     names = cut(t)
-    t.vvr("render", "day", "--report", "r.json").expect(0)
-    report = report_of(t)
+    t.render("day", "--page", "day.html", "--report", "r.json").expect(0)
+    report = t.json("r.json")
     check(report["events"], "no event")
     places = {segment["file"]: segment for segment in report["segments"]}
     for event in report["events"]:
@@ -139,7 +134,6 @@ def test_recording_tells_which_file_an_event_is_in(t):
             moment = event[end]
             check(moment["file"] in names, f"{moment}")
             check(abs(places[moment["file"]]["first"] + moment["offset"] - moment["seconds"]) < 0.002, f"{moment}")
-    t.render("day", output="day.html").expect(0)
     data = page_data(t.path("day.html").read_text(encoding="utf-8"))
     check(data["clip"] is None and [row[0] for row in data["segments"]] == [f"./{name}" for name in names], f"{data['segments']}")
     check([row[1:] for row in data["segments"]] == [[0, 10], [10, 10], [20, 10], [30, 10]], f"{data['segments']}")
@@ -147,54 +141,46 @@ def test_recording_tells_which_file_an_event_is_in(t):
 
 def test_recording_is_ordered_by_what_tells_the_time(t):
     whole_clip(t)
-    names = cut(t, layout="%d-%H.%M.%S.mkv", folder="plain")
+    names = cut(t, layout="plain/%d-%H.%M.%S.mkv")
     # Names of no known layout, containers without a time: when they were written counts.
     for number, name in enumerate(names):
-        os.utime(t.path(name), (1795300000 + 10 * (number + 1),) * 2)
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': the names of its files do not say", "by their modification times", "400 frames")
-    report = report_of(t)
+        t.stamp(name, 1795300000 + 10 * (number + 1))
+    report = report_of(t, "plain", *LOOK, says=["warning: 'plain': the names of its files do not say",
+                                                "by their modification times", "400 frames"])
     check(report["input"]["recorded"] is None and any("modification times" in problem for problem in report["problems"]), f"{report['problems']}")
-    t.render("plain", *LOOK, "--start-time", "modified", "--report", "r.json").expect(0)
-    check(report_of(t)["clock"]["source"] == "modified" and report_of(t)["input"]["recorded_by"] == "modified", "asked for")
+    report = report_of(t, "plain", *LOOK, "--start-time", "modified")
+    check(report["clock"]["source"] == "modified" and report["input"]["recorded_by"] == "modified", "asked for")
     # All written at once: by their names.
     for name in names:
-        os.utime(t.path(name), (1795300000,) * 2)
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "vvr orders them by their names", "400 frames in 400 layers")
-    check([segment["file"] for segment in report_of(t)["segments"]] == names, "not in order")
+        t.stamp(name, 1795300000)
+    report = report_of(t, "plain", *LOOK, says=["vvr orders them by their names", "400 frames in 400 layers"])
+    check([segment["file"] for segment in report["segments"]] == names, "not in order")
     t.render("plain", *LOOK, "--names", "%d-%H.%M.%S").expect(1, "%Y, %m, %d and %H", code="name-pattern-invalid")
     # What containers tell comes before when they were written.
     for number, name in enumerate(reversed(names)):
         t.ffmpeg("-i", name, "-c", "copy", "-metadata", f"creation_time=2026-11-21T08:00:{number}0Z", "stamped.mkv")
         t.path("stamped.mkv").rename(t.path(name))
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "400 frames in 400 layers")
-    check([segment["file"] for segment in report_of(t)["segments"]] == list(reversed(names)), "containers tell the order")
-    report = report_of(t)
+    report = report_of(t, "plain", *LOOK, says=["400 frames in 400 layers"])
+    check([segment["file"] for segment in report["segments"]] == list(reversed(names)), "containers tell the order")
     check(report["input"]["recorded"] is None and report["input"]["written"] == "2026-11-21 08:00:00", "but not the clock")
     check(any("by the creation times in their containers" in problem for problem in report["problems"]), f"{report['problems']}")
 
 
 def test_recording_that_cannot_be(t):
-    t.path("a").mkdir()
     t.clip("a/clip.avi", seconds=1)
     t.clip("b.avi", seconds=1)
     t.path("none").mkdir()
     t.render("b.avi", "none.avi").expect(2, "'none.avi'", "No such file", code="file-not-found")
     t.render("b.avi", "none").expect(1, "'none'", code="input-unsuitable")
     t.render("b.avi", "rtsp://camera/1").expect(1, "'rtsp://camera/1'", code="input-unsuitable")
-    t.write("list.txt", "../b.avi\n")
-    t.render("list.txt").expect(2, "'list.txt', line 1", code="file-invalid")
-    t.write("list.txt", "b.avi\n/etc/passwd\n")
-    t.render("list.txt").expect(2, "'list.txt', line 2", code="file-invalid")
-    t.write("list.txt", "b.avi\nc.avi\n")
-    t.render("list.txt").expect(2, "'list.txt', line 2", "'c.avi'", code="file-invalid")
     t.path("a/link.avi").symlink_to(t.path("b.avi"))
-    t.write("a/list.txt", "link.avi\n")
-    t.render("a/list.txt").expect(2, "'a/list.txt', line 1", code="file-invalid")
-    t.write("list.txt", "# nothing\n")
-    t.render("list.txt").expect(2, "'list.txt'", code="file-invalid")
-    for camera in ("gate", "hall"):
-        t.path(f"day/2026-11-21/08/{camera}").mkdir(parents=True)
-        t.path(f"day/2026-11-21/08/{camera}/00.00.avi").write_bytes(t.path("b.avi").read_bytes())
+    for name, text, *facts in (("list.txt", "../b.avi\n", "line 1"), ("list.txt", "b.avi\n/etc/passwd\n", "line 2"),
+                               ("list.txt", "b.avi\nc.avi\n", "line 2", "'c.avi'"), ("a/list.txt", "link.avi\n",
+                                                                                     "line 1"),
+                               ("list.txt", "# nothing\n")):
+        t.write(name, text)
+        t.render(name).expect(2, f"'{name}'", *facts, code="file-invalid")
+    t.copy("b.avi", "day/2026-11-21/08/gate/00.00.avi", "day/2026-11-21/08/hall/00.00.avi")
     t.render("day").expect(1, "'day'", "2 cameras", "gate, hall", "'day/2026-11-21/08/gate'", "--join", code="recording-mixed")
     t.render("day/2026-11-21/*/hall").expect(0)
 
@@ -204,9 +190,8 @@ def test_recording_has_the_clock_of_the_day(t):
     # Across midnight, and in the zone of the machine: Frigate's names are in UTC.
     t.zone("Europe/Berlin")
     cut(t, begin=datetime.datetime(2026, 11, 21, 22, 59, 40))
-    look = ("--size", "640x400", "--backend", "software", "--report", "r.json")
-    t.render("day", *look).expect(0)
-    report = report_of(t)
+    look = ("--size", "640x400", "--backend", "software", "--page", "day.html")
+    report = report_of(t, "day", *look)
     texts = [label["text"] for label in report["labels"]]
     check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1; by file name)" in texts, f"{texts}")
     check("00:00:00" in texts and "gate" in texts, f"{texts}")
@@ -215,18 +200,15 @@ def test_recording_has_the_clock_of_the_day(t):
         begin = datetime.datetime.fromisoformat(report["clock"]["first"])
         told = datetime.datetime.fromisoformat(event["first"]["time"])
         check(abs((told - begin).total_seconds() - event["first"]["seconds"]) <= 1, f"{event['first']}")
-    t.render("day", output="day.html").expect(0)
     data = page_data(t.path("day.html").read_text(encoding="utf-8"))
     check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1", "by": "by file name"}, f"{data['clock']}")
     # To summer time: names on the local clock leap by an hour, time does not.
     names = []
     for number, piece in enumerate(sorted(t.path("day").rglob("*.mkv"))):
-        at = ["2026-03-29 01-59-40", "2026-03-29 01-59-50", "2026-03-29 03-00-00", "2026-03-29 03-00-10"][number]
-        t.path("spring").mkdir(exist_ok=True)
-        piece.rename(t.path(f"spring/{at}.mkv"))
-        names.append(f"spring/{at}.mkv")
-    t.render("spring", *look).expect(0, "400 frames in 400 layers")
-    report = report_of(t)
+        names.append(f"spring/2026-03-29 {('01-59-40', '01-59-50', '03-00-00', '03-00-10')[number]}.mkv")
+        t.folder_of(names[-1])
+        piece.rename(t.path(names[-1]))
+    report = report_of(t, "spring", *look, says=["400 frames in 400 layers"])
     check([segment["file"] for segment in report["segments"]] == names and report["span"]["last"] == 39.9, f"{report['segments']}")
     check(report["clock"]["first"] == "2026-03-29T01:59:40+01:00" and report["clock"]["last"] == "2026-03-29T03:00:19+02:00", f"{report['clock']}")
     check("03:00:00" in [label["text"] for label in report["labels"]], "no tick on the new clock")
@@ -236,7 +218,7 @@ VISITS = 30
 FRAME_RATE = 2
 
 
-def generated_day(t, segments, folder="day"):
+def generated_day(t, segments):
     """A day at 2 frames per second in files of ten seconds: an empty scene, and visits of eight seconds at known times."""
     source = ("-f", "lavfi", "-i", f"color=gray:size=96x64:rate={FRAME_RATE}:duration=10")
     codec = ("-c:v", "mpeg4", "-g", "5", "-q:v", "3")
@@ -247,17 +229,16 @@ def generated_day(t, segments, folder="day"):
     visited = {segments * (2 * number + 1) // (2 * VISITS) for number in range(VISITS)}
     for number in range(segments):
         at = begin + datetime.timedelta(seconds=10 * number)
-        name = t.path(f"{folder}/{at:%Y-%m-%d/%H}/gate/{at:%M.%S}.mkv")
+        name = t.path(f"day/{at:%Y-%m-%d/%H}/gate/{at:%M.%S}.mkv")
         name.parent.mkdir(parents=True, exist_ok=True)
         os.link(t.path("visit.mkv" if number in visited else "empty.mkv"), name)
-    return [begin + datetime.timedelta(seconds=10 * number + 1) for number in sorted(visited)]
 
 
 def check_day(t, segments):
     t.zone("UTC")
-    times = generated_day(t, segments)
-    done = subprocess.Popen([t.vvr_path, "render", "day", "-o", "day.png", "--size", "320x200", "--backend", "software", "--report",
-                             "r.json"], cwd=t.folder, stderr=subprocess.PIPE)
+    generated_day(t, segments)
+    done = t.start("render", "day", "-o", "day.png", "--size", "320x200", "--backend", "software", "--report",
+                   "r.json", stderr=subprocess.PIPE)
     most_open = 0
     while done.poll() is None:
         try:
@@ -266,27 +247,21 @@ def check_day(t, segments):
             pass
         time.sleep(0.05)
     check(done.returncode == 0, done.stderr.read().decode())
-    report = report_of(t)
+    report = t.json("r.json")
     check(report["frames"]["used"] == segments * 10 * FRAME_RATE, f"{report['frames']}")
     check(len(report["segments"]) == segments and not report["problems"], "not each file was read once")
-    events = report["events"]
-    check(len(events) == VISITS, f"{len(events)} events")
-    for event, begin in zip(events, times):
-        told = datetime.datetime.fromisoformat(event["first"]["time"]).replace(tzinfo=None)
-        check(abs((told - begin).total_seconds()) <= 1, f"{event['first']} and {begin}")
-        file = begin - datetime.timedelta(seconds=1)
-        check(event["first"]["file"] == f"day/{file:%Y-%m-%d/%H}/gate/{file:%M.%S}.mkv", f"{event['first']} and {file}")
-        check(0 <= event["first"]["offset"] <= 2.1, f"{event['first']}")
+    check(len(report["events"]) == VISITS, f"{len(report['events'])} events")
+    for event in report["events"]:
+        visit = segments * (2 * event["number"] - 1) // (2 * VISITS)
+        check(abs(event["first"]["seconds"] - 10 * visit - 1) <= 1, f"{event['first']}")
     check(report["volume"]["compressed"], "nothing is compressed")
-    return report["peak_memory_bytes"], report["seconds"]["total"], most_open
+    return report["peak_memory_bytes"], most_open
 
 
 @pytest.mark.slow
 def test_recording_of_a_day_of_8640_segments(t):
-    hour, _, hour_open = check_day(t, 360)
+    hour, hour_open = check_day(t, 360)
     shutil.rmtree(t.path("day"))
-    for name in ("empty.mkv", "visit.mkv"):
-        t.path(name).unlink()
-    day, _, day_open = check_day(t, 8640)
+    day, day_open = check_day(t, 8640)
     check(day < 1.1 * hour, f"{hour / 1e6:.0f} MB for an hour, {day / 1e6:.0f} MB for a day")
     check(day_open < 16, f"{hour_open} and {day_open} open files")  # looked at now and then

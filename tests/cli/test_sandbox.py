@@ -5,12 +5,11 @@ import errno
 import os
 import pathlib
 import signal
-import subprocess
 import time
 
 import pytest
 from harness import check
-from test_archive import age, archive, complete, outputs, sidecar
+from test_archive import archive, complete, outputs, sidecar
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 NEEDED = {"read its clip", "write and rename beside its picture", "remove beside its picture", "start a thread", "compile code"}
@@ -59,7 +58,7 @@ def hijack(t, mode, *arguments):
     """What a worker is refused that a clip has taken over, by what it tried."""
     t.old_clips("gate/own.avi", "gate/other.avi")
     t.write("private", "of the user\n")
-    t.path("out").mkdir(exist_ok=True)
+    t.path("out").mkdir()
     places = {"HIJACK_CLIP": "in/gate/own.avi", "HIJACK_OTHER": "in/gate/other.avi", "HIJACK_OUTSIDE": "private", "HIJACK_OUT": "out/gate"}
     environment = {**hijacked(), **{name: str(t.path(place)) for name, place in places.items()}}
     done = archive(t, "--match", "gate/own.avi", "--sandbox", mode, *arguments, env=environment)
@@ -121,7 +120,7 @@ def test_no_worker_ends_the_run(t, mode):
             "sparse": (2, "worker-result-invalid", "100000000"), "closed": (3, "not-video", "without an error message"),
             "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the limit of 4000 MB")}
     t.old_clips("good.avi", *[f"{deed}.avi" for deed in said])
-    os.utime(t.path("in/good.avi"), (1, 1))  # so that it comes last
+    t.stamp("in/good.avi", 1)  # so that it comes last
     for tries in (1, 2):
         done = archive(t, "--sandbox", mode, env=hijacked()).expect(6, f"{len(said)} failed")
         for deed, (status, code, words) in said.items():
@@ -155,8 +154,7 @@ def no_process_of(folder, seconds):
 def test_a_hijacked_worker_does_not_outlive_the_run(t, walls, number):
     """It asks not to end with its parent, and to be in a group of its own, and ignores what it can."""
     t.old_clips("stay.avi")
-    run = subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required"], cwd=t.folder,
-                           stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=hijacked())
+    run = t.start("archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required", env=hijacked())
     time.sleep(1.5)
     check(run.poll() is None, "it did not stay")
     began = time.monotonic()
@@ -168,11 +166,9 @@ def test_a_hijacked_worker_does_not_outlive_the_run(t, walls, number):
 
 
 def test_a_worker_lives_within_its_walls(t, walls):
-    t.path("in").mkdir()
     t.clip("in/long.avi", seconds=60, size="320x240")
-    age(t)
-    run = subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required"], cwd=t.folder,
-                           stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    t.age("in")
+    run = t.start("archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required")
     status = {}
     for _ in range(400):
         for child in pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split():
@@ -234,7 +230,7 @@ def test_a_sandbox_that_is_required_and_not_there(t, feature, said):
 
 def test_the_sandbox_lets_links_and_named_files_through(t, walls):
     """Clips behind links, PICTURES behind one, and each file that an option names, wherever they are."""
-    for folder in ("elsewhere", "in/gate", "options", "real"):
+    for folder in ("in/gate", "real"):
         t.path(folder).mkdir(parents=True)
     t.clip("elsewhere/clip.avi", seconds=1)
     os.link(t.path("elsewhere/clip.avi"), t.path("in/gate/hard.avi"))
@@ -244,7 +240,7 @@ def test_the_sandbox_lets_links_and_named_files_through(t, walls):
     t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=64x48", "-frames:v", "1", "options/scene.png")
     t.ffmpeg("-f", "lavfi", "-i", "color=white:size=64x48", "-frames:v", "1", "options/mask.png")
     t.write("options/vvr.toml", '[archive]\nmask = "options/mask.png"\n')
-    age(t)
+    t.age(".")
     archive(t, "--sandbox", "required", "--reference", str(t.path("options/scene.png")), "--config", "options/vvr.toml", "--log-file",
             "elsewhere/log").expect(0, "3 clips drawn, 0 failed")
     for clip in ("gate/hard.avi", "gate/soft.avi", "hall/clip.avi"):
@@ -253,10 +249,7 @@ def test_the_sandbox_lets_links_and_named_files_through(t, walls):
 
 
 def test_the_sandbox_lets_a_day_through(t, walls):
-    for minute in ("00", "01", "02"):
-        t.path("in/2026-11-21/08/gate").mkdir(parents=True, exist_ok=True)
-        t.clip(f"in/2026-11-21/08/gate/{minute}.00.avi", seconds=1)
-    age(t)
+    t.old_clips(*[f"2026-11-21/08/gate/{minute}.00.avi" for minute in ("00", "01", "02")])
     archive(t, "--sandbox", "required", "--per", "day").expect(0, "1 clip drawn, 0 failed")
 
 

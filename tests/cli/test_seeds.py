@@ -9,20 +9,16 @@ STRAIGHT = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--f
             "--show", "arrows")
 
 
-def is_arrow(pixel):
-    red, green, blue = pixel
+def is_arrow(red, green, blue):
     return red > blue + 60 and red >= green
 
 
 def columns(t, name="out.png"):
-    """The columns in which there are arrows, from 0 to 1."""
-    rows = t.rgb(name)
-    width = len(rows[0])
-    return sorted({i / width for row in rows for i, pixel in enumerate(row) if is_arrow(pixel)})
+    return t.columns(name, is_arrow)
 
 
 def arrows(t, name="out.png"):
-    return sum(is_arrow(pixel) for row in t.rgb(name) for pixel in row)
+    return sum(is_arrow(*pixel) for row in t.rgb(name) for pixel in row)
 
 
 def seed_list(points, frame=0, size="96 64"):
@@ -109,17 +105,13 @@ def test_lists_and_flags_that_do_not_fit(t):
     t.expect_files("big.txt", "clip.mkv", "flag.txt", "good.txt")
 
 
-def moving_texture(t):
-    """The whole picture moves, and differs from the empty scene on the right half alone."""
+def test_seeds_on_the_object_or_all_over_the_field(t):
+    # The whole picture moves, and differs from the empty scene on the right half alone.
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=192x64:rate=10:duration=2", "-vf", "crop=96:64:x=n:y=0", "-c:v", "ffv1",
              "clip.mkv")
     t.ffmpeg("-f", "lavfi", "-i", "color=black:size=96x64:rate=10:duration=2", "-vf", "drawbox=x=48:w=48:h=64:t=fill:c=white",
              "-frames:v", "1", "right.png")
-    return ("--roi", "right.png")
-
-
-def test_seeds_on_the_object_or_all_over_the_field(t):
-    right = moving_texture(t)
+    right = ("--roi", "right.png")
     for area in ("object", "field"):
         t.vvr("extract", "clip.mkv", "-o", area, *right, "--seed-area", area, "--grid", "8").expect(0)
 
@@ -154,7 +146,6 @@ def test_seeds_of_a_stored_flow(t):
     t.render("data", *STRAIGHT, "--seeds", "fine").expect(0)
     check(arrows(t) > 0, "the lists draw no arrows")
     # Somebody else's flow: all to the left, in two frames.
-    t.path("flows").mkdir()
     t.write("flows/frame_0003.flo", flo(-4, 0))
     t.write("flows/frame_0030.flo", flo(0, 0.1))
     t.vvr("seeds", "flows", "-o", "own", "--grid", "32", "--seed-area", "field").expect(0, "'own': 2 lists with 6 seeds")

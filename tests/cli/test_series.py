@@ -1,7 +1,5 @@
 """Series: a picture for each brick, while a window slides over the clip."""
 
-import json
-
 import pytest
 from harness import check, moving_clip
 
@@ -9,9 +7,7 @@ ALL = ("--show", "volume,arrows,tracelines,outline,frames", "--backend", "softwa
 
 
 def pixels(t, name):
-    raw = t.run(["bash", "-c", f"ffmpeg -v error -i '{name}' -f rawvideo -pix_fmt rgb48 - | sha256sum"])
-    check(raw.status == 0 and raw.err == "", str(raw))
-    return raw.out
+    return t.raw(name, "rgb48")
 
 
 def test_a_picture_for_each_brick(t):
@@ -55,17 +51,12 @@ def test_a_series_of_layers_that_hold_several_frames(t):
     check(pixels(t, "fresh.4.png") == pixels(t, "moved.4.png"), "three frames a layer")
 
 
-def pictures_in(t, name):
-    probe = t.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", name])
-    return int(probe.out.strip().rstrip(","))
-
-
 def test_a_film_of_the_window(t):
     moving_clip(t)
     look = ("--brick", "10f", "--window", "2", "--show", "tracelines,outline", "--backend", "software", "--grid", "8",
             "--size", "480x300")
     t.render("clip.mkv", *look, "--slide", "3", output="window.mp4").expect(0, "'window.mp4': 12 pictures of 40 frames")
-    check(pictures_in(t, "window.mp4") == 12, f"{pictures_in(t, 'window.mp4')} pictures")
+    check(t.frames_in("window.mp4") == 12, f"{t.frames_in('window.mp4')} pictures")
     t.ffmpeg("-i", "window.mp4", "f%02d.png")
 
     def changed(a, b):
@@ -124,10 +115,8 @@ def test_series_that_cannot_be(t):
         1, "'a.{brick}.png'", "--animate", "{frame}", code="options-conflict")
     t.render("clip.avi", output="a.{frame}.png").expect(1, "'a.{frame}.png'", "--animate", "{brick}", code="option-needs-another")
     t.render("clip.avi", output="a.{brik}.png").expect(1, "{brik}", "'a.{brik}.png'", "'brick'", code="name-pattern-invalid")
-    t.render("clip.avi", output="a.{brick}.{brick}.png").expect(1, "'a.{brick}.{brick}.png'", code="name-pattern-invalid")
     t.render("clip.avi", output="a.{brick}.gif").expect(1, "'a.{brick}.gif'", code="name-pattern-invalid")
     t.render("clip.avi", output="none/a.{brick}.png").expect(2, "'none'", code="file-not-found")
-    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick", "0", code="option-value-out-of-range")
     t.expect_files("clip.avi")
 
 
@@ -153,21 +142,13 @@ def test_memory_of_a_series_depends_on_the_window(t):
 
 def colours_of(t, name):
     """Which of the three colours a picture shows."""
-    found = set()
-    for row in t.rgb(name):
-        for red, green, blue in row:
-            if red > 150 and green < 90 and blue < 90:
-                found.add("red")
-            if green > 150 and red < 90 and blue < 90:
-                found.add("lime")
-            if blue > 150 and red < 90 and green < 90:
-                found.add("blue")
-    return found
+    pixels = [pixel for row in t.rgb(name) for pixel in row]
+    return {colour for k, colour in enumerate(("red", "lime", "blue"))
+            if any(pixel[k] > 150 and max(pixel[:k] + pixel[k + 1:]) < 90 for pixel in pixels)}
 
 
 def test_a_series_shows_every_frame_before_a_gap(t):
     """Files of 4 s, a minute apart: no brick is whole, and each has frames that nobody else shows."""
-    t.path("day").mkdir()
     for i, colour in enumerate(("red", "lime", "blue")):
         t.ffmpeg("-f", "lavfi", "-i", "color=c=0x808080:size=160x120:rate=5:duration=4", "-f", "lavfi", "-i",
                  f"color=c={colour}:size=20x30:rate=5:duration=4", "-filter_complex",
@@ -177,7 +158,7 @@ def test_a_series_shows_every_frame_before_a_gap(t):
         for old in t.path(".").glob("s.*"):
             old.unlink()
         done = t.vvr("render", "day", "-o", "s.{brick:3}.png", "--brick", brick, "--window", window, *look, "--report", "r.json").expect(0)
-        report = json.loads(t.path("r.json").read_text())
+        report = t.json("r.json")
         names = sorted(path.name for path in t.path(".").glob("s.*.png"))
         check(report["frames"]["used"] == 60 and f"{len(names)} pictures of 60 frames" in done.err, str(done))
         shown = set().union(*(colours_of(t, name) for name in names))

@@ -1,7 +1,5 @@
 """Settings that files record are those that were used, and can be given back: the same picture, byte for byte."""
 
-import json
-
 import pytest
 from harness import check
 
@@ -15,26 +13,17 @@ def values_of(t, name):
 
 
 def reported(t, clip, *options):
-    """The settings of a report, once they are found to give the same settings."""
+    """The settings of a report, and the options that they are."""
     t.vvr("render", clip, *options, "--report", "report.json").expect(0)
-    settings = json.loads(t.path("report.json").read_text())["settings"]
-    t.vvr("render", clip, *[f"--{name}={value}" for name, value in settings.items() if name not in NO_OPTIONS], "--report", "again.json").expect(0)
-    again = json.loads(t.path("again.json").read_text())["settings"]
-    check(again == settings, f"{settings}\nbecame\n{again}")
-    return settings
+    settings = t.json("report.json")["settings"]
+    return settings, {name: value for name, value in settings.items() if name not in NO_OPTIONS}
 
 
 def given_back(t, clip, *options):
-    """The settings of a report, once the picture that they give is found to be the same."""
-    t.render(clip, *options, "--report", "report.json", output="a.png").expect(0)
-    settings = json.loads(t.path("report.json").read_text())["settings"]
-    back = [f"--{name}={value}" for name, value in settings.items() if name not in NO_OPTIONS]
-    t.write("back.toml", "".join(f"{name} = '{value}'\n" for name, value in settings.items() if name not in NO_OPTIONS))
-    for given in (back, ["--config", "back.toml"]):
-        t.vvr("render", clip, "-o", "b.png", *given, "--report", "again.json").expect(0)
-        again = json.loads(t.path("again.json").read_text())["settings"]
-        check(again == settings, f"{settings}\nbecame\n{again}")
-        check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), f"{given} draws something else")
+    """The settings of a report, once they are found to give the same settings."""
+    settings, given = reported(t, clip, *options)
+    again, _ = reported(t, clip, *[f"--{name}={value}" for name, value in given.items()])
+    check(again == settings, f"{settings}\nbecame\n{again}")
     return settings
 
 
@@ -43,7 +32,7 @@ def test_settings_of_each_filter_can_be_given_back(t):
     names = values_of(t, "filter")
     check(len(names) >= 10, f"{names}")
     for name in names:
-        settings = reported(t, "clip.avi", "--filter", name)
+        settings = given_back(t, "clip.avi", "--filter", name)
         check(settings["threshold"].isdigit(), f"{name}: {settings}")
         check(settings["transfer"] in values_of(t, "transfer"), f"{name}: {settings}")
 
@@ -54,9 +43,8 @@ def test_settings_of_each_solver_can_be_given_back(t):
     check({"pyramid", "jacobi"} <= set(names), f"{names}")
     seen = set()
     for name in names:
-        settings = reported(t, "clip.avi", "--solver", name)
-        numbers = tuple(float(settings[one]) for one in ("alpha", "iterations"))
-        seen.add(numbers)
+        settings = given_back(t, "clip.avi", "--solver", name)
+        seen.add((float(settings["alpha"]), float(settings["iterations"])))
     check(len(seen) == len(names), f"each solver has its own numbers: {seen}")
 
 
@@ -65,14 +53,19 @@ def test_settings_of_each_solver_can_be_given_back(t):
     ("--color", "signed", "--filter", "edges"), ("--transfer", "heat"), ("--flow", "none"), ("--field-size", "32x24", "--step", "2"),
     ("--start", "3f", "--end", "1.5s"), ("--slices", "40", "--height", "0.4")])
 def test_settings_of_other_options_can_be_given_back(t, options):
+    """The picture that they give is the same."""
     t.clip()
-    given_back(t, "clip.avi", *options)
+    settings, given = reported(t, "clip.avi", *options, "-o", "a.png", "--size", "160x100")
+    t.write("back.toml", "".join(f"{name} = '{value}'\n" for name, value in given.items()))
+    for back in ([f"--{name}={value}" for name, value in given.items()], ["--config", "back.toml"]):
+        check(reported(t, "clip.avi", "-o", "b.png", *back)[0] == settings, f"other settings than {settings}")
+        check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), f"{back} draws something else")
 
 
 def test_settings_of_extractions_are_numbers(t):
     t.clip()
     t.vvr("extract", "clip.avi", "-o", "data", "--filter", "temporal", "--solver", "jacobi").expect(0)
-    settings = json.loads(t.path("data/manifest.json").read_text())["settings"]
+    settings = t.json("data/manifest.json")["settings"]
     check((settings["threshold"], settings["alpha"], settings["iterations"]) == ("16", "10", "60"), f"{settings}")
     # What was used may be said again, and nothing else.
     t.render("data", "--threshold", "16", "--alpha", "10").expect(0)
@@ -83,7 +76,7 @@ def test_presets_set_what_a_command_has(t):
     t.clip()
     t.vvr("extract", "clip.avi", "-o", "usual").expect(0)
     t.vvr("extract", "clip.avi", "-o", "data", "--preset", "paper").expect(0)
-    settings = json.loads(t.path("data/manifest.json").read_text())["settings"]
+    settings = t.json("data/manifest.json")["settings"]
     check((settings["solver"], settings["illumination"]) == ("jacobi", "none") and "preset" not in settings, f"{settings}")
     look = ("--preset", "paper", "--title", "Hall")
     t.render("clip.avi", *look, output="clip.png").expect(0)
@@ -108,9 +101,9 @@ def test_presets_of_config_files(t):
     t.clip()
     t.write("vvr.toml", 'preset = "paper"\nfov = 20\nbackground = "none"\n')
     t.render("clip.avi", "--config", "vvr.toml", "--report", "r.json").expect(0)
-    settings = json.loads(t.path("r.json").read_text())["settings"]
+    settings = t.json("r.json")["settings"]
     found = [settings[name] for name in ("preset", "solver", "fov", "background")]
     check(found == ["paper", "jacobi", "20", "none"], f"{settings}")
     t.render("clip.avi", "--config", "vvr.toml", "--solver", "pyramid", "--report", "r.json").expect(0)
-    settings = json.loads(t.path("r.json").read_text())["settings"]
+    settings = t.json("r.json")["settings"]
     check((settings["solver"], settings["shadows"]) == ("pyramid", "keep"), f"{settings}")

@@ -1,6 +1,5 @@
 """Files that are not what their names say, have no end, or go away while they are read."""
 
-import json
 import os
 import random
 import resource
@@ -77,7 +76,9 @@ def test_what_has_no_end_is_read_nowhere(t):
     os.mkfifo(t.path("pipe"))
     with open(t.path("holes"), "wb") as holes:
         holes.truncate(20 << 30)
+    t.vvr("render", "/dev/zero", "-o", "out.png", timeout=20).expect(2, "'/dev/zero'", "vvr watch", code="not-a-file")
     for strange in ("/dev/zero", "pipe"):
+        t.vvr("compare", strange, strange, timeout=20).expect(2, f"'{strange}'", code="not-a-file")
         for option in ("--transfer", "--config", "--roi", "--mask", "--reference", "--seeds", "--golden"):
             run = t.vvr("render", "clip.avi", "-o", "out.png", option, strange, *SMALL, timeout=30)
             check(run.status in (1, 2, 7) and strange in run.err, f"{option} {strange}: {run}")
@@ -99,24 +100,15 @@ def test_what_has_no_end_is_read_nowhere(t):
     t.vvr("info", "clip.avi", env=home, timeout=30).expect(2, "vvr.toml'", code="not-a-file")
 
 
-def recording(t, name, files=24):
-    """Files of a second that follow each other."""
-    t.path(name).mkdir()
-    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=320x240:rate=25:duration=2", "-c:v", "mpeg4", "-q:v", "3", "x.avi")
-    for i in range(files):
-        shutil.copy(t.path("x.avi"), t.path(name) / f"2026-11-21_10-{i * 2 // 60:02}-{i * 2 % 60:02}.avi")
-
-
 def test_a_recording_that_goes_away_in_the_middle(t):
     """An error, or a picture of what was read and a word about the rest: never a signal, and never a series of nothing."""
-    recording(t, "day")
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=320x240:rate=25:duration=2", "-c:v", "mpeg4", "-q:v", "3", "x.avi")
+    t.copy("x.avi", *[f"day/2026-11-21_10-00-{second:02}.avi" for second in range(0, 48, 2)])
     for seconds in (0.1, 0.3, 0.6, 1.2):
-        for output in ("out.png", "out.{brick:3}.png"):
+        for output, *options in (("out.png",), ("out.{brick:3}.png", "--brick", "10s")):
             for old in t.folder.glob("out.*"):
                 old.unlink()
-            command = [t.vvr_path, "render", "day", "-o", output, "--brick", "10s", *SMALL] if "{" in output else [
-                t.vvr_path, "render", "day", "-o", output, *SMALL]
-            run = subprocess.Popen(command, cwd=t.folder, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            run = t.start("render", "day", "-o", output, *options, *SMALL, stderr=subprocess.PIPE)
             time.sleep(seconds)
             t.path("day").rename(t.path("away"))
             said = run.communicate(timeout=120)[1].decode()
@@ -142,9 +134,7 @@ def test_a_header_that_lies_about_time_stops_nothing(t):
                  "-fps_mode", "passthrough", "-c:v", "mjpeg", "jump.mkv")
         run = t.render("jump.mkv", timeout=60).expect(0, "20 frames", "'jump.mkv': timestamps jump by ")
         check("--" not in run.err, f"an option that was not given: {run}")
-    t.path("far").mkdir()
-    for year in ("1971", "2026"):
-        shutil.copy(t.path("clip.mkv"), t.path("far") / f"{year}-11-21_10-00-00.mkv")
+    t.copy("clip.mkv", "far/1971-11-21_10-00-00.mkv", "far/2026-11-21_10-00-00.mkv")
     t.render("far", timeout=60).expect(0, "40 frames")
 
 
@@ -157,7 +147,6 @@ def test_a_pattern_of_many_parts_is_refused(t):
 
 def test_a_manifest_that_is_none_makes_no_folder_ours(t):
     t.clip("clip.avi", seconds=1)
-    t.path("mine/color").mkdir(parents=True)
     for name in ("manifest.json", "first.png", "color/a.png"):
         t.write(f"mine/{name}", "{ mine")
     t.vvr("extract", "clip.avi", "-o", "mine").expect(2, "'mine'", "`vvr extract`", code="folder-not-empty")
@@ -179,7 +168,6 @@ def test_memory_that_is_short_is_never_another_fault(t):
 
 
 def test_an_archive_whose_workers_have_too_little_memory(t):
-    t.path("in").mkdir()
     for i in range(3):
         t.clip(f"in/{i}.avi", seconds=1)
     run = t.archive("in", "-o", "out", "--max-memory", "240M", "--backend", "software", timeout=300)
@@ -207,11 +195,10 @@ def test_a_server_leads_to_no_other_host(t):
 
 
 def test_an_archive_names_what_a_day_lacks(t):
-    t.path("in/gate").mkdir(parents=True)
     for second in range(3):
         t.clip(f"in/gate/20261120_08000{second}.avi", 1)
-    t.path("in/gate/20261120_080001.avi").write_bytes(b"no video" * 100)
+    t.write("in/gate/20261120_080001.avi", "no video" * 100)
     t.archive("in", "-o", "out", "--per", "day", "--size", "64x40", "--backend", "software").expect(
         0, "warning: gate/2026-11-20: 'in/gate/20261120_080001.avi' is not a video")
-    sidecar = json.loads(t.path("out/gate/2026-11-20.json").read_text())
+    sidecar = t.json("out/gate/2026-11-20.json")
     check("20261120_080001.avi" in sidecar["reason"], f"{sidecar}")

@@ -14,8 +14,7 @@ def fixture_versions(t):
     """Of the sources in a folder: the version, its numbers."""
     def versions(folder="clone"):
         done = t.run(["cmake", f"-DPROJECT_SOURCE_DIR={t.path(folder)}", "-DPROJECT_VERSION=0.7.0", "-P",
-                      t.source / "scripts/cmake/Version.cmake"], env=QUIET)
-        check(done.status == 0, str(done))
+                      t.source / "scripts/cmake/Version.cmake"], env=QUIET).expect(0)
         return done.err.splitlines()[-1].split()
     return versions
 
@@ -25,9 +24,8 @@ def fixture_git(t):
     t.path("clone").mkdir()
 
     def git(*arguments, folder="clone"):
-        done = t.run(["git", "-c", "user.name=n", "-c", "user.email=n@example.org", *arguments], cwd=t.path(folder), env=QUIET)
-        check(done.status == 0, str(done))
-        return done.out.strip()
+        command = ["git", "-c", "user.name=n", "-c", "user.email=n@example.org", *arguments]
+        return t.run(command, cwd=t.path(folder), env=QUIET).expect(0, out=None).out.strip()
     git("init", "-q")
     t.write("clone/file", "one")
     git("add", "file")

@@ -1,5 +1,6 @@
 """`vvr watch`: FFmpeg serves streams on this machine, in real time where time is what is looked at."""
 
+import contextlib
 import json
 import os
 import re
@@ -99,23 +100,28 @@ def figures(said):
 
 def red_pixels(t, name):
     """Those of the hatching on the ruler, above the volume."""
-    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", name, "-vf", "crop=iw:ih*0.45:0:0", "-f", "rawvideo", "-pix_fmt", "rgb24",
-                          "-"], cwd=t.folder, stdout=subprocess.PIPE, check=True).stdout
+    raw = t.raw(name, "rgb24", "-vf", "crop=iw:ih*0.45:0:0")
     return sum(raw[i] > 150 and raw[i + 1] < 110 and raw[i + 2] < 110 for i in range(0, len(raw), 3))
 
 
-def watched(t, url, *options, output="out.{brick}.png", **server):
-    """A stream of one address to its end."""
-    port = free_port()
-    with Server(t, url.format(port=port, ask="?listen=1"), **server):
-        if "tcp" in url or "http" in url:
-            listening(port)
-        return Watch(t, url.format(port=port, ask=""), "-o", output, "--brick", "1s", "--window", "3", *SIZE, *options).end()
+@contextlib.contextmanager
+def stream(t, url=None, **server):
+    """FFmpeg waits for who connects by TCP, and sends cam.ts. Gives the address; one that is given is used again."""
+    url = url or f"tcp://127.0.0.1:{free_port()}"
+    with Server(t, url + "?listen=1", **server):
+        listening(int(url.rsplit(":", 1)[1]))
+        yield url
+
+
+def watched(t, *options, output="out.{brick}.png", **server):
+    """A stream to its end."""
+    with stream(t, **server) as url:
+        return Watch(t, url, "-o", output, "--brick", "1s", "--window", "3", *SIZE, *options).end()
 
 
 def test_watch_over_tcp(t):
     source(t)
-    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s")
+    said = watched(t, "--duration", "5s")
     now = figures(said)
     check(now["dropped"] == 0 and now["reconnections"] == 0 and now["pictures"] >= 2, said)
     for i in range(int(now["pictures"])):
@@ -127,10 +133,8 @@ def test_render_of_a_live_stream_is_refused(t):
     """It has no end, and can't be read twice."""
     source(t)
     for command in (("render", "-o", "out.png"), ("render", "-o", "out.png", "--end", "1s"), ("extract", "-o", "data")):
-        port = free_port()
-        with Server(t, f"tcp://127.0.0.1:{port}?listen=1", loop=True):
-            listening(port)
-            t.vvr(command[0], f"tcp://127.0.0.1:{port}", *command[1:]).expect(
+        with stream(t, loop=True) as url:
+            t.vvr(command[0], url, *command[1:]).expect(
                 1, "`vvr watch`", "ffmpeg -i ADDRESS -t 60 -c copy part.mkv", code="input-unsuitable")
     t.expect_files("cam.ts")
 
@@ -138,7 +142,9 @@ def test_render_of_a_live_stream_is_refused(t):
 @pytest.mark.slow
 def test_watch_over_udp(t):
     source(t)
-    said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
+    url = f"udp://127.0.0.1:{free_port()}"
+    with Server(t, url, loop=True):
+        said = Watch(t, url, "-o", "out.png", "--brick", "1s", *SIZE, "--duration", "5s", "--patience", "3").end()
     check(figures(said)["pictures"] >= 1, said)
 
 
@@ -198,7 +204,7 @@ def test_watch_a_pipe_drops_nothing(t):
 def test_watch_of_a_finished_file_is_not_now(t):
     """What is in a file has been: its clock is that of its name, or none, and `render` is meant."""
     source(t)
-    os.utime(t.path("cam.ts"), (time.time() - 60, time.time() - 60))
+    t.stamp("cam.ts", -60)
     look = ("--brick", "2s", "--reference", "first", *SIZE)
     said = Watch(t, "cam.ts", "-o", "cam.html", *look).end()
     check("warning: 'cam.ts' is a complete file, not a live stream; `vvr render` draws all of it" in said, said)
@@ -217,15 +223,12 @@ def test_watch_of_a_finished_file_is_not_now(t):
 def test_watch_draws_the_last_seconds_before_an_outage(t):
     """A camera is cut off in the middle of a brick, for longer than the window: what it showed is in a picture."""
     source(t, seconds=30)
-    port = free_port()
-    url = f"tcp://127.0.0.1:{port}"
-    with Server(t, url + "?listen=1"):
-        listening(port)
+    with stream(t) as url:
         watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "2s", "--window", "1", *SIZE, "--reference", "first", "--duration", "20s")
         watch.wait_for("brick 0")
         time.sleep(1)
     time.sleep(5)
-    with Server(t, url + "?listen=1", begin=16):
+    with stream(t, url, begin=16):
         watch.wait_for("reconnected to", 20)
         watch.wait_for("brick 1,", 10)
         time.sleep(3)
@@ -237,10 +240,7 @@ def test_watch_draws_the_last_seconds_before_an_outage(t):
 
 def test_watch_shows_gaps(t):
     source(t, seconds=30)
-    port = free_port()
-    url = f"tcp://127.0.0.1:{port}"
-    with Server(t, url + "?listen=1"):
-        listening(port)
+    with stream(t) as url:
         watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "1s", "--window", "16", *SIZE, "--duration", "17s", "--start-time",
                       "2026-11-21 08:00:00", "--show", "volume,outline,ruler,title", "--color", "transfer")
         watch.wait_for("brick 0")
@@ -248,8 +248,8 @@ def test_watch_shows_gaps(t):
     check(red_pixels(t, before[-1]) < 5, f"hatched without a gap: {red_pixels(t, before[-1])}")
     for begin in (8, 16):
         time.sleep(1.5)
-        with Server(t, url + "?listen=1", begin=begin):
-            watch.wait_for(f"reconnected to", 20)
+        with stream(t, url, begin=begin):
+            watch.wait_for("reconnected to", 20)
             time.sleep(3.5)
     said = watch.end()
     now = figures(said)
@@ -262,10 +262,8 @@ def test_watch_shows_gaps(t):
 def test_watch_ends_when_asked(t):
     source(t, seconds=30)
     for number in (signal.SIGTERM, signal.SIGINT):
-        port = free_port()
-        with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
-            listening(port)
-            watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
+        with stream(t) as url:
+            watch = Watch(t, url, "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
             watch.wait_for("frames per second")
             time.sleep(3.5)
             watch.child.send_signal(number)
@@ -274,10 +272,8 @@ def test_watch_ends_when_asked(t):
         t.expect_picture(size=(320, 200))
         t.path("out.png").unlink()
     # Before there is anything to be seen.
-    port = free_port()
-    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
-        listening(port)
-        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", *SIZE)
+    with stream(t) as url:
+        watch = Watch(t, url, "-o", "out.png", *SIZE)
         watch.wait_for("frames per second")
         watch.child.send_signal(signal.SIGTERM)
         check("0 pictures of 0 frames" in watch.end(0, seconds=10), watch.said())
@@ -286,10 +282,8 @@ def test_watch_ends_when_asked(t):
 
 def test_watch_while_nobody_sends_ends_too(t):
     source(t)
-    port = free_port()
-    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
-        listening(port)
-        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "1s", *SIZE)
+    with stream(t) as url:
+        watch = Watch(t, url, "-o", "out.png", "--brick", "1s", *SIZE)
         watch.wait_for("trying again")
     watch.child.send_signal(signal.SIGTERM)
     check(figures(watch.end(0, seconds=5))["pictures"] >= 1, watch.said())
@@ -299,8 +293,7 @@ def test_watch_while_nobody_sends_ends_too(t):
 def test_watch_falls_behind_gracefully(t):
     # Sent as fast as can be, at a size at which no machine keeps up.
     source(t, seconds=20, size="1280x720")
-    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--field-size", "source", "--duration", "18s", "--reference",
-                   "first", real_time=False)
+    said = watched(t, "--field-size", "source", "--duration", "18s", "--reference", "first", real_time=False)
     now = figures(said)
     check(now["dropped"] > 20 and now["frames"] + now["dropped"] > 300, said)
     check(now["longest"] < 8, said)
@@ -308,7 +301,7 @@ def test_watch_falls_behind_gracefully(t):
 
 def test_watch_a_page(t):
     source(t)
-    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s", "--title", "<b>Gate</b>", output="live.html")
+    said = watched(t, "--duration", "5s", "--title", "<b>Gate</b>", output="live.html")
     page = t.path("live.html").read_text(encoding="utf-8")
     check('"live":{"state":"learning the empty scene' in page and '"brick":1' in page and "connect-src 'self'" in page, page[:2000])
     check("&lt;b&gt;Gate&lt;/b&gt;" in page and "<b>Gate" not in page, page[:2000])
@@ -371,10 +364,8 @@ def test_logs_for_machines(t):
 
 def test_logs_that_are_rotated(t):
     source(t, seconds=8)
-    port = free_port()
-    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
-        listening(port)
-        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "1s", *SIZE, "--log-file", "log", "--duration", "6s")
+    with stream(t) as url:
+        watch = Watch(t, url, "-o", "out.png", "--brick", "1s", *SIZE, "--log-file", "log", "--duration", "6s")
         watch.wait_for("brick 0")
         t.path("log").rename(t.path("log.1"))
         watch.end()
@@ -386,14 +377,10 @@ def memory_of(t, minutes):
     """Peak bytes of watching so much of a stream that comes as fast as it is taken."""
     feed = subprocess.Popen(["ffmpeg", "-v", "error", "-stream_loop", "-1", "-i", "cam.ts", "-c", "copy", "-t", str(60 * minutes), "-f", "mpegts", "-"],
                             cwd=t.folder, stdout=subprocess.PIPE)
-    child = subprocess.Popen([t.vvr_path, "watch", "-", "-o", "out.png", "--brick", "20s", "--window", "2", *SIZE, "--quiet",
-                              "--reference", "first"], cwd=t.folder, stdin=feed.stdout)
-    feed.stdout.close()
-    _, status, usage = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    feed.wait()
-    check(child.returncode == 0, f"status {child.returncode}")
-    return usage.ru_maxrss * 1024
+    with feed, feed.stdout:
+        return t.peak_memory("watch", "-", "-o", "out.png", "--brick", "20s", "--window", "2", *SIZE, "--quiet",
+                             "--reference", "first",
+                             stdin=feed.stdout)
 
 
 @pytest.mark.slow

@@ -1,24 +1,14 @@
 """Page and index have the same ways of objects; tests/web/geometry.test.js tests what is asked of them."""
 
-import json
-import os
-import re
-
-from harness import check
-
-
-def data_of(page):
-    """The data in a page."""
-    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page.read_text(), re.DOTALL)[1])
+from harness import check, page_data
 
 
 def test_ways_are_the_same_in_page_and_index(t):
     t.scene("walkers", "walkers.y4m", "--size", "192x144", "--frames", "300", "--seed", "5")
-    t.path("in/gate").mkdir(parents=True)
     t.ffmpeg("-i", "walkers.y4m", "-c:v", "mpeg4", "-q:v", "3", "in/gate/20261117T071500.avi")
-    os.utime(t.path("in/gate/20261117T071500.avi"), (1e9, 1e9))
+    t.stamp("in/gate/20261117T071500.avi", 1e9)
     t.vvr("archive", "in", "-o", "out", "--size", "320x200", "--backend", "software").expect(0)
-    events = data_of(t.path("out/gate/20261117T071500.avi.html"))["events"]
-    ways = {number: list(way) for _, number, _, *way in json.loads(t.path("out/gate/20261117T071500.avi.json").read_text())["found"]}
+    events = page_data(t.path("out/gate/20261117T071500.avi.html").read_text())["events"]
+    ways = {number: list(way) for _, number, _, *way in t.json("out/gate/20261117T071500.avi.json")["found"]}
     check(len(events) > 3 and sum(len(event["way"]) > 6 for event in events) > 2, f"too little to be a test: {events}")
     check({event.get("number", place + 1): event["way"] for place, event in enumerate(events)} == ways, f"{events}\n{ways}")
