@@ -48,9 +48,8 @@ TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
     EXPECT_EQ(std::get<app::Time>(options::parse_place("02:00")), (app::Time{120, app::Time::Unit::seconds}))
         << "an offset, as ever";
     EXPECT_EQ(std::get<app::Time>(options::parse_place("250f")), (app::Time{250, app::Time::Unit::frames}));
-    for (const char* text :
-         {"@", "@24:00", "@02", "@02:60", "2026-02-30 08:00", "2026-11-22", "2026-11-22 :00",
-          "2026-11-22  02:00", "2026-11-22 02:00 ", "2026-11-22X02:00", "2026-13-01 00:00"}) {
+    for (const char* text : {"@", "@24:00", "@02", "@02:60", "2026-02-30 08:00", "2026-11-22", "2026-11-22 :00",
+                             "2026-11-22  02:00", "2026-11-22 02:00 ", "2026-11-22X02:00", "2026-13-01 00:00"}) {
         EXPECT_THROW(options::parse_place(text), Error) << text;
     }
     test::expect_error(ErrorCode::option_value, [] { options::parse_place("2026-02-30 08:00"); },

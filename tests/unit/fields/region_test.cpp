@@ -34,7 +34,7 @@ TEST(Region, PolygonsAreInPixelsOfTheVideo) {
 }
 
 TEST(Region, MaskIsTakenOut) {
-    fields::FieldOptions options{};
+    fields::FieldOptions options{.mask = "0,0 80,0 80,20 0,20; 160,80 200,80 200,100 160,100"};
     const Plane<std::uint8_t> region = fields::make_region(options, field, video);
     EXPECT_EQ(region.at(10, 5), 0) << "the camera's clock";
     EXPECT_EQ(region.at(95, 45), 0);
