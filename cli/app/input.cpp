@@ -15,6 +15,7 @@
 #include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/fields/filter.h"
+#include "core/fields/flow.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/seeds.h"
 #include "core/store/extraction.h"
@@ -202,11 +203,12 @@ video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& sta
 }
 
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
-                                                       const RenderJob& job, const fields::FilterRow& filter) {
+                                                       const RenderJob& job, const fields::FilterRow& filter,
+                                                       bool compares) {
     if (job.seeds.empty()) return fields;
     const fields::SeedOptions& seeds = job.fields.seeds;
     const bool on_object = filter.traits.shows_object && seeds.area->object_alone;
-    return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
+    return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object, compares);
 }
 
 void check_has_end(const video::VideoInfo& info, Observer& observer) {
@@ -229,7 +231,10 @@ OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
     const std::string filter = image::value_of(opened.extracted, setting::filter.name);
     const Choice<fields::FilterRow> of_fields = filter.empty() ? job.fields.filter : Choice<fields::FilterRow>(filter);
-    opened.source = with_listed_seeds(std::move(opened.source), job, *of_fields);
+    // A stored flow may have been replaced after the lists were made.
+    const std::string flow = image::value_of(opened.extracted, setting::flow.name);
+    const bool compares = !flow.empty() && flow != fields::no_flow().name;
+    opened.source = with_listed_seeds(std::move(opened.source), job, *of_fields, compares);
     return opened;
 }
 

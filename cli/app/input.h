@@ -66,8 +66,10 @@ void require_input(const InputOptions& options);
 
 /// Replaces the seeds by those that the job lists, if any.
 /// \param filter of the fields
+/// \param compares as in fields::ListedSeeds
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
-                                                       const RenderJob& job, const fields::FilterRow& filter);
+                                                       const RenderJob& job, const fields::FilterRow& filter,
+                                                       bool compares);
 
 /// Opens a whole clip, or a recording of several files.
 /// \param warnings receives sentences about the input

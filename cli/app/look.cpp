@@ -127,6 +127,7 @@ std::vector<ColourRow> make_rows() {
         {"time", "the time, from the first moment to the last", gl::VolumeColour::time},
     };
     for (const fields::FilterRow& filter : fields::filters()) {
+        if (filter.traits.given) continue;
         const std::string name(filter.name);
         rows.push_back({name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false,
                         false, false, &filter});

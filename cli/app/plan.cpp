@@ -57,7 +57,7 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
         throw Error(ErrorCode::options_conflict,
                     fmt::format("color {} needs flow, but flow {} computes none; use another flow or colour",
-                                asked.name, job.fields.flow.method->name),
+                                asked.name, job.fields.flow.method.name()),
                     {setting::colour.name, setting::flow.name});
     }
     if (&asked != &colour_rows().front()) return asked;

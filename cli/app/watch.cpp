@@ -210,7 +210,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     OpenedFields opened;
     opened.span = job.fields.span;
     opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
-                                      job, *job.fields.filter);
+                                      job, *job.fields.filter, false);
     plan_ = std::make_unique<const Plan>(
         make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream, std::move(detector)));
     fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -23,6 +22,7 @@
 #include "core/base/text.h"
 #include "core/fields/filter.h"
 #include "core/fields/flo_file.h"
+#include "core/fields/frame_files.h"
 #include "core/fields/options.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
@@ -81,38 +81,14 @@ class SeedFolder {
     bool kept_ = false;
 };
 
-/// The number at the end of a file name.
-std::int64_t frame_of(const fs::path& file) {
-    const std::string name = file.stem().string();
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    std::int64_t frame = 0;
-    const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), frame);
-    if (error == std::errc() && digits < name.size()) return frame;
-    throw Error(
-        ErrorCode::input_unsuitable,
-        fmt::format(
-            "'{}': the file name does not end with a frame number; rename the file, for example to frame000012.flo",
-            file.string()));
-}
-
 /// These files have flow only; objects are unknown.
 void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
-    std::map<std::int64_t, fs::path> files;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(job.flow, error)) {
-        if (entry.path().extension() != ".flo") continue;
-        const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
-        if (is_new) continue;
-        throw Error(ErrorCode::file_invalid,
-                    fmt::format("'{}' and '{}' both have the flow of frame {}; remove one of them",
-                                known->second.string(), entry.path().string(), known->first));
-    }
+    const std::map<std::int64_t, fs::path> files = fields::files_by_frame(job.flow, {".flo"});
     if (files.empty()) {
-        const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
-                                       : std::string("is not an extraction and has no .flo files");
-        throw Error(
-            error ? code_of_system_error(error.value()) : ErrorCode::file_not_found,
-            fmt::format("'{}' {}; name a folder of `vvr extract`, or one with .flo files", job.flow.string(), what));
+        throw Error(ErrorCode::file_not_found,
+                    fmt::format("'{}' is not an extraction and has no .flo files; name a folder of `vvr extract`, or "
+                                "one with .flo files",
+                                job.flow.string()));
     }
     const bool magnitude = job.seeds.order == fields::seed_orders().front();
     if (job.seeds.area->object_alone || !magnitude) {

@@ -88,6 +88,8 @@ void check_stream(const app::RenderJob& job) {
     } const refused[] = {
         {std::filesystem::is_directory(job.seeds), "--seeds",
          "a stream can't have one list per frame; use one list for all frames"},
+        {job.fields.flow.method.is_folder(), "--flow " + job.fields.flow.method.name(),
+         "a stream's frames have no flow yet; choose a method"},
         {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference.name(),
          "it needs the whole clip; use running, first or a picture"},
     };

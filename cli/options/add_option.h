@@ -65,9 +65,9 @@ class AddOptions {
     /// The name of a row. Help explains the rows.
     template <class Value, class Rows>
     void operator()(const Setting& setting, Value&& value, const Rows& rows) const {
-        if constexpr (std::is_same_v<std::remove_cvref_t<Value>, fields::ReferenceChoice>) {
+        if constexpr (requires { value.or_file; }) {
             line_.value(group_, setting, name_of(value), [&value](const std::string& text) { value = text; },
-                        {.help = ", or a picture file of it", .values = values_of(line_.fitting(rows))});
+                        {.help = std::string(value.or_file), .values = values_of(line_.fitting(rows))});
         } else {
             add_choice(setting, rows, name_of(value), [&value](const auto& row) { value = row; });
         }

@@ -16,6 +16,7 @@
 #include "core/labels/time_ticks.h"
 #include "core/scene/theme.h"
 #include "core/scene/transfer_function.h"
+#include "core/store/scalar_picture.h"
 
 namespace vvr::options {
 
@@ -110,6 +111,16 @@ void set_value(const Setting& /*setting*/, const std::string& text, std::filesys
 
 std::string value_text(const Setting& /*setting*/, const std::filesystem::path& value) {
     return value.string();
+}
+
+void set_value(const Setting& /*setting*/, const std::string& text,
+               const fields::FieldFolder<fields::FieldOptions>& value) {
+    value.options.given = {text, store::read_scalar};
+    value.options.filter = "given";
+}
+
+std::string value_text(const Setting& /*setting*/, const fields::FieldFolder<const fields::FieldOptions>& value) {
+    return value.options.given.folder;
 }
 
 // ---- Times

@@ -46,6 +46,7 @@ void set_value(const Setting& setting, const std::string& text, video::DayPart& 
 void set_value(const Setting& setting, const std::string& text, archive::DayRule& value);
 void set_value(const Setting& setting, const std::string& text, events::EventChoice& value);
 void set_value(const Setting& setting, const std::string& text, const app::FieldSize<Size>& value);
+void set_value(const Setting& setting, const std::string& text, const fields::FieldFolder<fields::FieldOptions>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanStart<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::SpanEnd<video::FrameSpan>& value);
 void set_value(const Setting& setting, const std::string& text, const app::Radii<space::LayoutOptions>& value);
@@ -93,6 +94,7 @@ std::string value_text(const Setting& setting, const video::DayPart& value);
 std::string value_text(const Setting& setting, const archive::DayRule& value);
 std::string value_text(const Setting& setting, const events::EventChoice& value);
 std::string value_text(const Setting& setting, const app::FieldSize<const Size>& value);
+std::string value_text(const Setting& setting, const fields::FieldFolder<const fields::FieldOptions>& value);
 std::string value_text(const Setting& setting, const app::SpanStart<const video::FrameSpan>& value);
 std::string value_text(const Setting& setting, const app::SpanEnd<const video::FrameSpan>& value);
 std::string value_text(const Setting& setting, const app::Radii<const space::LayoutOptions>& value);
@@ -100,6 +102,9 @@ std::string value_text(const Setting& setting, const app::BackendAndDevice<app::
 
 inline std::string value_text(const Setting& setting, const app::FieldSize<Size>& value) {
     return value_text(setting, app::FieldSize<const Size>{value.value});
+}
+inline std::string value_text(const Setting& setting, const fields::FieldFolder<fields::FieldOptions>& value) {
+    return value_text(setting, fields::FieldFolder<const fields::FieldOptions>{value.options});
 }
 inline std::string value_text(const Setting& setting, const app::SpanStart<video::FrameSpan>& value) {
     return value_text(setting, app::SpanStart<const video::FrameSpan>{value.span});

@@ -43,6 +43,9 @@ class ClipReader {
     std::int64_t last_index() const { return last_index_; }
     double last_pts() const { return last_pts_; }
 
+    /// Whether the clip has no further frame.
+    bool has_ended() const { return has_ended_; }
+
   private:
     std::shared_ptr<video::DecodedFrame> read();
     void seek_to_span();
@@ -57,6 +60,7 @@ class ClipReader {
     std::size_t past_end_ = 0;
     std::int64_t last_index_ = -1;
     double last_pts_ = 0;
+    bool has_ended_ = false;
     std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
     oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
 };
@@ -75,6 +79,7 @@ std::shared_ptr<video::DecodedFrame> ClipReader::read() {
         last_index_ = frame->index;
         last_pts_ = frame->pts;
     }
+    has_ended_ = frame == nullptr;
     return frame;
 }
 
@@ -149,6 +154,22 @@ void validate(const FieldOptions& options) {
     check(setting::flow_every, options.flow.every);
     check(setting::threads, options.threads);
     validate(options.span);
+    const bool draws_given = options.filter->traits.given;
+    if (draws_given && options.given.folder.empty()) {
+        throw Error(
+            ErrorCode::option_needs_another,
+            fmt::format("filter {} needs the folder of the fields; name it with --field DIR", options.filter->name),
+            {setting::filter.name, setting::field.name});
+    }
+    if (!draws_given && !options.given.folder.empty()) {
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("field {}: it replaces the filter, but the filter {} is given too; drop one of the two",
+                                options.given.folder, options.filter->name),
+                    {setting::field.name, setting::filter.name});
+    }
+    // Also where a picture shows no flow: a wrong name must not go unnoticed.
+    if (draws_given) open_field_files(options.given.folder);
+    if (options.flow.method.is_folder()) open_flow_files(options.flow.method.name());
     validate_region(setting::roi.name, options.roi);
     validate_region(setting::mask.name, options.mask);
 }
@@ -287,6 +308,13 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     return frames;
 }
 
+/// \param frames of the whole clip
+/// \throws Error io if a folder has files for more
+void check_no_more_files(const FieldOptions& options, std::int64_t frames) {
+    if (!options.given.folder.empty()) open_field_files(options.given.folder).check_end(frames);
+    if (options.flow.method.is_folder()) open_flow_files(options.flow.method.name()).check_end(frames);
+}
+
 }  // namespace
 
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
@@ -313,6 +341,7 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     const Size decoded = source.info().size;
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, std::int64_t{decoded.width} * decoded.height, sink);
+    if (read.has_ended()) check_no_more_files(options, read.last_index() + 1);
     summary.damaged = source.damaged();
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
@@ -337,7 +366,8 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     options.flow.every_frame = needs.flow_of_every_frame;
     options.full_size = needs.full_size;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
-    if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
+    if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown)
+        options.flow.method = std::string(no_flow().name);
     return compute_fields(*clip_, options, sink, needs.scene, needs.find_living);
 }
 

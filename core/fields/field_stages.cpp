@@ -47,7 +47,8 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
       row_(*first_.row),
       region_(scene.region),
       flow_(make_flow(options.flow)),
-      whole_frame_flow_(is_short(scene.frames) || !options.seeds.area->object_alone) {
+      whole_frame_flow_(is_short(scene.frames) || !options.seeds.area->object_alone ||
+                        options.flow.method.is_folder()) {
     if (options.second != nullptr) second_.emplace(activate(*options.second, options, std::nullopt));
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {
@@ -181,7 +182,10 @@ Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& neighbours, const P
 }
 
 const FlowFrame& FieldStages::prepared(PipelineFrame& shot) const {
-    std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame->grey); });
+    std::call_once(shot.flow_frame_made, [&] {
+        shot.flow_frame = flow_->prepare(shot.frame->grey);
+        shot.flow_frame.index = shot.frame->index;
+    });
     return shot.flow_frame;
 }
 

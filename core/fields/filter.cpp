@@ -127,6 +127,12 @@ Filter make_knn(const FieldOptions&) {
     return background_filter(cv::createBackgroundSubtractorKNN(background_history, squared_distance, false));
 }
 
+Filter make_given(const FieldOptions& options) {
+    return [files = open_field_files(options.given.folder), read = options.given.read](const FilterInput& input) {
+        return read(files.of(input.frame.index), input.frame.grey.size());
+    };
+}
+
 constexpr std::array rows{
     FilterRow{"difference",
               "what differs from the empty scene",
@@ -170,9 +176,17 @@ constexpr std::array rows{
               "OpenCV's background model of nearest neighbours",
               {.colour = true, .in_order = true, .shows_object = true},
               make_knn},
+    FilterRow{"given",
+              "a field of another program, from --field",
+              {.colour = true, .min_area = false, .shows_object = true, .given = true},
+              make_given},
 };
 
 }  // namespace
+
+FrameFiles open_field_files(const std::filesystem::path& folder) {
+    return {"field", folder, {".png", ".exr", ".tif", ".tiff"}};
+}
 
 std::span<const FilterRow> filters() {
     return rows;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string_view>
 
 #include "core/fields/field.h"
+#include "core/fields/frame_files.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
@@ -40,6 +42,7 @@ struct FilterTraits {
     bool min_area = true;       ///< whether small blobs are removed
     bool shows_object = false;  ///< values other than 0 are objects: events and seeds are found in them
     bool darker = false;        ///< needs FilterInput::darker
+    bool given = false;         ///< its values are those of FieldOptions::given
     Values values = Values::strength;
     int threshold = 0;  ///< default of --threshold, in units of the values
     int gain = 1;       ///< factor of the values after the threshold
@@ -53,6 +56,10 @@ struct FilterRow {
     Filter (*make)(const FieldOptions& options);
     std::string_view transfer{};  ///< default transfer function; empty = that of the picture's theme
 };
+
+/// The pictures of scalar fields in a folder, by frame.
+/// \throws Error io if there is none
+FrameFiles open_field_files(const std::filesystem::path& folder);
 
 /// Every filter.
 std::span<const FilterRow> filters();

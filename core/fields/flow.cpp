@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
+#include <utility>
 
 #include "core/base/setting.h"
 #include "core/fields/blobs.h"
@@ -16,6 +18,9 @@ constexpr std::array rows{
     FlowRow{"farneback", "OpenCV's polynomial expansion", make_farneback},
     FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }, true},
 };
+
+/// Chosen by the name of a folder.
+constexpr FlowRow of_folder{"folder", "the .flo files of a folder", make_stored_flow};
 
 constexpr std::int64_t few_frames = 64;
 
@@ -87,7 +92,7 @@ bool is_short(std::int64_t frames) {
 }
 
 bool has_flow(const FlowOptions& options) {
-    return !options.method->is_none;
+    return !options.method.row().is_none;
 }
 
 const FlowRow& no_flow() {
@@ -99,11 +104,21 @@ std::span<const FlowRow> flow_methods() {
 }
 
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
-    return options.method->make(options);
+    return options.method.row().make(options);
 }
 
-const FlowRow& row_of(Name<FlowRow> name) {
-    return choose("flow", name.text, flow_methods());
+FlowChoice::FlowChoice(std::string name) : name_(std::move(name)), row_(&of_folder) {
+    // A folder's name is checked only when its files are needed.
+    const auto* const row = std::ranges::find(rows, name_, &FlowRow::name);
+    if (row != rows.end()) {
+        row_ = row;
+    } else if (name_.find_first_of("./") == std::string::npos && !std::filesystem::exists(name_)) {
+        refuse_choice("flow", name_, names_of(rows), ", or the name of a folder of .flo files");
+    }
+}
+
+bool FlowChoice::is_folder() const {
+    return row_ == &of_folder;
 }
 
 }  // namespace vvr::fields

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/fields/field.h"
+#include "core/fields/frame_files.h"
 #include "core/fields/options.h"
 
 namespace vvr::fields {
@@ -15,6 +17,7 @@ namespace vvr::fields {
 struct FlowFrame {
     Plane<std::uint8_t> grey;
     std::vector<Plane<float>> levels;  ///< the method's planes: smoothed, or the levels of an image pyramid
+    std::int64_t index = 0;            ///< of the frame in the clip
 };
 
 /// A part of a picture: columns x to x + width - 1, rows y to y + height - 1.
@@ -88,6 +91,14 @@ std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options);
 std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options);
 std::unique_ptr<FlowMethod> make_dis(const FlowOptions& options);
 std::unique_ptr<FlowMethod> make_farneback(const FlowOptions& options);
+
+/// The flow of the .flo files in the folder that the method names.
+/// \throws Error io if the folder has none
+std::unique_ptr<FlowMethod> make_stored_flow(const FlowOptions& options);
+
+/// The .flo files of a folder, by frame. The first frame may have none, and so may the last.
+/// \throws Error io if there is none
+FrameFiles open_flow_files(const std::filesystem::path& folder);
 
 /// The settings of a solver of Horn and Schunck's equations.
 struct SolverSettings {

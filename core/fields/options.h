@@ -2,21 +2,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/base/plane.h"
 #include "core/base/setting.h"
 #include "core/video/frame_span.h"
 
 namespace vvr::fields {
 
+struct FlowRow;
 struct ReferenceRow;
 
 // The rows that settings name; each table is in its own header.
 const struct DerivativeRow& row_of(Name<struct DerivativeRow> name);
 const struct FilterRow& row_of(Name<struct FilterRow> name);
-const struct FlowRow& row_of(Name<struct FlowRow> name);
 const struct IlluminationRow& row_of(Name<struct IlluminationRow> name);
 const struct NormRow& row_of(Name<struct NormRow> name);
 const struct SeedAreaRow& row_of(Name<struct SeedAreaRow> name);
@@ -25,9 +27,27 @@ const struct ShadowRow& row_of(Name<struct ShadowRow> name);
 const struct SolverRow& row_of(Name<struct SolverRow> name);
 const struct StabilizerRow& row_of(Name<struct StabilizerRow> name);
 
+/// The source of the flow: a method, or a folder of .flo files.
+class FlowChoice {
+  public:
+    static constexpr std::string_view or_file = ", or a folder of .flo files, one per frame";
+
+    /// \throws Error usage for a name that is neither in the table nor that of a file
+    FlowChoice(std::string name);
+    FlowChoice(const char* name) : FlowChoice(std::string(name)) {}
+
+    const FlowRow& row() const { return *row_; }
+    const std::string& name() const { return name_; }  ///< of the row or the folder
+    bool is_folder() const;
+
+  private:
+    std::string name_;
+    const FlowRow* row_;
+};
+
 /// Options of optical flow (§4.1). Units: field pixels, grey levels 0 to 255.
 struct FlowOptions {
-    Choice<FlowRow> method = "horn-schunck";
+    FlowChoice method = "horn-schunck";
     Choice<SolverRow> solver = "pyramid";
     Choice<DerivativeRow> derivatives = "barron";  ///< for the solver jacobi
     std::optional<double> alpha{};  ///< weight of smoothness (the paper's "λ = 100" is α² = 100); else the solver's
@@ -55,6 +75,8 @@ struct SeedOptions {
 /// The source of the empty scene.
 class ReferenceChoice {
   public:
+    static constexpr std::string_view or_file = ", or a picture file of it";
+
     /// \throws Error usage for a name that is neither in the table nor that of a file
     ReferenceChoice(std::string name);
     ReferenceChoice(const char* name) : ReferenceChoice(std::string(name)) {}
@@ -67,8 +89,18 @@ class ReferenceChoice {
     const ReferenceRow* row_;
 };
 
+/// Reads one 8-bit value per pixel from a picture of this size.
+using ReadScalar = Plane<std::uint8_t>(const std::filesystem::path& file, Size size);
+
+/// Scalar fields that another program has computed.
+struct GivenField {
+    std::string folder{};        ///< with a picture per frame, by the frame's number; empty = none
+    ReadScalar* read = nullptr;  ///< of core/store, which knows pictures
+};
+
 struct FieldOptions {
     Choice<FilterRow> filter = "difference";
+    GivenField given{};                 ///< for the filter "given"
     const FilterRow* second = nullptr;  ///< second filter, with its own default threshold; null = none
     ReferenceChoice reference = "median";
     Choice<NormRow> norm = "channel";                 ///< distance between two colours

@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/fields/settings.h"
 
 namespace vvr::fields {
@@ -181,6 +182,9 @@ std::vector<fs::path> lists_in(const std::string& folder) {
     return files;
 }
 
+/// Lists have as many digits as needed, but others may round them.
+constexpr float rounding = 1e-3F;
+
 /// The value at a point within the plane, by bilinear interpolation.
 float value_at(const Plane<float>& plane, float x, float y) {
     const int left = static_cast<int>(x);
@@ -195,9 +199,21 @@ float value_at(const Plane<float>& plane, float x, float y) {
 
 }  // namespace
 
+const Seed* misfit(const std::vector<Seed>& seeds, const Flow& flow) {
+    const auto differs = [](float a, float b) { return !(std::abs(a - b) <= rounding * (1 + std::abs(b))); };
+    const auto seed = std::ranges::find_if(seeds, [&](const Seed& s) {
+        return differs(s.u, value_at(flow.u, s.x, s.y)) || differs(s.v, value_at(flow.v, s.x, s.y));
+    });
+    return seed == seeds.end() ? nullptr : &*seed;
+}
+
 ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
-                         bool on_object)
-    : fields_(std::move(fields)), min_magnitude_(options.min_magnitude), on_object_(on_object) {
+                         bool on_object, bool compares)
+    : fields_(std::move(fields)),
+      min_magnitude_(options.min_magnitude),
+      on_object_(on_object),
+      compares_(compares),
+      path_(path) {
     if (fs::is_regular_file(path)) {
         shared_ = read_seeds(path);
         check_size(*shared_, path);
@@ -249,14 +265,27 @@ std::vector<Seed> ListedSeeds::shared_seeds(const Field& field) const {
 FieldSummary ListedSeeds::read(const FieldNeeds& needs, const FieldSink& sink) {
     FieldNeeds rest = needs;
     rest.seeds = false;
-    rest.flow = needs.flow || (needs.seeds && shared_);
-    return fields_->read(rest, [&](const video::SharedFrame& frame, Field&& field) {
+    rest.flow = needs.flow || (needs.seeds && (shared_ || compares_));
+    std::int64_t misfits = 0;
+    std::int64_t first = 0;
+    FieldSummary summary = fields_->read(rest, [&](const video::SharedFrame& frame, Field&& field) {
         field.seeds.clear();
         const auto list = lists_.find(field.index);
-        if (needs.seeds && list != lists_.end()) field.seeds = list->second.seeds;
+        if (needs.seeds && list != lists_.end()) {
+            field.seeds = list->second.seeds;
+            if (compares_ && !field.flow.u.empty() && misfit(field.seeds, field.flow) && misfits++ == 0)
+                first = field.index;
+        }
         if (needs.seeds && shared_ && field.index % needs.every == 0) field.seeds = shared_seeds(field);
         sink(frame, std::move(field));
     });
+    if (misfits > 0) {
+        summary.problems.push_back(fmt::format(
+            "'{}': the seeds of {}, the first of them {}, have another flow than '{}', and arrows show that of the "
+            "seeds; for seeds of this flow, run `vvr seeds {} -o LISTS` and give --seeds LISTS",
+            path_, counted(misfits, "frame"), first, info().name, info().name));
+    }
+    return summary;
 }
 
 }  // namespace vvr::fields

@@ -34,6 +34,9 @@ SeedList parse_seeds(std::string_view text, const std::string& name);
 /// \throws Error io as above, or if the file can't be read
 SeedList read_seeds(const std::string& path);
 
+/// The first seed whose flow is not that of the field at its place; null = they all fit.
+const Seed* misfit(const std::vector<Seed>& seeds, const Flow& flow);
+
 /// Fields of any source, with seeds from lists (the external list of §4.2).
 class ListedSeeds final : public FieldSource {
   public:
@@ -41,10 +44,11 @@ class ListedSeeds final : public FieldSource {
     ///        one file, a list that all frames share (§6), whose points count where the frame's own flow is fast enough
     /// \param options of which only the minimum magnitude is used, for shared points
     /// \param on_object whether shared points count only where the frame's scalar isn't 0
+    /// \param compares whether the seeds are compared with the flow of the fields, which is stored
     /// \throws Error io for a folder or file that can't be read, for an invalid list, for two lists of one frame, and
     ///        for a list for fields of another size
     ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
-                bool on_object);
+                bool on_object, bool compares = false);
 
     const video::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
@@ -54,6 +58,7 @@ class ListedSeeds final : public FieldSource {
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
 
+    /// The summary has a problem if seeds have another flow than the fields.
     /// \throws Error usage if a shared list needs flow and none is computed
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
@@ -66,6 +71,8 @@ class ListedSeeds final : public FieldSource {
     std::optional<SeedList> shared_;
     double min_magnitude_;
     bool on_object_;
+    bool compares_;
+    std::string path_;
 };
 
 }  // namespace vvr::fields

@@ -15,6 +15,14 @@
 namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what the scalar field shows"};
+inline constexpr Setting field{
+    .name = "field",
+    .unit = "DIR",
+    .help =
+        "draw your own scalar fields instead of a filter's: a folder with a grey picture (.png, .exr, .tif) for each "
+        "frame, whose name ends in the frame's number, from 0",
+    .may_be_file = true,
+    .not_live_reason = "a stream's frames have no pictures yet"};
 inline constexpr Setting reference{
     .name = "reference", .unit = "NAME", .help = "source of the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{
@@ -30,7 +38,8 @@ inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "use only th
 inline constexpr Setting mask{
     .name = "mask", .unit = "AREA", .help = "ignore this area, for example a clock in the video", .may_be_file = true};
 
-inline constexpr Setting flow{"flow", "NAME", "method of the optical flow"};
+inline constexpr Setting flow{
+    .name = "flow", .unit = "NAME", .help = "method of the optical flow", .may_be_file = true};
 inline constexpr Setting flow_every{
     "flow-every", "FRAMES", "keep flow and seeds of frames whose number is a multiple of this", {1, 1e9}};
 inline constexpr Setting solver{"solver", "NAME", "solver of the method horn-schunck"};
@@ -75,6 +84,14 @@ inline constexpr Setting threads{
 
 namespace vvr::fields {
 
+/// The folder of own scalar fields. Who names one chooses the filter that draws them.
+template <class Options>
+struct FieldFolder {
+    Options& options;
+};
+template <class Options>
+FieldFolder(Options&) -> FieldFolder<Options>;
+
 /// Calls `each` for every setting of SeedOptions with the member that holds its value, and the table if that is the
 /// name of a row. A number whose default depends on another setting has that setting's row, its table and the default
 /// of a row. The command line, the record and the validation follow this list.
@@ -90,6 +107,7 @@ void each_seed_setting(Options& options, const Each& each) {
 /// The same for FieldOptions, without those that commands have in other groups: span, threads and FlowOptions::every.
 template <class Options, class Each>
 void each_field_setting(Options& options, const Each& each) {
+    each(setting::field, FieldFolder{options});  // before the filter, which it must not replace if that is given too
     each(setting::filter, options.filter, filters());
     each(setting::reference, options.reference, reference_kinds());
     each(setting::norm, options.norm, norms());

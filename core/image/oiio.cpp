@@ -4,6 +4,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/error.h"
 #include "core/image/picture_file.h"
@@ -125,6 +126,25 @@ Samples read(const std::filesystem::path& path, std::string_view format,
     return samples;
 }
 
+void read_grey(const std::filesystem::path& path, std::string_view format, Size size, float* values) {
+    const auto input = open(path, format, nullptr);
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.nchannels != 1) {
+        throw Error(ErrorCode::file_invalid,
+                    fmt::format("'{}' has {} channels ({}), not one; write it as a grey picture without alpha",
+                                path.string(), spec.nchannels, fmt::join(spec.channelnames, ", ")));
+    }
+    if (Size{spec.width, spec.height} != size) {
+        throw Error(
+            ErrorCode::file_invalid,
+            fmt::format("'{}' has {}x{} pixels, but the clip's fields have {}x{}; give field-size {}x{}, or "
+                        "scale the pictures",
+                        path.string(), spec.width, spec.height, size.width, size.height, spec.width, spec.height),
+            {"field-size"});
+    }
+    if (!input->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, values)) throw_unreadable(path, input->geterror());
+}
+
 void read_bytes(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values) {
     const auto fail = [&path](const std::string& what, ErrorCode code = ErrorCode::file_invalid) {
         throw Error(code, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
@@ -147,6 +167,7 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
 }  // namespace vvr::image
 
 extern "C" __attribute__((visibility("default"))) const vvr::image::PictureCodec* vvr_picture_codec() {
-    static constexpr vvr::image::PictureCodec codec{vvr::image::encode, vvr::image::read, vvr::image::read_bytes};
+    static constexpr vvr::image::PictureCodec codec{vvr::image::encode, vvr::image::read, vvr::image::read_grey,
+                                                    vvr::image::read_bytes};
     return &codec;
 }

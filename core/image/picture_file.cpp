@@ -62,9 +62,8 @@ std::string_view format_of(const std::filesystem::path& name, std::string_view b
                                           : "the content is not PNG, JPEG, TIFF or OpenEXR; convert the file"));
 }
 
-}  // namespace
-
-Samples read_samples(const std::filesystem::path& path) {
+/// The format of a file, by its first bytes.
+std::string_view format_of_file(const std::filesystem::path& path) {
     check_is_file(path.string(), most_bytes::data);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
@@ -75,7 +74,19 @@ Samples read_samples(const std::filesystem::path& path) {
                            "check its name and permissions");
     }
     const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
-    return picture_codec().read(path, format_of(path, bytes), std::nullopt);
+    return format_of(path, bytes);
+}
+
+}  // namespace
+
+Samples read_samples(const std::filesystem::path& path) {
+    return picture_codec().read(path, format_of_file(path), std::nullopt);
+}
+
+Plane<float> read_grey_samples(const std::filesystem::path& path, Size size) {
+    auto plane = Plane<float>::for_overwrite(size);
+    picture_codec().read_grey(path, format_of_file(path), size, plane.pixels().data());
+    return plane;
 }
 
 Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes) {

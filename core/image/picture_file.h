@@ -34,6 +34,10 @@ struct Samples {
 /// \throws Error io if the file is damaged or has another format, limit if the picture is too large
 Samples read_samples(const std::filesystem::path& path);
 
+/// Reads a picture file with one channel, as above. Its size is checked before its pixels are read.
+/// \throws Error as above, and io if it has another size or several channels
+Plane<float> read_grey_samples(const std::filesystem::path& path, Size size);
+
 /// Reads a picture file in memory.
 /// \param name file name for messages
 /// \throws Error as `read_samples`
@@ -80,6 +84,9 @@ struct PictureCodec {
     /// \throws Error io if it can't be read, limit if the picture is too large
     Samples (*read)(const std::filesystem::path& path, std::string_view format,
                     std::optional<std::span<const std::byte>> bytes);
+    /// Reads a file of this size with one channel into `values`, scaled as Samples::values.
+    /// \throws Error as `read`, and io for another size or several channels
+    void (*read_grey)(const std::filesystem::path& path, std::string_view format, Size size, float* values);
     /// Reads an 8-bit PNG of this size and number of channels into `values`.
     /// \throws Error io for any other file
     void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);

@@ -300,12 +300,20 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
         }
         field.seeds = std::move(list.seeds);
     }
-    if (needs.flow_of_every_frame || (asked && needs.flow)) {
+    if (needs.flow_of_every_frame || (asked && (needs.flow || needs.seeds))) {
         const fs::path file = part.folder / stored::flow_file(frame.index);
         field.flow = fields::read_flo(file.string());
         if (field.flow.u.size() != field_size()) {
             fail(file, fmt::format("it has {}x{} pixels, not {}x{}", field.flow.u.width(), field.flow.u.height(),
                                    field_size().width, field_size().height));
+        }
+        if (const fields::Seed* const seed = fields::misfit(field.seeds, field.flow)) {
+            const std::string folder = part.folder.string();
+            throw Error(ErrorCode::extraction_unsuitable,
+                        fmt::format("'{}': its seeds are not of this flow: one at {}, {} has {}, {}; for seeds of this "
+                                    "flow, run `vvr seeds {} -o LISTS` and give --seeds LISTS",
+                                    file.string(), seed->x, seed->y, seed->u, seed->v, folder),
+                        {setting::seeds.name});
         }
     }
     return field;

@@ -55,6 +55,10 @@ BREAKS = [
           "Shadows.AreNotObjectsAndDarkThingsAre"),
     Break("core/fields/motion.cpp", "if (differ(past_.front().occupancy, past_.back().occupancy)) last_", "if (differ(past_.front().occupancy, past_.back().occupancy) && !last_) last_",
           "MotionDetector.IsToldForAsLongAsSomethingMovesAndASecondMore"),
+    Break("core/fields/frame_files.cpp", "last() < frames", "last() <= frames",
+          "FrameFiles.HaveTheNumbersOfTheirNames"),
+    Break("core/fields/seed_list.cpp", "rounding * (1 + std::abs(b))", "(1 + std::abs(b))",
+          "Seeds.FitTheFlowThatTheyHave"),
     # core/events
     Break("core/events/association.cpp", "if (*most < limit.shared_part * tracks", "if (*most > limit.shared_part * tracks",
           "Associate.LetsTwoShareABlob"),

@@ -5,9 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "core/fields/flo_file.h"
+#include "core/fields/frame_files.h"
 #include "core/fields/seed_list.h"
 #include "tests/support/errors.h"
 #include "tests/support/planes.h"
@@ -108,6 +111,36 @@ TEST(FloFile, SaysWhatIsWrong) {
                            {"f.flo", fact});
     }
     test::expect_error(ErrorCode::file_not_found, [] { fields::read_flo("/nowhere/f.flo"); }, {"'/nowhere/f.flo'"});
+}
+
+TEST(Seeds, FitTheFlowThatTheyHave) {
+    fields::Flow flow{Plane<float>({3, 2}), Plane<float>({3, 2}, -2)};
+    flow.u.at(2, 1) = 4;
+    const std::vector<fields::Seed> seeds{{0, 0, 0, -2}, {2, 1, 4, -2}, {1.5F, 1, 2, -2}};
+    EXPECT_EQ(fields::misfit(seeds, flow), nullptr);
+    flow.v.at(2, 1) = -2.1F;
+    EXPECT_EQ(fields::misfit(seeds, flow), &seeds[1]);
+    flow.v.at(2, 1) = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(fields::misfit(seeds, flow), &seeds[1]);
+    EXPECT_EQ(fields::misfit({}, flow), nullptr);
+}
+
+TEST(FrameFiles, HaveTheNumbersOfTheirNames) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("vvr-frame-files-" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    for (const char* const name : {"007.flo", "flow_8.FLO", "9", "x.txt"}) std::ofstream(folder / name).put(' ');
+    const fields::FrameFiles files("flow", folder, {".flo"});
+    EXPECT_EQ(files.of(7), folder / "007.flo");
+    EXPECT_EQ(files.of(8), folder / "flow_8.FLO");
+    EXPECT_EQ(files.find(9), nullptr);
+    EXPECT_EQ(files.last(), 8);
+    files.check_end(9);
+    test::expect_error(ErrorCode::file_not_found, [&] { files.of(9); }, {"flow", "frame 9", "'007.flo'"});
+    test::expect_error(ErrorCode::file_invalid, [&] { files.check_end(8); }, {"flow_8.FLO", "frame 7"});
+    std::ofstream(folder / "99999999999999999999.flo").put(' ');
+    test::expect_error(ErrorCode::input_unsuitable, [&] { fields::files_by_frame(folder, {".flo"}); });
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace
