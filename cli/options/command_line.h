@@ -112,13 +112,16 @@ class CommandLine {
     void value(Group group, const Setting& setting, const std::string& shown,
                const std::function<void(const std::string&)>& set, const OptionExtra& extra = {});
 
-    /// The rows that this command can have: for streams, none that need the whole clip.
+    /// The rows that this command can have: for streams, none that need the whole clip, or files for its frames.
     template <class Rows>
     auto fitting(const Rows& rows) const {
         std::vector<std::remove_cvref_t<decltype(*std::begin(rows))>> kept;
         for (const auto& row : rows) {
             if constexpr (requires { row.needs_whole_clip; }) {
                 if (for_streams_ && row.needs_whole_clip) continue;
+            }
+            if constexpr (requires { row.traits.given; }) {
+                if (for_streams_ && row.traits.given) continue;
             }
             kept.push_back(row);
         }

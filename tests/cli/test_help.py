@@ -80,7 +80,8 @@ def sample(option):
 TOGETHER = {  # options that are for other outputs, or go with others
     "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--bless": ["--golden", "golden.png"],
     "--write": ["-o", "out"], "--day-begins": ["--per", "day"],
-    "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
+    "--filter": ["--color", "transfer"], "--filter=given": ["--color", "transfer", "--field", "fields"],
+    "--color": ["--flow", "dis"], "--reference": [],
 }
 
 
@@ -97,6 +98,8 @@ def test_help_lists_only_what_the_command_accepts(t, command):
     if example is None:
         return
     t.clip()
+    t.path("fields").mkdir()
+    t.write("fields/000000.png", "")
     missing = "missing" if command == "archive" else "missing.avi"
     # What render has in the same words is looked at there.
     commands = t.help()
@@ -114,7 +117,7 @@ def test_help_lists_only_what_the_command_accepts(t, command):
 
     def check_accepted(options):
         """All at once, or, as some exclude each other, one half after the other."""
-        beside = [word for option, in options for word in together.get(option.partition("=")[0], [])]
+        beside = [word for option, in options for word in together.get(option, together.get(option.partition("=")[0], []))]
         needs = [] if "-o" in beside else example  # a run has one -o
         done = t.vvr(command, missing, *needs, *beside, *(option for option, in options))
         # --write index reads no clips.

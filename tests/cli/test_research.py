@@ -85,7 +85,7 @@ def test_fields_have_the_numbers_of_the_clips_frames(t):
     same_pixels(t, "part.png", "whole.png")
     t.render("clip.mkv", "--field", "part/scalar").expect(2, "of frame", "10", "'000010.png'", "'000019.png'", code="file-not-found")
     t.write("data/scalar/000040.png", t.path("data/scalar/000039.png").read_bytes())
-    t.render("clip.mkv", "--field", "data/scalar", "--end", "40f").expect(0)
+    t.render("clip.mkv", "--field", "data/scalar", "--end", "30f").expect(0)
     t.render("clip.mkv", "--field", "data/scalar", output="none.png").expect(
         2, "--field", "000040.png'", "frame 40", "frame 39", code="file-invalid")
     check(not t.path("none.png").exists(), "a picture was written")
