@@ -200,7 +200,7 @@ float value_at(const Plane<float>& plane, float x, float y) {
 }  // namespace
 
 const Seed* misfit(const std::vector<Seed>& seeds, const Flow& flow) {
-    const auto differs = [](float a, float b) { return !(std::abs(a - b) <= rounding * (1 + std::abs(b))); };
+    const auto differs = [](float a, float b) { return !(std::abs(a - b) <= rounding * (1 + std::abs(a))); };
     const auto seed = std::ranges::find_if(seeds, [&](const Seed& s) {
         return differs(s.u, value_at(flow.u, s.x, s.y)) || differs(s.v, value_at(flow.v, s.x, s.y));
     });

@@ -57,7 +57,7 @@ BREAKS = [
           "MotionDetector.IsToldForAsLongAsSomethingMovesAndASecondMore"),
     Break("core/fields/frame_files.cpp", "last() < frames", "last() <= frames",
           "FrameFiles.HaveTheNumbersOfTheirNames"),
-    Break("core/fields/seed_list.cpp", "rounding * (1 + std::abs(b))", "(1 + std::abs(b))",
+    Break("core/fields/seed_list.cpp", "rounding * (1 + std::abs(a))", "(1 + std::abs(a))",
           "Seeds.FitTheFlowThatTheyHave"),
     # core/events
     Break("core/events/association.cpp", "if (*most < limit.shared_part * tracks", "if (*most > limit.shared_part * tracks",
