@@ -115,12 +115,13 @@ std::string value_text(const Setting& /*setting*/, const std::filesystem::path& 
 
 void set_value(const Setting& /*setting*/, const std::string& text,
                const fields::FieldFolder<fields::FieldOptions>& value) {
-    value.options.given = {text, store::read_scalar};
+    value.options.given_folder = text;
+    value.options.read_given = store::read_scalar;
     value.options.filter = "given";
 }
 
 std::string value_text(const Setting& /*setting*/, const fields::FieldFolder<const fields::FieldOptions>& value) {
-    return value.options.given.folder;
+    return value.options.given_folder;
 }
 
 // ---- Times

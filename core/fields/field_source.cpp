@@ -155,20 +155,20 @@ void validate(const FieldOptions& options) {
     check(setting::threads, options.threads);
     validate(options.span);
     const bool draws_given = options.filter->traits.given;
-    if (draws_given && options.given.folder.empty()) {
+    if (draws_given && options.given_folder.empty()) {
         throw Error(
             ErrorCode::option_needs_another,
             fmt::format("filter {} needs the folder of the fields; name it with --field DIR", options.filter->name),
             {setting::filter.name, setting::field.name});
     }
-    if (!draws_given && !options.given.folder.empty()) {
+    if (!draws_given && !options.given_folder.empty()) {
         throw Error(ErrorCode::options_conflict,
                     fmt::format("field {}: it replaces the filter, but the filter {} is given too; drop one of the two",
-                                options.given.folder, options.filter->name),
+                                options.given_folder, options.filter->name),
                     {setting::field.name, setting::filter.name});
     }
     // Also where a picture shows no flow: a wrong name must not go unnoticed.
-    if (draws_given) open_field_files(options.given.folder);
+    if (draws_given) open_field_files(options.given_folder);
     if (options.flow.method.is_folder()) open_flow_files(options.flow.method.name());
     validate_region(setting::roi.name, options.roi);
     validate_region(setting::mask.name, options.mask);
@@ -311,7 +311,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
 /// \param frames of the whole clip
 /// \throws Error io if a folder has files for more
 void check_no_more_files(const FieldOptions& options, std::int64_t frames) {
-    if (!options.given.folder.empty()) open_field_files(options.given.folder).check_end(frames);
+    if (!options.given_folder.empty()) open_field_files(options.given_folder).check_end(frames);
     if (options.flow.method.is_folder()) open_flow_files(options.flow.method.name()).check_end(frames);
 }
 

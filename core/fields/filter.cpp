@@ -128,7 +128,7 @@ Filter make_knn(const FieldOptions&) {
 }
 
 Filter make_given(const FieldOptions& options) {
-    return [files = open_field_files(options.given.folder), read = options.given.read](const FilterInput& input) {
+    return [files = open_field_files(options.given_folder), read = options.read_given](const FilterInput& input) {
         return read(files.of(input.frame.index), input.frame.grey.size());
     };
 }

@@ -92,15 +92,10 @@ class ReferenceChoice {
 /// Reads one 8-bit value per pixel from a picture of this size.
 using ReadScalar = Plane<std::uint8_t>(const std::filesystem::path& file, Size size);
 
-/// Scalar fields that another program has computed.
-struct GivenField {
-    std::string folder{};        ///< with a picture per frame, by the frame's number; empty = none
-    ReadScalar* read = nullptr;  ///< of core/store, which knows pictures
-};
-
 struct FieldOptions {
     Choice<FilterRow> filter = "difference";
-    GivenField given{};                 ///< for the filter "given"
+    std::string given_folder{};         ///< for the filter "given": a picture per frame, by the frame's number
+    ReadScalar* read_given = nullptr;   ///< of core/store, which knows pictures
     const FilterRow* second = nullptr;  ///< second filter, with its own default threshold; null = none
     ReferenceChoice reference = "median";
     Choice<NormRow> norm = "channel";                 ///< distance between two colours
