@@ -198,7 +198,11 @@ video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& sta
     const WallClock clock = clock_of(start, info);
     const video::FrameSpan resolved = video::resolve(span, clock, info);
     const std::string times = video::day_times_of(resolved, clock, info);
-    if (!times.empty()) day_times = fmt::format("'{}': {}", info.name, times);
+    if (!times.empty()) {
+        const bool counted = span.asked == video::RequestedSpan{};
+        day_times = fmt::format("'{}': {}{}", info.name, times,
+                                counted ? "; counted from the first frame; a time of day is written @02:00" : "");
+    }
     return resolved;
 }
 

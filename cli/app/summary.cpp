@@ -46,6 +46,16 @@ std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation
         seen.info.name, scraps->at.seconds);
 }
 
+/// A note if there are too few frames per second to see how a thing was put down.
+std::optional<std::string> advice_on_rate(const Observation& seen) {
+    constexpr double enough = 4.5;  // frames per second; with 5, a bag was found as with 30, with 2 it was not
+    const double rate = seen.info.rate;
+    if (!seen.events || rate <= 0 || rate >= enough) return std::nullopt;
+    return fmt::format(
+        "'{}' has {:.3g} frames per second; with fewer than 5, vvr may miss things that were left behind or taken",
+        seen.info.name, rate);
+}
+
 /// The classes of the events, the most frequent first: " (3 person, 1 car)". Empty without a detector.
 std::string classes_of(const std::vector<events::Event>& events) {
     std::map<std::string_view, std::int64_t> counts;
@@ -89,6 +99,7 @@ std::string events_summary(const std::vector<events::Event>& events, const WallC
 std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     std::vector<std::string> advice;
     if (auto text = advice_on_clutter(plan, seen)) advice.push_back(std::move(*text));
+    if (auto text = advice_on_rate(seen)) advice.push_back(std::move(*text));
     return advice;
 }
 

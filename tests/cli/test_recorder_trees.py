@@ -72,8 +72,9 @@ def test_cameras_of_one_folder_are_several_days(t):
     for command in (["render", "in", "-o", "x.png"], ["extract", "in", "-o", "data"], ["inspect", "in", "--frame", "0", "-o", "i.png"]):
         t.vvr(*command).expect(1, "'in'", "2 cameras", "back-door, front-door", "'in/back-door*.avi'", "--join", code="recording-mixed")
     out = t.archive("in", "-o", "out", "--per", "day", "--dry-run").expect(0, out=None).out
-    check("new             back-door/2026-11-21\n                  back-door_2026-11-21_20-00-00.avi  camera back-door, "
-          "2026-11-21 20:00:00 by file name (a date and a time)\nnew             front-door/2026-11-21\n" in out, out)
+    for camera in CAMERAS:
+        check(f"new             {camera}/2026-11-21\n                  {camera}_2026-11-21_20-00-00.avi  camera {camera}, "
+              "2026-11-21 20:00:00 by file name (a date and a time)\n" in out, out)
     # All the same as one: then what is dropped is named.
     t.vvr("render", "in", "--join", "-o", "x.png", "--size", "160x100").expect(
         6, "1 file", "'in/front-door_2026-11-21_20-00-00.avi'", "10 frames", "2.0 s", code="partial")
