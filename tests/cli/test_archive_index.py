@@ -61,7 +61,7 @@ def test_index_lists_by_day_and_camera(t):
     t.write("out/gate/b.avi.html", "<title>the page of b</title>")
     with opened(t) as page:
         check(page.texts("#days h2") == ["Saturday, 2026-11-21", "Friday, 2026-11-20"], str(page.texts("#days h2")))
-        check(page.texts("#days h3") == ["(top folder) · 1", "gate · 1", "hall · 2", "gate · 1"], str(page.texts("#days h3")))
+        check(page.texts("#days h3") == ["(top folder) · 1 clip", "gate · 1 clip", "hall · 2 clips", "gate · 1 clip"], str(page.texts("#days h3")))
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
         check(page.texts(".card .first b") == ["07:30:00", "07:00:00", "08:00:00", "06:10:00", "12:00:00"], str(page.texts(".card .first b")))
         check(page.texts(".badge") == ["no events", "1 event", "damaged", "2 events"], str(page.texts(".badge")))
