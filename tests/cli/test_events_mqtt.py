@@ -36,8 +36,10 @@ class Broker:
                 break
             except OSError:
                 time.sleep(0.05)
-        self.subscriber = subprocess.Popen(["mosquitto_sub", "-h", "127.0.0.1", "-p", str(self.port), "-t", "vvr/#", "-v", "-C",
-                                            str(self.messages), "-W", "60", "-d"], stdout=subprocess.PIPE, text=True)
+        # Line by line: else nothing is heard of it before it ends.
+        self.subscriber = subprocess.Popen(
+            ["stdbuf", "-oL", "mosquitto_sub", "-h", "127.0.0.1", "-p", str(self.port), "-t", "vvr/#", "-v", "-C",
+             str(self.messages), "-W", "60", "-d"], stdout=subprocess.PIPE, text=True)
         for line in self.subscriber.stdout:  # until the broker has confirmed it
             if "SUBACK" in line:
                 break
