@@ -198,7 +198,7 @@ def test_page_plays_the_pieces_of_its_events_when_the_clip_is_gone(t):
     t.path("in/gate/2026-11-21_20-00-00.mp4").unlink()
     with Page(t, page_name) as page:
         page.wait("a film is open", "return film !== null")
-        check(page.source() == "the clip is missing or can’t be played here, so this is the pieces that were kept of its events", page.source())
+        check(page.source() == "the clip is not where it was, so this is the pieces that were kept of its events", page.source())
         events = page.run("return data.events.map(({first, last}) => [first, last])")
         begins = page.run("return data.pieces.map(([, begin]) => begin)")
         check(len(events) == 2 and len(begins) == 2, f"{events} {begins}")
