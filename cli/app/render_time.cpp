@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <utility>
 
-#include "cli/app/input.h"
 #include "cli/app/observer.h"
 #include "cli/app/render.h"
 

@@ -113,10 +113,12 @@ Json json_of(const std::optional<events::Portrait>& portrait, const VideoScale& 
 }
 
 Json json_of(const events::Evidence& evidence) {
-    return {{"difference", rounded(evidence.difference)},
-            {"edges", rounded(evidence.edges)},
-            {"scene_edges", rounded(evidence.scene_edges)},
-            {"thickness", rounded(evidence.thickness)},
+    // Every region that differs has some thickness.
+    const auto compared = [&](double value) { return evidence.thickness > 0 ? Json(rounded(value)) : Json(); };
+    return {{"difference", compared(evidence.difference)},
+            {"edges", compared(evidence.edges)},
+            {"scene_edges", compared(evidence.scene_edges)},
+            {"thickness", compared(evidence.thickness)},
             {"alone", rounded(evidence.alone)},
             {"moved", rounded(evidence.moved)},
             {"novelty", rounded(evidence.novelty)},

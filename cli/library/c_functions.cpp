@@ -75,9 +75,14 @@ int keep_error(vvr_rendering& rendering, const Action& action) {
         rendering.status = status_of(failure.kind());
         rendering.code = failure.code();
         rendering.text = failure.what();
-    } catch (...) {
+    } catch (const std::bad_alloc&) {
         rendering.status = VVR_LIMIT;
         rendering.code = "out-of-memory";
+        rendering.text = "out of memory";  // short enough to need none
+    } catch (...) {                        // of a callback in C++, which C could not see
+        rendering.status = VVR_USAGE;
+        rendering.code = "usage";
+        rendering.text = "a callback has thrown an exception; return 0 from it instead";
     }
     return rendering.status;
 }
@@ -162,15 +167,15 @@ void vvr_free(vvr_rendering* rendering) {
 }
 
 int vvr_status_of(const vvr_rendering* rendering) {
-    return rendering->status;
+    return rendering == nullptr ? VVR_LIMIT : rendering->status;
 }
 
 const char* vvr_error_code(const vvr_rendering* rendering) {
-    return rendering->code;
+    return rendering == nullptr ? "out-of-memory" : rendering->code;
 }
 
 const char* vvr_error_text(const vvr_rendering* rendering) {
-    return rendering->text.c_str();
+    return rendering == nullptr ? "out of memory" : rendering->text.c_str();
 }
 
 const float* vvr_image(const vvr_rendering* rendering, int* width, int* height) {

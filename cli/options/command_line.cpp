@@ -10,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/options/help.h"
 #include "cli/options/presets.h"
+#include "cli/options/unknown_option.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
@@ -58,29 +59,6 @@ HelpOption help_of(Group group, const Setting& setting, const std::string& shown
             .values = extra.values,
             .file = file_use(setting, extra)};
 }
-
-/// Options of other programs that people try here, and the equivalent.
-constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
-    {"-i", "give an input without an option: vvr COMMAND FILE"},
-    {"-ss", "use --start TIME"},
-    {"-st", "use --start TIME"},
-    {"-to", "use --end TIME"},
-    {"-et", "use --end TIME"},
-    {"-t", "use --start TIME and --end TIME"},
-    {"-r", "use --rate FPS, for input without times"},
-    {"-framerate", "use --rate FPS, for input without times"},
-    {"-y", "vvr replaces outputs without asking"},
-    {"-threads", "use --threads COUNT"},
-    {"--frame-rate", "use --rate FPS, for input without times"},
-    {"--resolution", "use --size WxH"},
-    {"--colormap", "use --transfer NAME"},
-    {"--background-color", "use --background COLOR"},
-    {"-R", "use --roi FILE"},
-    {"--add-region", "use --roi AREA"},
-    {"--load-region", "use --roi FILE"},
-    {"--min-event-length", "use --events TIME"},
-    {"--frame-skip", "use --step FRAMES; vvr skips none, frames share a layer"},
-};
 
 /// Whether the arguments contain an option.
 bool is_given(const CLI::Option& option, std::span<const std::string> all) {
@@ -254,31 +232,17 @@ std::span<const std::string> CommandLine::parsed() const {
 }
 
 /// The camera of the first input, which need not be that of an archive: it may have more folders in front.
-namespace {
-
-/// A clip in a folder or below it, whose folders may name the camera; a name for one where there is none.
-std::filesystem::path first_clip_in(std::filesystem::path path) {
-    std::error_code none;
-    constexpr int deepest = 16;
-    for (int depth = 0; depth < deepest && std::filesystem::is_directory(path, none); ++depth) {
-        std::filesystem::path first;
-        for (const auto& entry : std::filesystem::directory_iterator(path, none)) {
-            const bool is_wanted = entry.is_directory(none) || video::is_video_name(entry.path().filename().string());
-            if (is_wanted && (first.empty() || entry.path() < first)) first = entry.path();
-        }
-        path = first.empty() ? path / "clip" : first;
-    }
-    return path;
-}
-
-}  // namespace
-
 std::string CommandLine::camera_of_input(const std::vector<std::string>& patterns) const {
     const std::vector<std::string> inputs = impl_->app.get_option("INPUT")->results();
     if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
     std::error_code none;
-    const std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
-    return video::RecorderNames(patterns).camera_of(first_clip_in(path).string());
+    std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
+    // Folders below the input may name the camera too.
+    if (std::filesystem::is_directory(path, none)) {
+        const std::vector<std::string> clips = video::video_files_in(path);
+        path = clips.empty() ? path / "clip" : std::filesystem::path(*std::ranges::min_element(clips));
+    }
+    return video::RecorderNames(patterns).camera_of(path.string());
 }
 
 void CommandLine::refuse_unknown_camera() const {
@@ -421,13 +385,7 @@ void CommandLine::refuse_leftovers() const {
         if (name != fmt::format("--{}", setting.name)) continue;
         throw Error(ErrorCode::option_unknown, fmt::format("{}: {}", name, setting.not_live_reason));
     }
-    const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
-    if (elsewhere != std::end(options_elsewhere)) {
-        throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
-                                                           elsewhere->second, app.get_name()));
-    }
-    throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
-                                                       did_you_mean(name, option_names(app)), app.get_name()));
+    throw unknown_option(name, option_names(app), app.get_name());
 }
 
 std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {

@@ -42,7 +42,7 @@ struct FilterTraits {
     bool min_area = true;       ///< whether small blobs are removed
     bool shows_object = false;  ///< values other than 0 are objects: events and seeds are found in them
     bool darker = false;        ///< needs FilterInput::darker
-    bool given = false;         ///< its values are those of FieldOptions::given
+    bool given = false;         ///< its values are those of FieldOptions::given_folder
     Values values = Values::strength;
     int threshold = 0;  ///< default of --threshold, in units of the values
     int gain = 1;       ///< factor of the values after the threshold

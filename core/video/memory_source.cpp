@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -37,13 +36,8 @@ constexpr std::array pixel_orders{
     PixelOrderRow{PixelOrder::bgra, "bgra", AV_PIX_FMT_BGRA, 4},
 };
 
-/// \throws Error usage, as callers can pass any number
 const PixelOrderRow& row_of(PixelOrder order) {
-    const auto found = std::ranges::find(pixel_orders, order, &PixelOrderRow::order);
-    if (found != pixel_orders.end()) return *found;
-    throw Error(ErrorCode::input_unsuitable,
-                fmt::format("frames in memory: there is no pixel format {}; choose gray, rgb, bgr, rgba or bgra",
-                            static_cast<int>(order)));
+    return *std::ranges::find(pixel_orders, order, &PixelOrderRow::order);
 }
 
 AvFrame copy_of(const MemoryFrame& frame, Size size, const PixelOrderRow& row) {
@@ -75,7 +69,6 @@ MemorySource::MemorySource(MemoryFrames frames, const SourceOptions& options)
                                 frames_.name, size.width, size.height, frames_.rate, frames_.frames,
                                 frames_.read ? "" : ", nothing to read them with"));
     }
-    row_of(frames_.order);
     if (std::int64_t{size.width} * size.height > av::max_pixels) {
         throw Error(ErrorCode::picture_too_large,
                     fmt::format("{}: {}x{} pixels are more than the limit of {} megapixels; pass smaller frames",

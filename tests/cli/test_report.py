@@ -235,3 +235,12 @@ def test_a_carried_bag_is_left_although_scraps_come_when_it_is_fetched(t):
     t.vvr("render", "bag.avi", "--report", "r.json").expect(0, out=None)
     left = [event for event in json.loads(t.path("r.json").read_text())["events"] if event["kind"] == "left"]
     check(len(left) == 1 and abs(left[0]["last"]["seconds"] - 39.3) < 1 and left[0]["evidence"]["confidence"] > 0.8, f"{left}")
+
+
+def test_report_names_a_rate_that_is_too_low_for_things(t):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    for rate, count in ((2, 1), (5, 0)):
+        t.ffmpeg("-i", "bag.y4m", "-vf", f"fps={rate}", "-c:v", "mpeg4", "-q:v", "2", f"{rate}.avi")
+        said = t.vvr("render", f"{rate}.avi", "--report", "r.json").expect(0, out=None)
+        advice = [text for text in t.json("r.json")["advice"] if "fewer than 5" in text]
+        check(len(advice) == count == said.err.count("2 frames per second; with fewer than 5"), f"{advice} {said}")

@@ -95,7 +95,7 @@ __attribute__((visibility("default"))) struct vvr_rendering* vvr_render_frames(c
 __attribute__((visibility("default"))) void vvr_free(struct vvr_rendering* rendering);
 
 /* The error of the last function that got this rendering: enum vvr_status, its code, and a text. "" without an error.
- */
+   NULL counts as a rendering for which there was no memory; the functions below need another one. */
 __attribute__((visibility("default"))) int vvr_status_of(const struct vvr_rendering* rendering);
 __attribute__((visibility("default"))) const char* vvr_error_code(const struct vvr_rendering* rendering);
 __attribute__((visibility("default"))) const char* vvr_error_text(const struct vvr_rendering* rendering);

@@ -107,7 +107,7 @@ TEST(BagOfTwo, IsLeftByOneAndTakenByTheOther) {
     }
 }
 
-/// Every so many of 25 frames a second.
+/// A scene of 25 frames per second from which only every n-th frame is taken; n is the parameter.
 class LowRate : public testing::TestWithParam<int> {
   protected:
     /// The scene at this rate, from two different frames on.

@@ -55,6 +55,9 @@ TEST(RequestedTime, IsASecondOfTheClip) {
               "2026-11-21 22:00:00 to the end at 2026-11-22 08:00:00 (by file name)")
         << "what 02:00:00 without an @ means";
     EXPECT_EQ(video::day_times_of(offset, std::nullopt, night()), "");
+    EXPECT_EQ(video::day_times_of({.start = offset.start, .end = 1e6}, clock_of(evening), night()),
+              video::day_times_of({.start = offset.start}, clock_of(evening), night()))
+        << "nothing is read after the end";
     EXPECT_EQ(video::resolve(asked(video::RequestedTime{evening - 60, true, ""}), clock_of(evening), night()).start, 0)
         << "before it begins is its beginning";
 }
