@@ -112,6 +112,7 @@ ReportedEvents read_events(const std::filesystem::path& report) {
         ReportedEvents events{files_of(json), {}, settings_of(json)};
         for (const Json& event : json["events"])
             events.events.push_back(event_of(event, std::ssize(events.events) + 1));
+        if (const Json camera = json.at("input").value("camera", Json()); camera.is_string()) events.camera = camera;
         if (events.files.empty())
             refuse(
                 report,

@@ -45,6 +45,7 @@ struct ReportedEvents {
     std::vector<ReportedFile> files;
     std::vector<PieceEvent> events;
     image::Metadata settings{};  ///< of the run that wrote the report
+    std::string camera{};        ///< empty = unknown
 };
 
 /// Reads the events from a report of `vvr render --report`.

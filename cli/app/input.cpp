@@ -21,6 +21,7 @@
 #include "core/store/extraction.h"
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 
 namespace vvr::app {
 
@@ -41,6 +42,14 @@ std::string shown_name(const std::string& input) {
 std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
     if (!asked.empty()) return asked;
     return clip.title.empty() ? shown_name(clip.name) : clip.title;
+}
+
+std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
+    if (!job.output.page_camera.empty()) return job.output.page_camera;
+    // Frames from memory have no file, and an extraction does not keep its clip's camera.
+    if (job.input.names.empty() || store::is_data_folder(job.input.names.front())) return {};
+    if (!info.segments.empty()) return info.title;
+    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.name_patterns)).camera;
 }
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
@@ -183,6 +192,7 @@ const std::string& only_input(const InputOptions& options) {
 std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
                                               std::vector<std::string>& warnings) {
     require_input(options);
+    warnings.insert(warnings.end(), options.problems.begin(), options.problems.end());
     video::SourceOptions source;
     source.field_size = options.field_size;
     source.colour = colour;

@@ -227,10 +227,11 @@ std::string classes_text(const Observation& seen) {
     return text;
 }
 
-Json json_of_clip(const video::VideoInfo& info, const WallClock& clock) {
+Json json_of_clip(const video::VideoInfo& info, const WallClock& clock, const std::string& camera) {
     const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
     const auto [recorded, recorded_by] = recorded_at(info, clock);
     Json json{{"name", info.name},
+              {"camera", camera.empty() ? Json() : Json(camera)},
               {"container", info.container},
               {"codec", info.codec},
               {"width", info.size.width},
@@ -263,7 +264,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     Json json{
         {"report", format_version},
         {"vvr", version()},
-        {"input", json_of_clip(info, plan.clock)},
+        {"input", json_of_clip(info, plan.clock, camera_of(plan.job, info))},
         {"frames", {{"used", seen.summary.frames}, {"damaged", seen.summary.damaged}}},
         {"span", {{"first", rounded(first)}, {"last", rounded(last)}, {"seconds", rounded(last - first)}}},
         {"field", {{"width", field.width}, {"height", field.height}}},

@@ -205,7 +205,8 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     }
     if (options_.camera.empty()) {
         const video::RecorderNames names(job.input.name_patterns);
-        options_.camera = job.look.title.empty() && is_file ? names.camera_of(name) : job.look.title;
+        options_.camera =
+            job.look.title.empty() && is_file ? video::segment_from_name(name, names).camera : job.look.title;
     }
     OpenedFields opened;
     opened.span = job.fields.span;

@@ -119,11 +119,10 @@ page::PageIndex index_of(const fs::path& page, const fs::path& index) {
     return {page::relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
 }
 
-/// The camera from the archive or the clip's name; empty = unknown.
-std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
-    if (!job.output.page_camera.empty()) return job.output.page_camera;
-    if (!job.look.title.empty() || !info.segments.empty()) return {};  // the title already has it
-    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.name_patterns)).camera;
+/// The camera to show on the page; empty if it is unknown, or in the title already.
+std::string page_camera_of(const RenderJob& job, const video::VideoInfo& info) {
+    const bool titled = !job.look.title.empty() || !info.segments.empty();
+    return job.output.page_camera.empty() && titled ? std::string() : camera_of(job, info);
 }
 
 /// The file name to show in small print; empty if the page already shows it.
@@ -156,7 +155,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     const std::string& input = job.input.names.front();
     page::PageContent content;
     content.name = plan.title;
-    content.camera = camera_of(job, seen.info);
+    content.camera = page_camera_of(job, seen.info);
     content.heading = job.output.page_heading;
     content.file = file_name_of(job, content);
     for (const video::SegmentPlace& segment : seen.info.segments) {

@@ -73,7 +73,10 @@ constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own cl
 void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& archive,
                          std::optional<std::pair<int, int>>& part) {
     const options::AddOptions add(line, options::Group::archive);
-    add(text::output, archive.out, {.letter = 'o', .help = fmt::format("{}; created if missing", archive::index_name)});
+    add(text::output, archive.out,
+        {.letter = 'o',
+         .help = fmt::format("{}; created if missing", archive::index_name),
+         .use = options::FileUse::filled});
     add(text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
     add(text::exclude, archive.exclude);
     add(text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
@@ -165,6 +168,19 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
     return hex_sha256(text);
 }
 
+/// Refuses folders of fields, flows or seeds: they are of one clip.
+void refuse_folders_of_one_clip(const options::CommandLine& line) {
+    for (const options::OptionValue& value : line.given(options::picture_groups)) {
+        std::error_code none;
+        if (!value.may_be_file || !std::filesystem::is_directory(value.value, none)) continue;
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("--{}: the folder '{}' belongs to one clip and can't fit all clips of an archive; draw "
+                                "its clip with: vvr render CLIP --{} '{}'",
+                                value.name, value.value, value.name, value.value),
+                    {value.name});
+    }
+}
+
 class Archive final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
@@ -216,6 +232,7 @@ class Archive final : public Command {
     /// What pictures are drawn with, after a check.
     workers::PictureSettings pictures_of(const options::CommandLine& line) {
         options::finish(line, job_, false);
+        refuse_folders_of_one_clip(line);
         if (options_.draws()) {
             app::validate(job_);
             const fields::FilterRow& filter = *job_.fields.filter;

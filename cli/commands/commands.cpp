@@ -110,7 +110,7 @@ cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environ
         return run_with(find_command(arguments[1]), std::span(&asked, 1), environment);
     }
     if (name == "--help" || name == "-h" || name == "help") return print_help(arguments.subspan(1));
-    if (name == "--version" || name == "-V" || name == "version") {
+    if (name == "--version" || name == "-V" || name == "-v" || name == "version") {
         cli::print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return cli::ExitStatus::done;
     }

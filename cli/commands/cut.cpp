@@ -70,6 +70,7 @@ struct Selection {
     std::vector<video::SegmentPlace> places;
     std::optional<app::PieceEvent> event{};
     image::Metadata settings{};  ///< with which the event was found
+    std::string camera{};        ///< of the report; empty = unknown
 };
 
 // ---- An event
@@ -114,7 +115,8 @@ Selection read_event(const CutJob& job, const app::Footage& footage) {
     const app::PieceEvent& event = choose_event(job, reported.events, job.report.string());
     const auto number = static_cast<std::size_t>(*job.event - 1);
     return {app::span_around(event.first, event.last, job.margin),
-            app::place_by_report(footage, reported, number, job.margin, job.report.string()), event, reported.settings};
+            app::place_by_report(footage, reported, number, job.margin, job.report.string()), event, reported.settings,
+            reported.camera};
 }
 
 // ---- Between two times
@@ -311,7 +313,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
                                                      : read_event(job, footage);
     app::PieceJob piece;
     piece.name = footage.recording.name;
-    piece.camera = footage.recording.camera;
+    piece.camera = selection.camera.empty() ? footage.recording.camera : selection.camera;
     piece.span = selection.span;
     piece.parts = app::parts_in(selection.places, selection.span);
     piece.input = job.search.input;

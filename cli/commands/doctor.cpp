@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -6,6 +7,7 @@
 
 #include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
@@ -18,9 +20,12 @@ extern "C" {
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/workers/sandbox.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
+#include "core/base/wall_clock.h"
 #include "core/image/text.h"
+#include "core/image/video_encoder.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
@@ -105,22 +110,51 @@ nlohmann::ordered_json json_of(const DetectorReport& report) {
             {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(report.error->what())}};
 }
 
+/// What this machine lends to pictures and archives.
+struct Surroundings {
+    std::string font = image::font_name();  ///< empty = none
+    std::string zone = zone_text(std::time(nullptr));
+    std::vector<std::string> encoders{};  ///< of pages and animations; those that the installed libav has
+    std::string sandbox = workers::Sandbox(workers::SandboxMode::automatic, {}).summary();
+};
+
+Surroundings look_around() {
+    Surroundings found;
+    for (const char* const encoder : {"libx264", "libvpx-vp9", "libvpx"}) {
+        if (image::has_encoder(encoder)) found.encoders.emplace_back(encoder);
+    }
+    return found;
+}
+
+std::string describe(const Surroundings& here) {
+    const std::string encoders = here.encoders.empty()
+                                     ? "none: pages have no video; install a libavcodec with libx264 or libvpx"
+                                     : fmt::format("{}", fmt::join(here.encoders, ", "));
+    return fmt::format("font           {}\n",
+                       here.font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : here.font) +
+           fmt::format("page video     {}\n", encoders) + fmt::format("time zone      {}\n", here.zone) +
+           fmt::format("sandbox        {}\n", here.sandbox);
+}
+
 /// The backend that `--backend auto` uses: the first that works.
 auto drawn_with(const std::vector<gl::BackendReport>& reports) {
     return std::ranges::find_if(reports, &gl::BackendReport::works);
 }
 
-std::string as_json(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector) {
+std::string as_json(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector,
+                    const Surroundings& here) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
     for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
-    const std::string font = image::font_name();
     const auto drawn = drawn_with(reports);
     return json_text(
                {{"vvr", version()},
                 {"libraries", libraries},
-                {"font", font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(font)},
+                {"font", here.font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.font)},
+                {"page_video", here.encoders},
+                {"time_zone", here.zone},
+                {"sandbox", here.sandbox},
                 {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
                 {"detector", json_of(detector)},
                 {"backends", backends}},
@@ -128,11 +162,9 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
            "\n";
 }
 
-std::string as_text(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector) {
-    const std::string font = image::font_name();
-    std::string text =
-        version_text() + fmt::format("font           {}\n",
-                                     font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
+std::string as_text(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector,
+                    const Surroundings& here) {
+    std::string text = version_text() + describe(here);
     const auto drawn = drawn_with(reports);
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; see below how to fix it"
@@ -160,7 +192,8 @@ class Doctor final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment&) override {
         const DetectorReport detector = look_at(detector_);  // before there are threads
         const std::vector<gl::BackendReport> reports = gl::probe_backends();
-        cli::print(json_ ? as_json(reports, detector) : as_text(reports, detector));
+        const Surroundings here = look_around();
+        cli::print(json_ ? as_json(reports, detector, here) : as_text(reports, detector, here));
         if (detector.error) throw Error(*detector.error);
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
             const bool asked = backend_.row != app::BackendOptions().row || backend_.device >= 0;

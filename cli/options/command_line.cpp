@@ -359,7 +359,7 @@ void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pai
 
 void CommandLine::refuse_two_outputs() const {
     for (const auto& [option, use] : impl_->uses) {
-        if (use != FileUse::written) continue;
+        if (use != FileUse::written && use != FileUse::filled) continue;
         const auto other = std::ranges::find_if(
             option->results(), [&](const std::string& value) { return value != option->results().front(); });
         if (other == option->results().end()) continue;

@@ -31,6 +31,7 @@ enum class FileUse {
     none,
     read,
     written,
+    filled,    ///< a folder to which files are added
     compared,  ///< read, or written with --bless
 };
 

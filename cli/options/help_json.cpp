@@ -34,6 +34,8 @@ Json json_of(FileUse use) {
             return "read";
         case FileUse::written:
             return "written";
+        case FileUse::filled:
+            return "filled";
         case FileUse::compared:
             return "compared";
     }

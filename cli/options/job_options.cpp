@@ -33,6 +33,8 @@ void add_recording_options(CommandLine& line, app::InputOptions& options, const 
     add_input_options(line, options, "INPUT...", help);
     add_name_options(line, options);
     AddOptions(line, Group::input)(setting::join, options.join);
+    // Only the plan of an archive's worker sets it.
+    line.plan_setting("input-problem", [&options](const std::string& words) { options.problems.push_back(words); });
 }
 
 void add_span_options(CommandLine& line, video::FrameSpan& span) {

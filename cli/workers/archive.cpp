@@ -184,14 +184,21 @@ void warn_of_unused_cameras(const std::vector<archive::Clip>& clips, const Archi
     for (const auto& [section, pictures] : job.of_cameras) sections.push_back(section);
     std::set<std::string> unused(sections.begin(), sections.end());
     for (const std::string& camera : cameras) unused.erase(video::name_of_camera(camera, sections));
+    cameras.erase("");
+    const std::string known =
+        cameras.empty() ? "no name or folder of its clips gives a camera; describe the names with --names"
+                        : fmt::format("its cameras: {}", shown_text(fmt::format("{}", fmt::join(cameras, ", "))));
     for (const std::string& section : unused) {
-        log.warn("the config file has a section [camera.{}], but '{}' has no clip of that camera; its cameras: {}",
-                 shown_text(section), job.in.string(), shown_text(fmt::format("{}", fmt::join(cameras, ", "))));
+        log.warn("the config file has a section [camera.{}], but '{}' has no clip of that camera; {}",
+                 shown_text(section), job.in.string(), known);
     }
 }
 
 Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, ArchiveJob& job, spdlog::logger& log) {
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
+    std::vector<std::string> paths;
+    for (const archive::Clip& clip : scan.clips) paths.push_back(clip.path);
+    job.names.find_numbered_cameras(paths);
     Survey survey;
     survey.clips = scan.clips.size();
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};

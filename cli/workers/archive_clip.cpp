@@ -19,6 +19,7 @@
 #include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/atomic_file.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/page/html.h"
 
@@ -167,11 +168,22 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     return task;
 }
 
-/// "gate", "gate, night of 2026-11-21". The clock of a picture has the date of a day.
+/// "gate", "gate, night of 2026-11-21". The clock of a picture has the date of a day. Files without times in their
+/// names don't tell which night they show.
 static std::string title_of(const archive::CameraDay& day) {
     const std::string camera = archive::text_of_path(day.camera);
-    if (!day.rule.is_night()) return camera;
+    if (!day.rule.is_night() || day.undated == day.files.size()) return camera;
     return fmt::format("{}{}{}", camera, camera.empty() ? "" : ", ", archive::words_of_day(day.date, day.rule));
+}
+
+/// A warning about files that may be on a wrong day; empty if there are none.
+static std::string undated_files_of(const archive::CameraDay& day) {
+    if (day.undated == 0) return {};
+    return fmt::format(
+        "'{}': no recording time in the names of {} of {}; the date is that of their last modification, "
+        "which may be wrong; describe the names with --names",
+        archive::text_of_path(day.clip.path), day.undated,
+        counted(static_cast<std::int64_t>(day.files.size()), "file"));
 }
 
 std::unique_ptr<Worker> ClipTask::start() const {
@@ -190,6 +202,7 @@ std::unique_ptr<Worker> ClipTask::start() const {
     if (day() != nullptr) {
         set("join", "true");  // the scan has already grouped the files by camera
         set("title", title_of(*day()));
+        set("input-problem", undated_files_of(*day()));
     }
     for (const auto& [kind, name] : outputs) {
         if (std::ranges::count(job_->rules.files, kind) > 0) set(name, staged(kind).string());

@@ -295,7 +295,13 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
                              (job.out / problem.path).string(), problem.reason);
     }
     archive::tidy(job.out, outputs);
-    const archive::DayFiles days = archive::make_day_files(outputs.sidecars, job.names);
+    std::vector<std::string> clips;
+    for (const archive::Sidecar& sidecar : outputs.sidecars) {
+        if (!sidecar.day) clips.push_back(sidecar.clip.path);
+    }
+    video::RecorderNames names = job.names;
+    names.find_numbered_cameras(clips);
+    const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
     for (const auto& [name, text] : days) {
         try {
             put_file(job.out / name, text, environment.signals);
@@ -306,7 +312,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
         }
     }
     put_file(job.out / archive::index_name,
-             archive::make_index(outputs.sidecars, job.names, gone_of(job.in, outputs.sidecars)), environment.signals);
+             archive::make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)), environment.signals);
     remove_other_days(job.out, days);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -19,12 +20,17 @@ namespace {
 
 constexpr std::int64_t seconds_per_day = 86'400;
 
-/// The beginning of a clip, seconds since 1970: from its name, else when it was last written.
-std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
-    const std::int64_t written = clip.modified / 1'000'000'000;
+/// When a clip was last written, seconds since 1970.
+std::int64_t written_at(const Clip& clip) {
+    return clip.modified / 1'000'000'000;
+}
+
+/// The beginning of a clip by its name, seconds since 1970.
+std::optional<std::int64_t> named_begin(const Clip& clip, const video::RecorderNames& names) {
     const auto named = names.read(clip.path).begin;
-    const std::int64_t begin = named ? video::utc_of(*named, written) : written;
-    return can_be_time(begin) ? begin : written;
+    if (!named) return std::nullopt;
+    const std::int64_t begin = video::utc_of(*named, written_at(clip));
+    return can_be_time(begin) ? std::optional(begin) : std::nullopt;
 }
 
 /// Names are untrusted: one that leads out of the folder or would be hidden can't be a folder.
@@ -71,7 +77,8 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
             continue;
         }
         const std::string camera = names.camera_of(clip.path);
-        const std::string date = date_of(begin_of(clip, names), rule);
+        const std::optional<std::int64_t> begin = named_begin(clip, names);
+        const std::string date = date_of(begin.value_or(written_at(clip)), rule);
         const std::string path = path_of_day(camera, date, rule);
         if (!can_be_folder(path) || paths.contains(path)) {
             if (refused.insert(camera).second) {
@@ -93,6 +100,7 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
         std::int64_t& newest = settling.is_ahead(clip) ? ahead[path] : day.clip.modified;
         newest = std::max(newest, clip.modified);
         day.files.push_back(clip.path);
+        day.undated += begin ? 0 : 1;
     }
     for (auto& [path, day] : days) {
         // A future time comes from a wrong clock: it counts only where the day has no other.

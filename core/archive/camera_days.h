@@ -43,6 +43,7 @@ struct CameraDay {
     DayRule rule;                    ///< when it begins
     Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
     std::vector<std::string> files;  ///< below the archive's folder
+    std::size_t undated = 0;         ///< files that are here by their modification times, as their names have no time
 };
 
 /// Clips by camera and day.

@@ -42,9 +42,9 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
     if (fd < 0) {
         const int why = errno;
         throw system_error(why, fmt::format("cannot read '{}'", path),
-                           why == ENOENT   ? "check its name"
-                           : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
-                                           : "check its permissions and those of its folder");
+                           why == EMFILE   ? "raise the limit of open files (`ulimit -n`)"
+                           : why == EACCES ? "check its permissions and those of its folder"
+                                           : "check its name");
     }
     return std::make_shared<Descriptor>(fd);
 }

@@ -9,6 +9,10 @@
 #include <system_error>
 #include <utility>
 
+#include <re2/re2.h>
+
+#include <fmt/format.h>
+
 #include "core/base/file.h"
 #include "core/base/wall_clock.h"
 
@@ -20,13 +24,13 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// A year followed only by numbers: 2026, 2026-11, 20261121, 2026_11_21.
+/// A year followed only by numbers: 2026, 2026-11, 20261121, 2026_11_21, 2026-11-21_20.
 bool is_date(std::string_view folder) {
     const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
                       std::ranges::all_of(folder.substr(0, 4), is_digit);
     if (folder.size() == 14 && folder[4] == 'Y' && folder.back() == 'H') return year;  // 2026Y11M21D20H
     if (folder.ends_with("AM") || folder.ends_with("PM")) folder.remove_suffix(2);
-    if (!year || folder.size() == 5 || folder.size() > 10) return false;
+    if (!year || folder.size() == 5 || folder.size() > 13) return false;
     return std::ranges::all_of(folder.substr(4),
                                [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
 }
@@ -71,12 +75,23 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     return camera;
 }
 
+/// Without a number at the end: "clip" of "clip 7", "" of "001".
+std::string_view without_number(std::string_view name) {
+    const auto last = name.find_last_not_of("0123456789-_. #()");
+    return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// Whether a name begins with an IPv4 address, as many cameras name their files.
+bool begins_with_address(std::string_view name) {
+    static const re2::RE2 address("(?:[0-9]{1,3}\\.){3}[0-9]{1,3}(?:[^0-9.].*)?");
+    return re2::RE2::FullMatch(re2::StringPiece(name.data(), name.size()), address);
+}
+
 /// Whether a name is generic, not a camera's: "VID", "clip 7", "recordings", "001".
 bool is_generic_name(std::string_view name) {
-    constexpr std::string_view counts = "0123456789-_. #()";
-    while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
-    if (name.empty()) return true;
-    return std::ranges::binary_search(common_words, lower_case(name));
+    const std::string_view word = without_number(name);
+    if (word.empty()) return !begins_with_address(name);
+    return std::ranges::binary_search(common_words, lower_case(word));
 }
 
 enum class Zone { local, utc };
@@ -152,6 +167,9 @@ constexpr std::array known{
     KnownRow{any_folder, "{dated}/{hour}/{named}/%M?%S", local, folder, Ambiguity::repeated_hour},
     KnownRow{any_folder, "{dated}/{named}/{hour}/%M?%S", local, folder, Ambiguity::repeated_hour},
     KnownRow{any_folder, "{dated}/{hour}/{minute}{until}"},
+    KnownRow{any_folder, "{date}{join}{hour}/%M"},
+    KnownRow{any_folder, "{date}{join}{hour}/%M?%S", local, NamedCamera::whole, Ambiguity::repeated_hour},
+    KnownRow{any_folder, "{dated}/{clock}{gap}{side}", local, below},
     KnownRow{any_folder, "{dated}/{clock}{set off}"},
     KnownRow{any_folder, "{dated}/{minute}{until}"},
     KnownRow{any_folder, "{dated}/{camera}/{clock}{set off}", local, folder},
@@ -162,6 +180,11 @@ constexpr std::array known{
     KnownRow{any_epoch, "{camera}{gap}{epoch}{until epoch}", local, below},
     KnownRow{any_epoch, "{camera}{gap}{epoch ms}{until epoch}", local, below},
 };
+
+/// Files with the same key are numbered together: the folders of their camera, and the word before the number.
+std::string key_of(std::string_view whole_path, std::string_view numbered) {
+    return fmt::format("{}/{}", camera_of_folders(whole_path, 0), without_number(numbered));
+}
 
 constexpr std::string_view given_by_user = "--names";
 
@@ -215,7 +238,10 @@ std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const
     if (own && fields->contradicts) return std::nullopt;
     RecorderName name{name_, std::move(fields->camera), camera_ != NamedCamera::whole};
     const bool counts = camera_ == NamedCamera::folder && std::ranges::all_of(name.camera, is_digit);
-    if (name.below && !counts && is_generic_name(name.camera)) name.camera.clear();
+    if (name.below && !counts && is_generic_name(name.camera)) {
+        if (std::ranges::any_of(name.camera, is_digit)) name.numbered = name.camera;
+        name.camera.clear();
+    }
     if (is_ambiguous(*fields, ambiguity_)) {
         name.ambiguous = true;
         return name;
@@ -277,13 +303,44 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
         if (name.camera.empty()) {
             name.camera = std::move(read->camera);
             name.below = read->below;
+            name.numbered = std::move(read->numbered);
         }
         name.begin = read->begin;
         name.ambiguous = read->ambiguous;
         // A pattern without a time leaves the time to later patterns.
         if (name.begin || name.ambiguous) break;
     }
+    if (name.camera.empty() && !name.numbered.empty() && numbered_.contains(key_of(whole_path, name.numbered))) {
+        name.camera = name.numbered;
+    }
     return name;
+}
+
+void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
+    struct Files {
+        std::set<std::string> names;
+        std::vector<std::int64_t> begins;
+    };
+    std::map<std::string, Files> files_by_key;
+    for (const std::string& path : paths) {
+        const std::string all = whole(path);
+        const RecorderName name = read_with(all, layouts_);
+        if (name.numbered.empty() || !name.begin) continue;
+        Files& files = files_by_key[key_of(all, name.numbered)];
+        files.names.insert(name.numbered);
+        files.begins.push_back(name.begin->clock);
+    }
+    constexpr std::int64_t together = 1;  // seconds between the files of several cameras
+    for (auto& [key, files] : files_by_key) {
+        std::ranges::sort(files.begins);
+        std::size_t times = 1;
+        for (std::size_t i = 1; i < files.begins.size(); ++i) {
+            times += files.begins[i] > files.begins[i - 1] + together ? 1 : 0;
+        }
+        const bool repeat = files.begins.size() >= 2 * files.names.size();
+        const bool parallel = files.begins.size() >= 2 * times;
+        if (repeat || parallel) numbered_.insert(key);
+    }
 }
 
 std::string RecorderNames::camera_of(std::string_view path, std::size_t skipped) const {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -91,6 +92,7 @@ struct RecorderName {
     std::string layout;                ///< the recorder's name, or "--names"; empty = unknown
     std::string camera;                ///< empty = unknown
     bool below = false;                ///< the camera's folder is a part of its name
+    std::string numbered;              ///< "video1" before the time: the name of a camera, or a count of its files
     std::optional<NamedTime> begin{};  ///< start of the recording
     bool ambiguous = false;            ///< its time can be read in several ways
 };
@@ -151,6 +153,12 @@ class RecorderNames {
     /// \param skipped leading bytes of `path` whose folders are not a camera
     std::string camera_of(std::string_view path, std::size_t skipped = 0) const;
 
+    /// Decides for names such as "video1_2026-11-21_20-00-00" whether the number is a camera's or counts files. A
+    /// camera has several files, or files that begin at the same time as another camera's. Until then, and where there
+    /// is no such evidence, these cameras are unknown. \param paths all files that belong together, such as those of an
+    /// archive
+    void find_numbered_cameras(std::span<const std::string> paths);
+
     /// Describes the names of one camera's files; these patterns are tried first there. They give times. Which camera
     /// a file is of depends on the other schemes only.
     /// \param camera as in `name_of_camera`
@@ -163,7 +171,8 @@ class RecorderNames {
 
     std::vector<NamingScheme> layouts_;
     std::map<std::string, std::vector<NamingScheme>> of_cameras_;
-    std::string folder_;  ///< ends with `/`; empty = none
+    std::set<std::string> numbered_;  ///< keys of names whose number is a camera's
+    std::string folder_;              ///< ends with `/`; empty = none
 };
 
 /// The one of some names that means a camera: its whole name, or the end of it from a folder on ("gate" means

@@ -280,14 +280,30 @@ std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
 /// \param spans begin and end of each file, seconds
 /// \param share maximum share of files that overlap
 bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
-    constexpr double overlap = 5;  // seconds
+    constexpr double most_overlap = 5;  // seconds
     std::ranges::sort(spans);
     std::size_t wrong = 0;
-    for (std::size_t i = 1; i < spans.size(); ++i) wrong += spans[i].first + overlap < spans[i - 1].second ? 1 : 0;
+    for (std::size_t i = 1; i < spans.size(); ++i) {
+        const auto& [begin, end] = spans[i - 1];
+        wrong += spans[i].first + std::min(most_overlap, (end - begin) / 2) < end ? 1 : 0;
+    }
     return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
 }
 
-void set_times_of_containers(Recording& recording, std::span<const SegmentHeader> headers) {
+/// Whether file names differ only in numbers, as a recorder counts its files: "clip1.mp4", "clip2.mp4".
+bool are_numbered(const std::vector<Segment>& segments) {
+    const auto without_digits = [](const Segment& segment) {
+        std::string name(file_of(segment.path));
+        std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
+        return name;
+    };
+    const std::string first = without_digits(segments.front());
+    return std::ranges::all_of(segments, [&](const Segment& each) { return without_digits(each) == first; });
+}
+
+/// \param join whether to accept files that nothing puts in order
+/// \throws Error usage for these otherwise
+void set_times_of_containers(Recording& recording, std::span<const SegmentHeader> headers, bool join) {
     const auto undated = std::ranges::count_if(recording.segments, [](const Segment& each) { return !each.begin; });
     if (undated == 0) return;
     std::vector<SegmentHeader> read;
@@ -332,6 +348,15 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
                         "times and shows no times of day (--start-time modified shows these)",
                         recording.name, files));
         return;
+    }
+    const std::vector<Segment>& segments = recording.segments;
+    if (!join && undated == std::ssize(segments) && !are_numbered(segments)) {
+        throw Error(ErrorCode::recording_mixed,
+                    fmt::format("'{}' and '{}' seem unrelated: no name says when it was recorded, the files' creation "
+                                "and modification times contradict each other, and their names differ by more than a "
+                                "number; give one of the {}, or join them as one recording",
+                                segments.front().path, segments[1].path, counted(std::ssize(segments), "file")),
+                    {"join"});
     }
     recording.warnings.push_back(
         fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
@@ -401,17 +426,27 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
         add_files(name, files);
     }
     std::ranges::sort(files, natural_less);
-    files.erase(std::unique(files.begin(), files.end()), files.end());
+    const auto repeated = std::unique(files.begin(), files.end());
+    const auto repeats = std::distance(repeated, files.end());
+    files.erase(repeated, files.end());
     if (files.empty()) {
         throw Error(ErrorCode::file_invalid,
                     fmt::format("the list '{}' is empty; write the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};
-    for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));
-    recording.camera = find_camera(recording.name, recording.segments, layouts, join);
+    if (repeats > 0) {
+        recording.warnings.push_back(fmt::format("'{}': {} given more than once; each is read once", recording.name,
+                                                 repeats == 1 ? "1 file is" : fmt::format("{} files are", repeats)));
+    }
+    RecorderNames schemes = layouts;
+    Files paths;
+    for (const std::string& file : files) paths.push_back(whole_path(file));
+    schemes.find_numbered_cameras(paths);
+    for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, schemes));
+    recording.camera = find_camera(recording.name, recording.segments, schemes, join);
     const std::vector<SegmentHeader> headers = headers_of(recording.segments);
     if (!join) require_related(recording, headers);
-    set_times_of_containers(recording, headers);
+    set_times_of_containers(recording, headers, join);
     sort_by_time(recording.segments);
     return recording;
 }

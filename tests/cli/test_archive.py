@@ -251,6 +251,9 @@ def test_archive_refuses_what_cannot_be(t):
         1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
+    t.vvr("archive", "in", "-o", "out", "-o", "other").expect(1, "'out'", "'other'", code="options-conflict")
+    t.folder_of("flow/a.flo")
+    archive(t, "--flow", "flow").expect(1, "--flow", "vvr render CLIP --flow 'flow'", code="options-conflict")
     archive(t, "--max-memory", "1000").expect(
         1, "--max-memory", "'1000'", "200M", "1G", code="option-value-out-of-range")
     check(not t.path("out").exists(), "a refused run leaves something")
@@ -551,6 +554,13 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     check(report["clock"] is None and report["input"]["recorded"] is None, f"{report['input']}")
     check(not any(re.search("[0-9]{2}:[0-9]{2}:[0-9]{2}", label["text"]) for label in report["labels"]), f"{report['labels']}")
     check(sidecar(t, "gate/2026-11-20")["recorded"] is None, "nothing tells it")
+    # A single file is no recording of several, and its night is no more than a guess.
+    t.clip("in/hall/a.avi", seconds=2)
+    t.stamp("in/hall/a.avi", 1795176000)
+    archive(t, "--per", "night", "--match", "hall/*").expect(0, "1 clip drawn")
+    report = t.json("out/hall/2026-11-20-night.report.json")
+    check("no recording time in the names of 1 of 1 file" in report["problems"][0], f"{report['problems']}")
+    check(report["settings"]["title"] == "hall" and report["input"]["camera"] == "hall", f"{report['settings']}")
     days, data = days_of(t)
     by_file, by_container = 2048, 1024
     check(days["gate", "2026-11-20"]["row"][5] & by_file, f"{days}")
@@ -560,7 +570,7 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     t.clip("in/gate/2026-11-18_08-00-00.avi", seconds=2)
     for name in ("c.mp4", "2026-11-18_08-00-00.avi"):
         t.stamp(f"in/gate/{name}", 1795176120)
-    archive(t).expect(0, "2 clips drawn")
+    archive(t).expect(0, "3 clips drawn")
     rows = {row[1]: row for row in days_of(t)[1]["clips"]}
     check(rows["./gate/c.mp4"][2] == 1795075200 and rows["./gate/c.mp4"][5] & by_container, f"{rows}")
     check(sidecar(t, "gate/c.mp4")["recorded_by"] == "container", f"{sidecar(t, 'gate/c.mp4')}")

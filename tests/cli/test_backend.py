@@ -19,6 +19,8 @@ def test_doctor_tells_programs(t):
         check(f"{backend['name']:<14} {'works' if backend['works'] else 'does not work'}: {backend['what']}" in text, text)
         check((backend["renderer"] is not None) == backend["works"] == (backend["reason"] is None), f"{backend}")
     check(f"font           {said['font']}\n" in text, f"{said}")
+    check(f"time zone      {said['time_zone']}\nsandbox        {said['sandbox']}\n" in text, f"{said}")
+    check(f"page video     {', '.join(said['page_video'])}\n" in text and "libx264" in said["page_video"], f"{said}")
     check(any(backend["works"] for backend in said["backends"]), f"{said}")
     first = next(backend for backend in said["backends"] if backend["works"])
     check(said["draws_with"] == first["name"] and f"draws with     {first['name']}: {first['renderer']}\n" in text, text)

@@ -240,6 +240,10 @@ def test_cut_writes_evidence(t):
     check([one["number"] for one in piece["events"]] == [2] and piece["copied"], f"{piece}")
     check(record["settings"]["threshold"] == t.json("report.json")["settings"]["threshold"], f"{record['settings']}")
     check_has(t, NAMED, "case/event-2.mp4", event["first"]["seconds"] - 1, min(15.9, event["last"]["seconds"] + 1))
+    # The report of an archive knows the camera from a folder.
+    t.write("report.json", t.path("report.json").read_text().replace('"camera": "gate"', '"camera": "house/gate"'))
+    t.vvr("cut", NAMED, "--event", "2", "--report", "report.json", "--evidence", "told").expect(0)
+    check(evidence(t.path("told"))["camera"] == "house/gate", f"{evidence(t.path('told'))}")
     # The still is the frame of the event's portrait, of full size.
     check(t.picture_size("case/event-2.png") == (160, 120), f"{t.picture_size('case/event-2.png')}")
     check(abs(still["seconds"] - event["portrait"]["seconds"]) < 0.05, f"{still} {event['portrait']}")

@@ -80,6 +80,22 @@ def test_cameras_of_one_folder_are_several_days(t):
         6, "1 file", "'in/front-door_2026-11-21_20-00-00.avi'", "10 frames", "2.0 s", code="partial")
 
 
+def test_numbered_cameras(t):
+    """Cameras that are named by a number or an address are several, and a count of files is none."""
+    t.zone("UTC")
+    little_clip(t, seconds=2)
+    moments = ("20-00-00", "20-00-02")
+    for cameras in (("video1", "video2"), ("192.168.1.10_01", "192.168.1.11_01"), ("01", "02")):
+        folder = cameras[0]
+        t.copy("clip.avi", *[f"{folder}/{camera}_2026-11-21_{moment}.avi" for camera in cameras for moment in moments])
+        t.vvr("render", folder, "-o", "x.png").expect(1, f"2 cameras: {', '.join(cameras)}", code="recording-mixed")
+        out = t.archive(folder, "-o", "out", "--per", "day", "--dry-run").expect(0, out=None).out
+        days = [line.split()[1] for line in out.splitlines() if line.startswith("new")]
+        check(sorted(days) == [f"{camera}/2026-11-21" for camera in cameras], out)
+    t.copy("clip.avi", *[f"counted/clip{n}_2026-11-21_20-00-0{2 * n}.avi" for n in range(4)])
+    check({clip["camera"] for clip in told(t, "counted")} == {None}, f"{told(t, 'counted')}")
+
+
 def test_files_of_the_same_second_are_named(t):
     little_clip(t, seconds=2)
     t.copy("clip.avi", *[f"d/2026-11-21_10-00-00_{number}.avi" for number in range(9)])

@@ -106,11 +106,23 @@ def test_recording_joins_overlaps_and_takes_other_sizes(t):
 def test_recording_of_copies_leaves_nothing_out(t):
     """Copies have the time of the copy, which is no time at which a recorder wrote them."""
     whole_clip(t)
-    for number, (written, name) in enumerate(((1e9, "b.avi"), (1e9 + 3, "a.avi"), (1e9 + 3.5, "c.avi"))):
+    for number, (written, name) in enumerate(((1e9, "clip2.avi"), (1e9 + 3, "clip1.avi"), (1e9 + 3.5, "clip10.avi"))):
         t.ffmpeg("-ss", f"{10 * number}", "-t", "10", "-i", "whole.mkv", "-c:v", "mpeg4", f"copies/{name}")
         t.stamp(f"copies/{name}", written)
     segments = report_of(t, "copies", *LOOK, says=["300 frames", "vvr orders them by their names"])["segments"]
-    check([(segment["file"][-5:], segment["first_frame"]) for segment in segments] == [("a.avi", 0), ("b.avi", 100), ("c.avi", 200)], f"{segments}")
+    files = [(segment["file"].removeprefix("copies/"), segment["first_frame"]) for segment in segments]
+    check(files == [("clip1.avi", 0), ("clip2.avi", 100), ("clip10.avi", 200)], f"{segments}")
+    # Other names say nothing of an order.
+    t.path("copies/clip2.avi").rename(t.path("copies/door.avi"))
+    t.render("copies", *LOOK).expect(1, "'copies/clip1.avi'", "'copies/clip10.avi'", "3 files", "--join", code="recording-mixed")
+    t.render("copies", *LOOK, "--join").expect(0, "300 frames", "vvr orders them by their names")
+
+
+def test_recording_reads_a_repeated_file_once(t):
+    whole_clip(t)
+    names = cut(t)
+    report = report_of(t, "day", names[1], *LOOK, says=["warning: 'day", "1 file is given more than once", "400 frames"])
+    check(len(report["segments"]) == 4, f"{report['segments']}")
 
 
 def test_recording_says_what_overlaps(t):

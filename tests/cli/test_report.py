@@ -25,7 +25,7 @@ def test_report_of_the_left_bag(t):
         0, "'out.png': 400 frames", "3 events; the longest from 3.", ", left behind")
     report = read(t)
     check(report["advice"] == [] and "--roi" not in result.err, "advice on a quiet scene")
-    check(report["input"] == {"name": "bag.y4m", "container": "yuv4mpegpipe", "codec": "rawvideo", "width": 384,
+    check(report["input"] == {"name": "bag.y4m", "camera": None, "container": "yuv4mpegpipe", "codec": "rawvideo", "width": 384,
                               "height": 288, "rate": 25, "recorded": None, "recorded_by": None, "written": None,
                               "bytes": t.path("bag.y4m").stat().st_size, "digest": report["input"]["digest"]}, str(report["input"]))
     check(report["frames"] == {"used": 400, "damaged": 0}, str(report["frames"]))

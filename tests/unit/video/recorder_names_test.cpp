@@ -95,12 +95,17 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
              Tree{"2026-11-21/gate_20-00-00.mp4", "gate"},
              Tree{"2026/11/21/gate/20-00_20-05.mp4", "gate"},
              Tree{"2026-11-21/20-00-00 motion.mp4", ""},
+             Tree{"2026-11-21/20-00-00-front.mp4", "front"},
+             Tree{"gate/2026-11-21_20/05-00.mp4", "gate", evening + 300},
+             Tree{"gate/2026-11-21_20/05.mp4", "gate", evening + 300},
              // All in the name.
              Tree{"front-door_2026-11-21_20-00-00.mp4", "front-door"},
              Tree{"house/front-door_2026-11-21_20-00-00.mp4", "house/front-door"},
              Tree{"gate/gate_2026-11-21_20-00-00.mp4", "gate"},
              Tree{"recordings/gate_2026-11-21_20-00-00.mp4", "gate"},
              Tree{"ch01_20261121200000.mp4", "ch01"},
+             Tree{"192.168.1.10_01_2026-11-21_20-00-00.mp4", "192.168.1.10_01"},
+             Tree{"192.168.1.10_2026-11-21_20-00-00.mp4", "192.168.1.10"},
              Tree{"ch01_20261121-200000_200500.mp4", "ch01"},
              Tree{"CAM 2 - 2026.11.21 20.00.00.mp4", "CAM 2"},
              Tree{"cam-2-20261121_2000.mp4", "cam-2"},
@@ -140,6 +145,30 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
         EXPECT_EQ(name.begin->clock, tree.clock) << tree.path << " by " << name.layout;
         EXPECT_EQ(name.begin->ahead, tree.ahead) << tree.path << " by " << name.layout;
     }
+}
+
+TEST(RecorderNames, NumbersAreCamerasWhereFilesShowIt) {
+    const auto cameras_of = [](const std::vector<std::string>& paths) {
+        video::RecorderNames names;
+        names.find_numbered_cameras(paths);
+        std::vector<std::string> cameras;
+        for (const std::string& path : paths) cameras.push_back(names.camera_of(path));
+        return cameras;
+    };
+    // Several files of one number, at different times.
+    EXPECT_EQ(cameras_of({"video1_20261121_200000.mp4", "video1_20261121_201000.mp4", "video2_20261121_200300.mp4",
+                          "video2_20261121_201300.mp4"}),
+              (std::vector<std::string>{"video1", "video1", "video2", "video2"}));
+    EXPECT_EQ(cameras_of({"in/01_20261121200000.mp4", "in/02_20261121200001.mp4"}),
+              (std::vector<std::string>{"in/01", "in/02"}));
+    EXPECT_EQ(cameras_of({"2026-11-21/Rec_1_20-00-00.mp4", "2026-11-22/Rec_1_20-00-00.mp4"}),
+              (std::vector<std::string>{"Rec_1", "Rec_1"}));
+    // A number per file, one after another, counts them.
+    EXPECT_EQ(cameras_of({"clip1_20261121_200000.mp4", "clip2_20261121_201000.mp4", "clip3_20261121_202000.mp4"}),
+              (std::vector<std::string>{"", "", ""}));
+    // Files of two folders at the same time are not files of two numbers.
+    EXPECT_EQ(cameras_of({"gate/clip1_20261121_200000.mp4", "yard/clip1_20261121_200000.mp4"}),
+              (std::vector<std::string>{"gate", "yard"}));
 }
 
 TEST(RecorderNames, AreNotGuessed) {
