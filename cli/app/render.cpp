@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cli/app/compose.h"
 #include "cli/app/draw.h"
 #include "cli/app/golden.h"
@@ -12,7 +14,9 @@
 #include "cli/app/plan.h"
 #include "cli/app/settings.h"
 #include "cli/app/window.h"
+#include "core/base/text.h"
 #include "core/image/text.h"
+#include "core/video/input.h"
 
 namespace vvr::app {
 
@@ -132,6 +136,10 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     PictureOutput files(job.output, observer);
     check_golden_picture(job.output.golden);
     auto detector = open_detector(job.detector);
+    // Nobody may answer for a long time.
+    if (job.input.names.size() == 1 && video::is_url(job.input.names.front())) {
+        observer.info(fmt::format("opening '{}'", redact_secrets(job.input.names.front())));
+    }
     OpenedFields fields = open_fields(job);
     check_has_end(fields.source->info(), observer);
     const Plan plan =

@@ -134,8 +134,9 @@ def test_render_of_a_live_stream_is_refused(t):
     source(t)
     for command in (("render", "-o", "out.png"), ("render", "-o", "out.png", "--end", "1s"), ("extract", "-o", "data")):
         with stream(t, loop=True) as url:
-            t.vvr(command[0], url, *command[1:]).expect(
-                1, "`vvr watch`", "ffmpeg -i ADDRESS -t 60 -c copy part.mkv", code="input-unsuitable")
+            said = t.vvr(command[0], url, *command[1:]).expect(
+                1, "`vvr watch`", "ffmpeg -i ADDRESS -t 60 -c copy part.mkv", code="input-unsuitable").err
+            check((f"opening '{url}'" in said) == (command[0] == "render"), said)
     t.expect_files("cam.ts")
 
 
