@@ -156,9 +156,9 @@ void allocate(const GladGLContext& gl, const GlTexture& texture, GLint internal,
 
 PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
     : gl_(&gl),
-      data_{Data{GlFramebuffer(gl), GlTexture(gl), GlTexture(gl)},
-            Data{GlFramebuffer(gl), GlTexture(gl), GlTexture(gl)}},
       depth_(gl) {
+    const std::size_t buffers = gl.EXT_shader_framebuffer_fetch != 0 ? 1 : 2;
+    while (data_.size() < buffers) data_.push_back({GlFramebuffer(gl), GlTexture(gl), GlTexture(gl)});
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
     for (const Data& data : data_) {
@@ -196,16 +196,12 @@ void PixelDataTarget::draw_over(const Program& program, const std::function<void
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthMask(GL_FALSE);
     gl_->Disable(GL_BLEND);
-    program.set("behind", behind_unit);
-    program.set("object_behind", object_behind_unit);
-    if (gl_->ARB_texture_barrier != 0) {
-        // The next step may read what this one draws: no copy and no switch of framebuffers.
-        read_from(data_[0]);
-        program.set("copy_only", 0);
-        gl_->TextureBarrier();
+    if (fetches()) {
         draw();
         return;
     }
+    program.set("behind", behind_unit);
+    program.set("object_behind", object_behind_unit);
     for (const std::size_t from : {0U, 1U}) {
         gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[1 - from].framebuffer.id());
         read_from(data_[from]);

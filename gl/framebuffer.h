@@ -67,7 +67,7 @@ class Framebuffer {
 
 /// Per-pixel data of a picture that is drawn back to front, one sample per pixel: the weight, frame, depth and event of
 /// the strongest contribution so far, and the total opacity. Fixed-function blending can't select by weight, so each
-/// step reads what has been drawn: with GL_ARB_texture_barrier from the texture that it draws into; without it, it
+/// step reads what has been drawn: with GL_EXT_shader_framebuffer_fetch from the pixel that it draws; without it, it
 /// draws into a second texture and copies that back.
 class PixelDataTarget {
   public:
@@ -80,7 +80,10 @@ class PixelDataTarget {
     /// Clears the data but not the depth. Next, draw what lies in front of the opaque geometry.
     void begin_before_geometry() const;
 
-    /// Draws over everything drawn so far. `draw` must cover each pixel at most once.
+    /// Whether a draw may cover a pixel several times, back to front.
+    bool fetches() const { return data_.size() == 1; }
+
+    /// Draws over everything drawn so far. Unless the target `fetches`, `draw` must cover each pixel at most once.
     /// \param program in use, with glsl/pixel_data_over.glsl
     void draw_over(const Program& program, const std::function<void()>& draw) const;
 
@@ -101,7 +104,7 @@ class PixelDataTarget {
     Plane<glm::vec4> read_attachment(GLenum attachment, Size size) const;
 
     const GladGLContext* gl_;
-    std::array<Data, 2> data_;  ///< the data, and the second buffer for drivers without texture barrier
+    std::vector<Data> data_;  ///< the data, and a second buffer for drivers that can't fetch
     GlRenderbuffer depth_;
 };
 

@@ -49,7 +49,8 @@ ShaderChunk shader_chunk(std::string_view file) {
 }
 
 std::string shader_text(std::span<const ShaderChunk> chunks) {
-    std::string text = "#version 330 core\n";
+    // For glsl/pixel_data_over.glsl; a driver without it ignores the line.
+    std::string text = "#version 330 core\n#extension GL_EXT_shader_framebuffer_fetch : enable\n";
     for (std::size_t i = 0; i < chunks.size(); ++i)
         text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, chunks[i].text);
     return text;

@@ -159,7 +159,8 @@ void VolumeSlicer::draw_pixel_data(BrickWindow& window, const space::Camera& cam
                        pixel_data_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
                        pixel_data_program_->set("frames_per_layer", static_cast<float>(frames_per_layer));
                        std::size_t begin = 0;
-                       for (const std::size_t end : mesh.slice_ends) {
+                       const std::span<const std::size_t> all(mesh.slice_ends);
+                       for (const std::size_t end : target.fetches() ? all.last(1) : all) {
                            target.draw_over(*pixel_data_program_, [&] {
                                gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
                                                  std::bit_cast<const void*>(begin * sizeof(std::uint32_t)));

@@ -1,5 +1,13 @@
 // Pixel data of a picture that is drawn back to front: weight, frame, depth and event of the strongest contribution so
 // far, and the total opacity.
+#ifdef GL_EXT_shader_framebuffer_fetch
+layout(location = 0) inout vec4 data;  // the data so far
+layout(location = 1) inout float object;
+
+const bool copy_only = false;
+
+void load_behind() {}
+#else
 uniform sampler2D behind;         // the data so far
 uniform sampler2D object_behind;
 uniform bool copy_only;           // second of two passes: copies the result back to the textures that were read
@@ -11,6 +19,7 @@ void load_behind() {
     data = texelFetch(behind, ivec2(gl_FragCoord.xy), 0);
     object = texelFetch(object_behind, ivec2(gl_FragCoord.xy), 0).r;
 }
+#endif
 
 // Whether a layer in front weighs at least as much as what shines through it from behind.
 bool outweighs(float opacity) { return opacity > 0.0 && opacity >= data.x * (1.0 - opacity); }
