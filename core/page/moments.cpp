@@ -1,7 +1,6 @@
 #include "core/page/moments.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -120,113 +119,6 @@ std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::sp
     return sheet;
 }
 
-namespace {
-
-constexpr int ticks = 1000;  // per second, as in WebM
-
-/// A container and its encoder. The options disable B-frames, so that every player shows the frames in order.
-struct Kind {
-    const char* type;
-    const char* muxer;
-    const char* encoder;
-    const char* options;
-    std::array<int, 2> crf;  ///< constant rate factor per Use; lower is better
-};
-
-/// The first with an installed encoder is used.
-constexpr std::array kinds{
-    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0", {29, 32}},
-    Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
-    Kind{"video/webm", "webm", "libvpx", "cpu-used=8,deadline=realtime", {22, 28}},
-};
-
-std::int64_t step_for(const ExpectedLength& expected) {
-    return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
-}
-
-constexpr std::array long_sides{384, 256};  // pixels, per Use
-constexpr int key_seconds = 5;              // key frame interval: a seek decodes up to this much
-
-std::size_t place_of(Preview::Use use) {
-    return static_cast<std::size_t>(use);
-}
-
-}  // namespace
-
-Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
-    : use_(use), size_(fit_into(clip, long_sides[place_of(use)])), expected_(expected) {
-    video_.step = step_for(expected);
-    const double kept = static_cast<double>(expected.frames) / static_cast<double>(video_.step);
-    given_up_ = video_.step > 1 && kept < least_rate * expected.seconds;
-}
-
-void Preview::begin() {
-    const auto kind = std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
-    if (kind == kinds.end()) {
-        given_up_ = true;
-        return;
-    }
-    // The bit rate uses most of the size limit; `add` checks whether the encoder exceeds the limit.
-    constexpr double highest = 1'500'000;
-    const double seconds = std::max(1.0, expected_.seconds);
-    const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
-    const double rate = static_cast<double>(expected_.frames) / static_cast<double>(video_.step) / seconds;
-    const int pictures = static_cast<int>(std::clamp(std::round(rate), 1.0, 60.0));
-    const bool constrained_by_rate = std::string_view(kind->muxer) == "webm";
-    const std::string limit =
-        constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
-    video_.type = kind->type;
-    encoder_ = std::make_unique<image::VideoEncoder>(
-        image::VideoFormat{kind->muxer, kind->encoder,
-                           fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
-        "preview", size_, ticks, pictures, key_seconds * pictures);
-}
-
-void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
-    if (given_up_) return;
-    try {
-        encode(frame, seconds, picture);
-    } catch (const Error& error) {
-        give_up(error.what());
-    }
-}
-
-void Preview::give_up(const std::string& problem) {
-    given_up_ = true;
-    problem_ = problem;
-    encoder_.reset();
-}
-
-void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
-    if (taken_ == 0) {
-        begin();
-        if (given_up_) return;
-        first_frame_ = frame;
-        video_.begin = seconds;
-    }
-    if ((frame - first_frame_) % video_.step != 0) return;
-    std::int64_t tick = std::llround((seconds - video_.begin) * ticks);
-    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // timestamps must increase
-    last_tick_ = tick;
-    encoder_->add(image::resized(picture, size_), tick);
-    ++taken_;
-    if (encoder_->bytes() <= most_bytes && taken_ <= 2 * most_frames) return;
-    given_up_ = true;
-    encoder_.reset();
-}
-
-std::optional<EncodedVideo> Preview::finish() {
-    if (given_up_ || taken_ == 0) return std::nullopt;
-    try {
-        video_.bytes = encoder_->finish();
-    } catch (const Error& error) {
-        give_up(error.what());
-        return std::nullopt;
-    }
-    if (video_.bytes.size() > most_bytes) return std::nullopt;
-    return std::move(video_);
-}
-
 void Timeline::add(std::int64_t frame, double seconds) {
     ++frames_;
     if (count_ == 0 || frame != first_ + count_) {
@@ -294,7 +186,6 @@ fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const 
 }
 
 Moments WatchedFields::take() {
-    if (encoding_.valid()) encoding_.get();
     Moments moments{times_.stretches(), {}, {}, {}};
     if (stills_) moments.stills = stills_->take();
     if (preview_) moments.preview = preview_->finish();
@@ -303,7 +194,6 @@ Moments WatchedFields::take() {
 }
 
 void WatchedFields::begin() {
-    if (encoding_.valid()) encoding_.get();
     ExpectedLength expected{expected_frames(), 0};
     if (info().rate > 0) expected.seconds = static_cast<double>(expected.frames) / info().rate;
     times_ = {};
@@ -321,14 +211,7 @@ void WatchedFields::look_at(const video::SharedFrame& frame, const fields::Field
     times_.add(field.index, field.pts);
     if (frame->grey.empty() && frame->colour.empty()) return;  // extracted data may have neither
     stills_->add(frame, cv::countNonZero(cv_view(field.scalar)));
-    if (preview_) encode(frame);
-}
-
-void WatchedFields::encode(const video::SharedFrame& frame) {
-    if (encoding_.valid()) encoding_.get();
-    encoding_ = std::async(std::launch::async, [this, frame] {
-        preview_->add(frame->index, frame->pts, frame->colour.empty() ? video::picture_of(*frame) : frame->colour);
-    });
+    if (preview_) preview_->add(frame);
 }
 
 namespace {

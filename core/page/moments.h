@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <future>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -15,7 +13,7 @@
 #include "core/base/wall_clock.h"
 #include "core/events/event.h"
 #include "core/fields/field_source.h"
-#include "core/image/video_encoder.h"
+#include "core/page/preview.h"
 #include "core/video/frame.h"
 
 namespace vvr::page {
@@ -82,65 +80,6 @@ struct ContactSheet {
 /// \returns empty if there are no stills
 std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const events::Event> events);
 
-/// A small video in a format that browsers play.
-struct EncodedVideo {
-    std::string type;  ///< MIME type, such as "video/mp4"
-    std::vector<std::byte> bytes;
-    double begin = 0;       ///< start in the clip, seconds
-    std::int64_t step = 1;  ///< has every `step`-th frame of the clip
-};
-
-/// The length of a clip according to its header; 0 = unknown.
-struct ExpectedLength {
-    std::int64_t frames = 0;
-    double seconds = 0;
-};
-
-/// Encodes the preview of a clip frame by frame. Gives up if the preview would be too large or too coarse, or if libav
-/// fails, because a page also works without it.
-class Preview {
-  public:
-    static constexpr std::size_t most_bytes = 8'000'000;
-    static constexpr std::int64_t most_frames = 6000;  ///< longer clips use every n-th frame
-    static constexpr double least_rate = 2;            ///< pictures per second; for fewer, stills are enough
-
-    /// The purpose of a preview.
-    enum class Use {
-        instead,   ///< the browser can't play the clip itself
-        fallback,  ///< the browser can play the clip, but the clip may be missing: a small preview
-    };
-
-    /// \param clip size of the clip's pictures
-    Preview(Size clip, const ExpectedLength& expected, Use use = Use::instead);
-
-    /// False once the preview has been given up.
-    bool is_possible() const { return !given_up_; }
-
-    void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
-
-    /// The preview. Empty if it was given up, or if libav has no encoder for a format that browsers play. Call it once.
-    std::optional<EncodedVideo> finish();
-
-    /// libav's error message if encoding failed, else empty.
-    const std::string& problem() const { return problem_; }
-
-  private:
-    void begin();
-    void encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
-    void give_up(const std::string& problem);
-
-    Use use_;
-    Size size_;
-    ExpectedLength expected_;
-    std::unique_ptr<image::VideoEncoder> encoder_;
-    EncodedVideo video_;
-    std::int64_t taken_ = 0;
-    std::int64_t first_frame_ = 0;
-    std::int64_t last_tick_ = 0;
-    bool given_up_ = false;
-    std::string problem_;
-};
-
 /// Consecutive frames at a constant rate.
 struct ConstantRateFrames {
     std::int64_t first = 0;  ///< index in the clip
@@ -206,14 +145,12 @@ class WatchedFields final : public fields::FieldSource {
   private:
     void begin();
     void look_at(const video::SharedFrame& frame, const fields::Field& field);
-    void encode(const video::SharedFrame& frame);
 
     std::unique_ptr<fields::FieldSource> fields_;
     bool with_preview_;
     Timeline times_;
     std::optional<Stills> stills_;
-    std::optional<Preview> preview_;
-    std::future<void> encoding_;  ///< of the previous frame, parallel to the next fields
+    std::optional<PreviewThread> preview_;  ///< encodes in parallel to the next fields
 };
 
 /// Collects times and stills of the most recent frames of a stream while its fields are read. The number of frames

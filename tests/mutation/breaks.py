@@ -107,7 +107,7 @@ BREAKS = [
     Break("core/store/manifest.cpp", "frame.pts < frames.back().pts", "frame.pts < frames.front().pts",
           "ManifestText.HasNoValueThatCannotBe"),
     # core/page
-    Break("core/page/moments.cpp", "if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);", "",
+    Break("core/page/preview.cpp", "if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);", "",
           "Preview.TakesFramesOfOneTime"),
     # core/archive
     Break("core/archive/lock_file.cpp", "if (!is_same_file(file, path)) {", "if (file < 0) {",
