@@ -233,7 +233,7 @@ std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames) {
 }
 
 int textures_of(const Products& products, int pieces) {
-    const bool drawn_again = products.series || products.pictures > 1 || products.pixel_data;
+    const bool drawn_again = products.series || products.pictures > 1;
     return std::max(1, drawn_again ? pieces : std::min(2, pieces));
 }
 
