@@ -44,3 +44,12 @@ def test_works_without_a_display(t):
     t.clip()
     bare = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR")}
     t.render("clip.avi", "--quiet", env=bare).expect(0, err="")
+
+
+def test_pixel_data_without_framebuffer_fetch(t):
+    """A driver that can't read the framebuffer in a shader draws each slice into a second one: the same data."""
+    t.scene("left_bag", "bag.y4m", "--size", "96x72", "--frames", "60")
+    for name, overrides in (("a.exr", ""), ("b.exr", "-GL_EXT_shader_framebuffer_fetch")):
+        t.vvr("render", "bag.y4m", "-o", name, "--size", "320x200", "--backend", "software",
+              env={"MESA_EXTENSION_OVERRIDE": overrides}).expect(0)
+    check(t.path("a.exr").read_bytes() == t.path("b.exr").read_bytes(), "other pixel data")
