@@ -9,12 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include <re2/re2.h>
-
-#include <fmt/format.h>
-
-#include "core/base/file.h"
 #include "core/base/wall_clock.h"
+#include "core/video/camera_names.h"
 
 namespace vvr::video {
 
@@ -22,76 +18,6 @@ namespace {
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
-}
-
-/// A year followed only by numbers: 2026, 2026-11, 20261121, 2026_11_21, 2026-11-21_20.
-bool is_date(std::string_view folder) {
-    const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
-                      std::ranges::all_of(folder.substr(0, 4), is_digit);
-    if (folder.size() == 14 && folder[4] == 'Y' && folder.back() == 'H') return year;  // 2026Y11M21D20H
-    if (folder.ends_with("AM") || folder.ends_with("PM")) folder.remove_suffix(2);
-    if (!year || folder.size() == 5 || folder.size() > 13) return false;
-    return std::ranges::all_of(folder.substr(4),
-                               [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
-}
-
-/// Whether a folder is a date or a part of one: month, day or hour ("20", "20h").
-bool is_part_of_date(std::string_view folder) {
-    if (is_date(folder)) return true;
-    if (folder.size() == 3 && folder.back() == 'h') folder.remove_suffix(1);
-    return folder.size() <= 2 && std::ranges::all_of(folder, is_digit);
-}
-
-// Sorted. Prefixes that cameras, phones and programs use before a time, and common names of video folders.
-constexpr std::array<std::string_view, 39> common_words{
-    "alarm",   "archive", "capture", "cctv",   "clip",      "clips",      "continuous", "dav",
-    "dvr",     "event",   "events",  "export", "exports",   "file",       "footage",    "img",
-    "manual",  "mdalarm", "media",   "motion", "mov",       "movie",      "mp4",        "mvi",
-    "nvr",     "pxl",     "rec",     "record", "recording", "recordings", "schedule",   "screen recording",
-    "sdalarm", "segment", "timer",   "vid",    "video",     "videos",     "wp"};
-
-/// The folders before the first date folder, or else the first folder after it that is not a date or hour. Empty if
-/// there is none.
-/// \param skipped leading bytes of `path` whose folders are not a camera, but may be a date
-std::string camera_of_folders(std::string_view path, std::size_t skipped) {
-    std::string camera;
-    bool dated = false;
-    std::size_t begin = 0;
-    for (auto slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/', begin)) {
-        const std::string_view folder = path.substr(begin, slash - begin);
-        const bool counts = begin >= skipped;
-        begin = slash + 1;
-        if (dated && is_part_of_date(folder)) continue;
-        if (is_date(folder)) {
-            if (!camera.empty()) return camera;
-            dated = true;
-            continue;
-        }
-        if (!counts) continue;
-        if (dated) return std::string(folder);
-        if (!camera.empty()) camera += '/';
-        camera += folder;
-    }
-    return camera;
-}
-
-/// Without a number at the end: "clip" of "clip 7", "" of "001".
-std::string_view without_number(std::string_view name) {
-    const auto last = name.find_last_not_of("0123456789-_. #()");
-    return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
-}
-
-/// Whether a name begins with an IPv4 address, as many cameras name their files.
-bool begins_with_address(std::string_view name) {
-    static const re2::RE2 address("(?:[0-9]{1,3}\\.){3}[0-9]{1,3}(?:[^0-9.].*)?");
-    return re2::RE2::FullMatch(re2::StringPiece(name.data(), name.size()), address);
-}
-
-/// Whether a name is generic, not a camera's: "VID", "clip 7", "recordings", "001".
-bool is_generic_name(std::string_view name) {
-    const std::string_view word = without_number(name);
-    if (word.empty()) return !begins_with_address(name);
-    return std::ranges::binary_search(common_words, lower_case(word));
 }
 
 enum class Zone { local, utc };
@@ -180,11 +106,6 @@ constexpr std::array known{
     KnownRow{any_epoch, "{camera}{gap}{epoch}{until epoch}", local, below},
     KnownRow{any_epoch, "{camera}{gap}{epoch ms}{until epoch}", local, below},
 };
-
-/// Files with the same key are numbered together: the folders of their camera, and the word before the number.
-std::string key_of(std::string_view whole_path, std::string_view numbered) {
-    return fmt::format("{}/{}", camera_of_folders(whole_path, 0), without_number(numbered));
-}
 
 constexpr std::string_view given_by_user = "--names";
 
@@ -310,7 +231,7 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
         // A pattern without a time leaves the time to later patterns.
         if (name.begin || name.ambiguous) break;
     }
-    if (name.camera.empty() && !name.numbered.empty() && numbered_.contains(key_of(whole_path, name.numbered))) {
+    if (name.camera.empty() && !name.numbered.empty() && numbered_.contains(numbered_with(whole_path, name.numbered))) {
         name.camera = name.numbered;
     }
     return name;
@@ -326,7 +247,7 @@ void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
         const std::string all = whole(path);
         const RecorderName name = read_with(all, layouts_);
         if (name.numbered.empty() || !name.begin) continue;
-        Files& files = files_by_key[key_of(all, name.numbered)];
+        Files& files = files_by_key[numbered_with(all, name.numbered)];
         files.names.insert(name.numbered);
         files.begins.push_back(name.begin->clock);
     }

@@ -92,7 +92,7 @@ struct RecorderName {
     std::string layout;                ///< the recorder's name, or "--names"; empty = unknown
     std::string camera;                ///< empty = unknown
     bool below = false;                ///< the camera's folder is a part of its name
-    std::string numbered;              ///< "video1" before the time: the name of a camera, or a count of its files
+    std::string numbered{};            ///< "video1" before the time: the name of a camera, or a count of its files
     std::optional<NamedTime> begin{};  ///< start of the recording
     bool ambiguous = false;            ///< its time can be read in several ways
 };

@@ -6,20 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/wall_clock.h"
 #include "core/video/recorder_names.h"
+#include "core/video/segment.h"
 
 // Recorders write files of seconds to an hour, called segments. A camera's segments, in order, are one recording.
 namespace vvr::video {
-
-/// One file of a recording.
-struct Segment {
-    std::string path;
-    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the previous segment
-    ClockSource begin_source = ClockSource::none;  ///< source of `begin`
-    std::string camera{};                          ///< empty = unknown
-    std::string layout{};                          ///< as RecorderName::layout
-};
 
 /// The files of a recording, in order.
 struct Recording {

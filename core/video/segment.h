@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/base/wall_clock.h"
+
+namespace vvr::video {
+
+/// One file of a recording.
+struct Segment {
+    std::string path;
+    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the previous segment
+    ClockSource begin_source = ClockSource::none;  ///< source of `begin`
+    std::string camera{};                          ///< empty = unknown
+    std::string layout{};                          ///< as RecorderName::layout
+};
+
+}  // namespace vvr::video
