@@ -46,6 +46,7 @@ std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
 
 std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
+    if (!job.input.camera.empty()) return job.input.camera;
     // Frames from memory have no file, and an extraction does not keep its clip's camera.
     if (job.input.names.empty() || store::is_data_folder(job.input.names.front())) return {};
     if (!info.segments.empty()) return info.title;

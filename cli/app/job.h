@@ -127,6 +127,7 @@ struct InputOptions {
     Size field_size{0, 0};                   ///< as in SourceOptions
     double rate = 25;                        ///< frames per second if the input has none
     std::function<std::unique_ptr<video::FrameSource>(const video::SourceOptions&)> open{};  ///< replaces the files
+    std::string camera{};                 ///< named by the user; empty = from the names of files and folders
     std::vector<std::string> problems{};  ///< known before the files are read, one sentence each
 };
 

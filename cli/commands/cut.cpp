@@ -292,6 +292,9 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     app::write_record(folder.hidden(), record, held);
     if (stop.stop_requested()) return false;
     folder.publish();
+    if (record.camera.empty()) {
+        observer.warn(fmt::format("'{}': the camera is not known; --camera-name names it", piece.name));
+    }
     observer.info(fmt::format("'{}': {}, {}, {} and {}", job.evidence.string(), file, still, video::record_name,
                               video::sums_name));
     return true;
@@ -299,6 +302,12 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
 
 /// Writes the piece. Copies packets from the preceding key frame on, unless the piece must be exact.
 /// \param stop request to stop; no file is then left
+/// The camera that the user, the report or the names of files tell; empty = unknown.
+const std::string& camera_of(const CutJob& job, const Selection& selection, const app::Footage& footage) {
+    if (!job.search.input.camera.empty()) return job.search.input.camera;
+    return selection.camera.empty() ? footage.recording.camera : selection.camera;
+}
+
 /// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& stop) {
@@ -313,7 +322,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
                                                      : read_event(job, footage);
     app::PieceJob piece;
     piece.name = footage.recording.name;
-    piece.camera = selection.camera.empty() ? footage.recording.camera : selection.camera;
+    piece.camera = camera_of(job, selection, footage);
     piece.span = selection.span;
     piece.parts = app::parts_in(selection.places, selection.span);
     piece.input = job.search.input;

@@ -110,7 +110,7 @@ class Watch final : public Command {
         line.set_for_streams();
         add_stream_output(line, job_.output);
         add_stream_options(line, options_);
-        line.find_camera();
+        line.find_camera(options_.camera);
         options::add_input_options(
             line, job_.input, "INPUT",
             "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a growing file, - for stdin, "
@@ -137,7 +137,6 @@ class Watch final : public Command {
         job_.output.tells_events = !events_to_.empty();
         if (job_.output.tells_events) {
             options_.on_event = [&events](const events::EventLine& one) { events.add(one); };
-            options_.camera = line.cameras().chosen;
         }
         app::StreamWatch watch(job_, options_, console);
         const cli::GracefulShutdown stop(environment.signals, [&watch] { watch.stop(); });

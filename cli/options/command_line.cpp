@@ -18,6 +18,7 @@
 #include "core/video/input.h"
 #include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 
 namespace vvr::options {
 
@@ -27,8 +28,8 @@ constexpr Setting config_option{
     "config", "FILE",
     "read options from this file, as lines like `size = 1280x800`; the command line takes precedence; none = no file"};
 constexpr Setting camera_name_option{"camera-name", "NAME",
-                                     "camera of the video, for the section [camera.NAME] of the config file; default: "
-                                     "from the names of files and folders"};
+                                     "camera of the video, for reports, evidence and the section [camera.NAME] of the "
+                                     "config file; default: from the names of files and folders"};
 constexpr Setting help_option{"help", "", "print this help"};
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -100,6 +101,7 @@ struct CommandLine::Impl {
     bool reads_config = true;
     bool finds_camera = false;
     std::string camera{};  ///< given
+    std::string* found_camera = nullptr;
     CameraSections cameras{};
     std::vector<std::string> parsed{};
 
@@ -215,8 +217,9 @@ std::vector<std::string> CommandLine::configurable(std::span<const Group> groups
     return names;
 }
 
-void CommandLine::find_camera() {
+void CommandLine::find_camera(std::string& found) {
     impl_->finds_camera = true;
+    impl_->found_camera = &found;
 }
 
 void CommandLine::set_camera(const std::string& name) {
@@ -231,22 +234,34 @@ std::span<const std::string> CommandLine::parsed() const {
     return impl_->parsed;
 }
 
-/// The camera of the first input, which need not be that of an archive: it may have more folders in front.
+/// The camera of all files of the input, which need not be that of an archive: it may have more folders in front. Empty
+/// if they differ.
 std::string CommandLine::camera_of_input(const std::vector<std::string>& patterns) const {
     const std::vector<std::string> inputs = impl_->app.get_option("INPUT")->results();
     if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
-    std::error_code none;
-    std::filesystem::path path = std::filesystem::absolute(inputs.front(), none).lexically_normal();
-    // Folders below the input may name the camera too.
-    if (std::filesystem::is_directory(path, none)) {
-        const std::vector<std::string> clips = video::video_files_in(path);
-        path = clips.empty() ? path / "clip" : std::filesystem::path(*std::ranges::min_element(clips));
+    std::vector<std::string> files;
+    try {
+        files = video::files_of_inputs(inputs);
+    } catch (const Error&) {
+        return {};  // opening the input reports it
     }
-    return video::RecorderNames(patterns).camera_of(path.string());
+    // Folders in front of a recording may name the camera too.
+    std::error_code none;
+    const std::string& input = inputs.front();
+    if (files.empty()) files.push_back(std::filesystem::is_directory(input, none) ? input + "/clip" : input);
+    for (std::string& file : files) file = std::filesystem::absolute(file, none).lexically_normal().string();
+    video::RecorderNames names(patterns);
+    names.find_numbered_cameras(files);
+    for (const std::string& section : impl_->cameras.names) names.describe_camera(section, {});
+    const std::string camera = names.camera_of(files.front());
+    const bool is_one = std::ranges::all_of(files, [&](const auto& file) { return names.camera_of(file) == camera; });
+    return is_one ? camera : std::string();
 }
 
 void CommandLine::refuse_unknown_camera() const {
     if (impl_->camera.empty() || !impl_->cameras.chosen.empty()) return;
+    // Without sections, it only names the camera.
+    if (impl_->finds_camera && impl_->cameras.names.empty()) return;
     throw Error(
         ErrorCode::option_value,
         fmt::format("camera-name: {} has no section [camera.{}]{}",
@@ -333,6 +348,9 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     refuse_leftovers();
     refuse_two_outputs();
     refuse_unknown_camera();
+    if (impl_->found_camera != nullptr) {
+        *impl_->found_camera = impl_->camera.empty() ? impl_->cameras.chosen : impl_->camera;
+    }
     return true;
 }
 

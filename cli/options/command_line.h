@@ -150,7 +150,8 @@ class CommandLine {
     const ConfigChoice& config() const;
 
     /// Applies the config file's section of the input's camera, and lets the user name the camera.
-    void find_camera();
+    /// \param found receives the given name, or else that of the section; empty if there is none
+    void find_camera(std::string& found);
 
     /// Applies the config file's section of this camera. parse() throws if there is none.
     void set_camera(const std::string& name);

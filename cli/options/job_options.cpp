@@ -29,7 +29,7 @@ void add_name_options(CommandLine& line, app::InputOptions& options) {
 }
 
 void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help) {
-    line.find_camera();
+    line.find_camera(options.camera);
     add_input_options(line, options, "INPUT...", help);
     add_name_options(line, options);
     AddOptions(line, Group::input)(setting::join, options.join);

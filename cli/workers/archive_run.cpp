@@ -331,11 +331,12 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
         const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, job.names);
         if (verdict.fate == archive::SourceState::away) away.insert(verdict.folder);
         if (verdict.fate == archive::SourceState::unknown) ++unknown;
-        if (verdict.fate != archive::SourceState::gone) continue;
+        const bool moved = verdict.fate == archive::SourceState::moved;
+        if (verdict.fate != archive::SourceState::gone && !moved) continue;
         ++removed;
         const std::string name = archive::text_of_path(sidecar.clip.path);
         if (dry_run) {
-            cli::print(fmt::format("{:<15} {}\n", "gone", name));
+            cli::print(fmt::format("{:<15} {}\n", moved ? "moved" : "gone", name));
             continue;
         }
         try {
@@ -345,7 +346,8 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
             archive::remove_outputs(job.out, sidecar);
-            environment.log.info("{}: the clip was deleted, so its picture was removed", name);
+            environment.log.info("{}: {}, so its picture was removed", name,
+                                 moved ? "its clips belong to other days now" : "the clip was deleted");
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
             cli::log_error(environment.log, error.code(), error.what());

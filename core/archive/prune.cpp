@@ -165,6 +165,10 @@ SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const P
                              const video::RecorderNames& recorders) {
     if (present.days.contains(sidecar.clip.path)) return {};
     if (sidecar.day && sidecar.day->files.empty()) return {SourceState::unknown, {}};
+    const auto is_found = [&](const std::string& clip) {
+        return std::ranges::binary_search(present.scan.clips, clip, {}, &Clip::path);
+    };
+    if (sidecar.day && std::ranges::all_of(sidecar.day->files, is_found)) return {SourceState::moved, {}};
     std::set<fs::path> looked_at;
     for (const std::string& clip : sidecar.day ? sidecar.day->files : std::vector{sidecar.clip.path}) {
         if (!is_gone(in / clip)) return {};

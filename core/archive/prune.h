@@ -57,6 +57,7 @@ enum class SourceState {
     there,    ///< one exists, or may exist
     gone,     ///< all are gone, but their folders exist
     away,     ///< the folder of one is empty, a broken link or missing: perhaps an unmounted disk
+    moved,    ///< all are there, and belong to other days now
     unknown,  ///< the day's sidecar doesn't list its clips
 };
 

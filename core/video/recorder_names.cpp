@@ -107,6 +107,30 @@ constexpr std::array known{
     KnownRow{any_epoch, "{camera}{gap}{epoch ms}{until epoch}", local, below},
 };
 
+/// A file with a number before the time.
+struct NumberedFile {
+    std::int64_t begin = 0;
+    std::string name;
+};
+
+/// Whether the numbers of files are cameras: at least half of the files have a number that others have too, or begin
+/// with a file of another number. A count of files does neither.
+bool are_of_cameras(std::vector<NumberedFile> files) {
+    constexpr std::int64_t together = 1;  // seconds
+    std::ranges::sort(files, {}, &NumberedFile::begin);
+    std::map<std::string_view, int> files_of;
+    for (const NumberedFile& file : files) ++files_of[file.name];
+    const auto is_parallel = [&](std::size_t a, std::size_t b) {
+        return b < files.size() && files[b].begin - files[a].begin <= together && files[a].name != files[b].name;
+    };
+    std::size_t telling = 0;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const bool parallel = is_parallel(i, i + 1) || (i > 0 && is_parallel(i - 1, i));
+        telling += parallel || files_of[files[i].name] > 1 ? 1 : 0;
+    }
+    return 2 * telling >= files.size();
+}
+
 constexpr std::string_view given_by_user = "--names";
 
 /// Without ".mp4", but with the ".07" of "08.00.07".
@@ -197,7 +221,8 @@ std::string RecorderNames::whole(std::string_view path) const {
 }
 
 void RecorderNames::describe_camera(const std::string& camera, std::span<const std::string> patterns) {
-    for (const std::string& pattern : patterns) of_cameras_[camera].emplace_back("--names", pattern);
+    std::vector<NamingScheme>& schemes = of_cameras_[camera];
+    for (const std::string& pattern : patterns) schemes.emplace_back("--names", pattern);
 }
 
 RecorderName RecorderNames::read(std::string_view path) const {
@@ -231,36 +256,22 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
         // A pattern without a time leaves the time to later patterns.
         if (name.begin || name.ambiguous) break;
     }
-    if (name.camera.empty() && !name.numbered.empty() && numbered_.contains(numbered_with(whole_path, name.numbered))) {
-        name.camera = name.numbered;
-    }
+    const bool is_camera = !name.numbered.empty() && (of_cameras_.contains(name.numbered) ||
+                                                      numbered_.contains(numbered_with(whole_path, name.numbered)));
+    if (name.camera.empty() && is_camera) name.camera = name.numbered;
     return name;
 }
 
 void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
-    struct Files {
-        std::set<std::string> names;
-        std::vector<std::int64_t> begins;
-    };
-    std::map<std::string, Files> files_by_key;
+    std::map<std::string, std::vector<NumberedFile>> files_by_key;
     for (const std::string& path : paths) {
         const std::string all = whole(path);
-        const RecorderName name = read_with(all, layouts_);
+        RecorderName name = read_with(all, layouts_);
         if (name.numbered.empty() || !name.begin) continue;
-        Files& files = files_by_key[numbered_with(all, name.numbered)];
-        files.names.insert(name.numbered);
-        files.begins.push_back(name.begin->clock);
+        files_by_key[numbered_with(all, name.numbered)].push_back({name.begin->clock, std::move(name.numbered)});
     }
-    constexpr std::int64_t together = 1;  // seconds between the files of several cameras
     for (auto& [key, files] : files_by_key) {
-        std::ranges::sort(files.begins);
-        std::size_t times = 1;
-        for (std::size_t i = 1; i < files.begins.size(); ++i) {
-            times += files.begins[i] > files.begins[i - 1] + together ? 1 : 0;
-        }
-        const bool repeat = files.begins.size() >= 2 * files.names.size();
-        const bool parallel = files.begins.size() >= 2 * times;
-        if (repeat || parallel) numbered_.insert(key);
+        if (are_of_cameras(std::move(files))) numbered_.insert(key);
     }
 }
 

@@ -153,10 +153,10 @@ class RecorderNames {
     /// \param skipped leading bytes of `path` whose folders are not a camera
     std::string camera_of(std::string_view path, std::size_t skipped = 0) const;
 
-    /// Decides for names such as "video1_2026-11-21_20-00-00" whether the number is a camera's or counts files. A
-    /// camera has several files, or files that begin at the same time as another camera's. Until then, and where there
-    /// is no such evidence, these cameras are unknown. \param paths all files that belong together, such as those of an
-    /// archive
+    /// Decides for names such as "video1_2026-11-21_20-00-00" whether the number is a camera's or counts files. It is a
+    /// camera's if most files have a number that others have too, or begin with a file of another number, and if
+    /// `describe_camera` names it. Else these cameras are unknown.
+    /// \param paths all files that belong together, such as those of an archive
     void find_numbered_cameras(std::span<const std::string> paths);
 
     /// Describes the names of one camera's files; these patterns are tried first there. They give times. Which camera

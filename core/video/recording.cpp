@@ -103,9 +103,20 @@ struct SegmentHeader {
     ClipHeader header;
 };
 
+/// Whether file names differ only in numbers, as a recorder counts its files: "clip1.mp4", "clip2.mp4".
+bool are_numbered(const std::vector<Segment>& segments) {
+    const auto without_digits = [](const Segment& segment) {
+        std::string name = fs::path(segment.path).filename().string();
+        std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
+        return name;
+    };
+    const std::string first = without_digits(segments.front());
+    return std::ranges::all_of(segments, [&](const Segment& each) { return without_digits(each) == first; });
+}
+
 /// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must agree.
-/// \param headers of these files, preceded by that of one file whose name has a time, if there is one
-/// \throws Error usage if they differ
+/// If no name has a time, the names must differ only in numbers. \param headers of these files, preceded by that of one
+/// file whose name has a time, if there is one \throws Error usage if they differ
 void require_related(const Recording& recording, std::span<const SegmentHeader> headers) {
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();
@@ -119,6 +130,15 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
                         counted(std::ssize(recording.segments), "file")),
             {"join"});
     }
+    const std::vector<Segment>& segments = recording.segments;
+    const bool dated = std::ranges::any_of(segments, [](const Segment& each) { return each.begin.has_value(); });
+    if (dated || are_numbered(segments)) return;
+    throw Error(
+        ErrorCode::recording_mixed,
+        fmt::format("'{}' and '{}' seem unrelated: no name says when it was recorded, and their names differ by "
+                    "more than a number; give one of the {}, or join them as one recording",
+                    segments.front().path, segments[1].path, counted(std::ssize(segments), "file")),
+        {"join"});
 }
 
 // ---- Start times
@@ -158,20 +178,7 @@ bool follow_each_other(std::vector<std::pair<double, double>> spans, double shar
     return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
 }
 
-/// Whether file names differ only in numbers, as a recorder counts its files: "clip1.mp4", "clip2.mp4".
-bool are_numbered(const std::vector<Segment>& segments) {
-    const auto without_digits = [](const Segment& segment) {
-        std::string name = fs::path(segment.path).filename().string();
-        std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
-        return name;
-    };
-    const std::string first = without_digits(segments.front());
-    return std::ranges::all_of(segments, [&](const Segment& each) { return without_digits(each) == first; });
-}
-
-/// \param join whether to accept files that nothing puts in order
-/// \throws Error usage for these otherwise
-void set_times_of_containers(Recording& recording, std::span<const SegmentHeader> headers, bool join) {
+void set_times_of_containers(Recording& recording, std::span<const SegmentHeader> headers) {
     const auto undated = std::ranges::count_if(recording.segments, [](const Segment& each) { return !each.begin; });
     if (undated == 0) return;
     std::vector<SegmentHeader> read;
@@ -216,15 +223,6 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
                         "times and shows no times of day (--start-time modified shows these)",
                         recording.name, files));
         return;
-    }
-    const std::vector<Segment>& segments = recording.segments;
-    if (!join && undated == std::ssize(segments) && !are_numbered(segments)) {
-        throw Error(ErrorCode::recording_mixed,
-                    fmt::format("'{}' and '{}' seem unrelated: no name says when it was recorded, the files' creation "
-                                "and modification times contradict each other, and their names differ by more than a "
-                                "number; give one of the {}, or join them as one recording",
-                                segments.front().path, segments[1].path, counted(std::ssize(segments), "file")),
-                    {"join"});
     }
     recording.warnings.push_back(
         fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
@@ -282,6 +280,16 @@ Segment segment_from_name(const std::string& path, const RecorderNames& layouts)
     return segment;
 }
 
+std::vector<std::string> files_of_inputs(std::span<const std::string> names) {
+    Files files;
+    for (const std::string& name : names) {
+        if (!is_single_source(name)) add_files(name, files);
+    }
+    std::ranges::sort(files, natural_less);
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
 std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join) {
     if (names.size() == 1) {
         std::error_code none;
@@ -314,7 +322,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     recording.camera = find_camera(recording.name, recording.segments, schemes, join);
     const std::vector<SegmentHeader> headers = headers_of(recording.segments);
     if (!join) require_related(recording, headers);
-    set_times_of_containers(recording, headers, join);
+    set_times_of_containers(recording, headers);
     sort_by_time(recording.segments);
     return recording;
 }

@@ -46,6 +46,10 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
 std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts,
                                         bool join = false);
 
+/// The video files of a recording's inputs, each once, in natural order of their names. Inputs of other kinds have
+/// none. \throws Error io if an input can't be read
+std::vector<std::string> files_of_inputs(std::span<const std::string> names);
+
 /// The segment of a single file, by its name.
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
 

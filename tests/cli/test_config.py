@@ -156,7 +156,18 @@ threshold = 70
         t.render(folder, *config, "--report", "r.json").expect(0)
         check(t.json("r.json")["settings"]["threshold"] == "41", folder)
     t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
-    t.render(clip, "--camera-name", "gate").expect(1, "[camera.gate]", code="option-value")
+    # Without sections it only names the camera.
+    t.render(clip, "--camera-name", "gate", "--report", "r.json").expect(0)
+    check(t.json("r.json")["input"]["camera"] == "gate", "named")
+    # A pattern, a list of files, and a number that only the section says is a camera's.
+    t.write("more.toml", "[camera.gate]\nthreshold = 41\n[camera.01]\nthreshold = 42\n")
+    t.copy(clip, "many/gate_2026-11-21_20-30-00.avi", "many/gate_2026-11-21_20-30-01.avi", "01_20261121203000.avi")
+    for inputs, expected in ((["tree/*/2026-11-21"], ("41", "gate")), (["many/gate*.avi"], ("41", "gate")),
+                             (["many/gate_2026-11-21_20-30-00.avi", "many/gate_2026-11-21_20-30-01.avi"], ("41", "gate")),
+                             (["01_20261121203000.avi"], ("42", "01"))):
+        t.render(*inputs, "--config", "more.toml", "--report", "r.json").expect(0)
+        report = t.json("r.json")
+        check((report["settings"]["threshold"], report["input"]["camera"]) == expected, f"{inputs}: {report['input']}")
     said = t.vvr("config", "archive", "--camera-name", "gate", *config).expect(0, out=None).out
     check(re.search(r"^threshold +41 \(config file, \[camera.gate\]\)$", said, flags=re.MULTILINE), said)
     said = t.vvr("config", *config).expect(0, out=None).out

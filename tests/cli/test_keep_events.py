@@ -244,6 +244,12 @@ def test_cut_writes_evidence(t):
     t.write("report.json", t.path("report.json").read_text().replace('"camera": "gate"', '"camera": "house/gate"'))
     t.vvr("cut", NAMED, "--event", "2", "--report", "report.json", "--evidence", "told").expect(0)
     check(evidence(t.path("told"))["camera"] == "house/gate", f"{evidence(t.path('told'))}")
+    # Where nothing tells it, that is said, and the user can name it.
+    t.copy(NAMED, "clip.mp4")
+    t.vvr("cut", "clip.mp4", "--start", "1s", "--end", "2s", "--evidence", "unknown").expect(0, "warning: 'clip.mp4'", "--camera-name")
+    check(evidence(t.path("unknown"))["camera"] is None, "a guess")
+    t.vvr("cut", "clip.mp4", "--start", "1s", "--end", "2s", "--evidence", "named", "--camera-name", "yard").expect(0)
+    check(evidence(t.path("named"))["camera"] == "yard", f"{evidence(t.path('named'))}")
     # The still is the frame of the event's portrait, of full size.
     check(t.picture_size("case/event-2.png") == (160, 120), f"{t.picture_size('case/event-2.png')}")
     check(abs(still["seconds"] - event["portrait"]["seconds"]) < 0.05, f"{still} {event['portrait']}")

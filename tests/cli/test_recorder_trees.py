@@ -92,6 +92,17 @@ def test_numbered_cameras(t):
         out = t.archive(folder, "-o", "out", "--per", "day", "--dry-run").expect(0, out=None).out
         days = [line.split()[1] for line in out.splitlines() if line.startswith("new")]
         check(sorted(days) == [f"{camera}/2026-11-21" for camera in cameras], out)
+    # A day that was drawn before a second file showed the cameras goes with --prune.
+    look = ("--size", "160x100", "--backend", "software", "--write", "pictures,index")
+    for number, moment in (("01", moments[0]), ("02", "20-01-00")):
+        t.copy("clip.avi", f"grows/{number}_2026-11-21_{moment}.avi")
+    t.age("grows")
+    t.archive("grows", "-o", "days", "--per", "day", *look).expect(0, "2026-11-21: ")
+    t.copy("clip.avi", "grows/01_2026-11-21_20-02-00.avi")
+    t.age("grows")
+    t.archive("grows", "-o", "days", "--per", "day", "--prune", *look).expect(
+        0, "01/2026-11-21: ", "02/2026-11-21: ", "2026-11-21: its clips belong to other days now, so its picture was removed")
+    check(not t.path("days/2026-11-21.png").exists() and t.path("days/01/2026-11-21.png").exists(), "the day of no camera")
     t.copy("clip.avi", *[f"counted/clip{n}_2026-11-21_20-00-0{2 * n}.avi" for n in range(4)])
     check({clip["camera"] for clip in told(t, "counted")} == {None}, f"{told(t, 'counted')}")
 

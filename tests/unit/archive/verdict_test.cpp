@@ -97,6 +97,8 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), archive::SourceState::there)
         << "one of its clips is left";
     EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::SourceState::away);
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-20/x.avi", "there.avi"}), archive::SourceState::moved)
+        << "all of its clips are there, in other days";
     EXPECT_EQ(day("2026-11-19", {}), archive::SourceState::unknown) << "an older sidecar";
     write(in() / "gate/2026-11-19 08-00-00.avi");
     EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there)

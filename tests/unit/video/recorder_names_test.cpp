@@ -163,9 +163,15 @@ TEST(RecorderNames, NumbersAreCamerasWhereFilesShowIt) {
               (std::vector<std::string>{"in/01", "in/02"}));
     EXPECT_EQ(cameras_of({"2026-11-21/Rec_1_20-00-00.mp4", "2026-11-22/Rec_1_20-00-00.mp4"}),
               (std::vector<std::string>{"Rec_1", "Rec_1"}));
+    EXPECT_EQ(cameras_of({"01_20261121200000.mp4", "01_20261121200500.mp4", "02_20261121200200.mp4"}),
+              (std::vector<std::string>{"01", "01", "02"}));
     // A number per file, one after another, counts them.
     EXPECT_EQ(cameras_of({"clip1_20261121_200000.mp4", "clip2_20261121_201000.mp4", "clip3_20261121_202000.mp4"}),
               (std::vector<std::string>{"", "", ""}));
+    video::RecorderNames described;
+    described.describe_camera("01", {});
+    EXPECT_EQ(described.camera_of("01_20261121200000.mp4"), "01");
+    EXPECT_EQ(described.camera_of("02_20261121200000.mp4"), "");
     // Files of two folders at the same time are not files of two numbers.
     EXPECT_EQ(cameras_of({"gate/clip1_20261121_200000.mp4", "yard/clip1_20261121_200000.mp4"}),
               (std::vector<std::string>{"gate", "yard"}));
