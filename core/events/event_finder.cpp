@@ -149,6 +149,7 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
         Track& track = tracks_[k];
         if (!track.stands() || track.seen().frame == now.frame) continue;
         if (!track.near()) track.set_near(about(track));
+        if (!track.near()) track.set_near(bystander(track));
         if (!track.near() && resumes_motion(k, blobs, looks, assignment, sight, now)) continue;
         int covered = 0;
         for_each_pixel(track.patch(),
@@ -196,6 +197,19 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
         if (!own && track.follows_blobs() && track.is_confirmed() && wide.intersects(track.patch().box)) {
             return track.number();
         }
+    }
+    return std::nullopt;
+}
+
+/// The number of somebody who came to a thing and stands beside it. If it moves now, it doesn't move by itself.
+std::optional<std::size_t> EventFinder::bystander(const Track& thing) const {
+    if (thing.state() != State::appeared) return std::nullopt;
+    const PixelBox& box = thing.patch().box;
+    const PixelBox wide = box.inflated(box.width(), box.height());
+    for (const Track& track : tracks_) {
+        const bool came = track.state() == State::standing && track.first().frame > thing.still_since().frame;
+        const bool larger = thing.patch().area <= thresholds.most * track.usual_area();
+        if (came && larger && wide.intersects(track.patch().box)) return track.number();
     }
     return std::nullopt;
 }

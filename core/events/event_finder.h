@@ -72,6 +72,7 @@ class EventFinder {
                         const Moment& now);
     bool resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
                         const FrameView& sight, const Moment& now);
+    std::optional<std::size_t> bystander(const Track& thing) const;
     std::optional<std::size_t> about(const Track& standing) const;
     void drop_unconfirmed(std::vector<std::size_t>& chosen);
     void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
