@@ -1,6 +1,7 @@
 #include "core/bricks/brick.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -133,16 +134,18 @@ class OwnersAround {
     explicit OwnersAround(const PixelBox& box)
         : box_(box),
           stride_(static_cast<std::size_t>(box.width()) + 2),
-          owners_(stride_ * (static_cast<std::size_t>(box.height()) + 2)) {}
+          // What is put for the last row of a tile may end beyond the last voxel.
+          owners_(stride_ * (static_cast<std::size_t>(box.height()) + 2) + fields::tile_side) {}
 
     void clear() { std::ranges::fill(owners_, std::uint16_t{0}); }
 
     /// Assigns the owners of a layer's voxels to these voxels and their neighbours. Overwrites earlier owners.
     void spread(const OwnerPlane& from) {
+        collect(from);
         const auto stride = static_cast<std::ptrdiff_t>(stride_);
-        for (const std::ptrdiff_t away : {-stride - 1, -stride + 1, stride - 1, stride + 1}) put(from, away);
-        for (const std::ptrdiff_t away : {-stride, stride, std::ptrdiff_t{-1}, std::ptrdiff_t{1}}) put(from, away);
-        put(from, 0);
+        for (const std::ptrdiff_t away : {-stride - 1, -stride + 1, stride - 1, stride + 1}) put(away);
+        for (const std::ptrdiff_t away : {-stride, stride, std::ptrdiff_t{-1}, std::ptrdiff_t{1}}) put(away);
+        put(0);
     }
 
     /// Calls visit(index in the box, owner) for each voxel with an owner.
@@ -164,24 +167,39 @@ class OwnersAround {
     }
 
   private:
-    /// Stores the owners of a layer at an offset of `away`.
-    void put(const OwnerPlane& from, std::ptrdiff_t away) {
+    /// The owners of a row of a tile, in the order of the box; 0 beyond the picture.
+    struct Run {
+        std::ptrdiff_t at;  ///< index in `owners_`
+        std::array<std::uint16_t, fields::tile_side> owners;
+    };
+
+    /// Finds the rows of a layer's tiles that have owners.
+    void collect(const OwnerPlane& from) {
+        runs_.clear();
         const Size size = from.size();
         from.for_each_run([&](int column, int row, std::span<const std::uint16_t> values) {
+            if (std::ranges::all_of(values, [](std::uint16_t owner) { return owner == 0; })) return;
             const int x = size.width - column - static_cast<int>(values.size()) - box_.left;
             const int y = size.height - 1 - row - box_.top;
-            std::uint16_t* const into =
-                &owners_[(static_cast<std::size_t>(y) + 1) * stride_ + static_cast<std::size_t>(x + 1)] + away;
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                const std::uint16_t value = values[values.size() - 1 - i];
-                into[i] = value != 0 ? value : into[i];
-            }
+            Run& run = runs_.emplace_back(Run{(y + 1) * static_cast<std::ptrdiff_t>(stride_) + x + 1, {}});
+            std::ranges::reverse_copy(values, run.owners.begin());
         });
+    }
+
+    /// Stores the owners of the collected rows at an offset of `away`.
+    void put(std::ptrdiff_t away) {
+        for (const Run& run : runs_) {
+            std::uint16_t* const into = owners_.data() + run.at + away;
+            for (std::size_t i = 0; i < run.owners.size(); ++i) {
+                into[i] = run.owners[i] != 0 ? run.owners[i] : into[i];
+            }
+        }
     }
 
     PixelBox box_;
     std::size_t stride_;
     std::vector<std::uint16_t> owners_;
+    std::vector<Run> runs_;
 };
 
 }  // namespace

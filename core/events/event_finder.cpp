@@ -5,6 +5,10 @@
 #include <iterator>
 #include <utility>
 
+#include <opencv2/core.hpp>
+
+#include "core/base/cv_view.h"
+
 namespace vvr::events {
 
 namespace {
@@ -362,8 +366,8 @@ TrackedFrame EventFinder::tracked(const Moment& now) const {
 
 /// Records the share of the picture that differs from the empty scene.
 void EventFinder::record_share(const Plane<std::uint8_t>& field, const Moment& now) {
-    const auto differs = std::ranges::count_if(field.pixels(), [](std::uint8_t value) { return value != 0; });
-    const double share = static_cast<double>(differs) / std::max<double>(1, static_cast<double>(field.pixels().size()));
+    const int differs = cv::countNonZero(cv_view(field));
+    const double share = differs / std::max<double>(1, static_cast<double>(field.pixels().size()));
     largest_share_ = std::max(largest_share_, share);
     shares_.emplace_back(now.seconds, share);
     while (now.seconds - shares_.front().first > thresholds.memory) shares_.pop_front();

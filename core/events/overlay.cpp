@@ -48,8 +48,12 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
         constexpr std::size_t run = 64;
         for (std::size_t begin = 0; begin < values.size(); begin += run) {
             const std::size_t end = std::min(values.size(), begin + run);
-            int most = 0;
-            for (std::size_t k = begin; k < end; ++k) most = std::max(most, std::abs(int{values[k]} - int{before[k]}));
+            std::uint8_t most = 0;  // of bytes alone, so that a vector holds many
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::uint8_t larger = std::max(values[k], before[k]);
+                const std::uint8_t smaller = std::min(values[k], before[k]);
+                most = std::max(most, static_cast<std::uint8_t>(larger - smaller));
+            }
             if (most < limit.level) continue;
             for (std::size_t k = begin; k < end; ++k) count(k);
         }

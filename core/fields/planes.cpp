@@ -40,13 +40,7 @@ Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b) {
         cv::absdiff(cv_view(a.grey), cv_view(b.grey), cv_view(result));
         return result;
     }
-    cv::Mat difference;
-    cv::absdiff(cv_view(a.colour), cv_view(b.colour), difference);
-    std::array<cv::Mat, 3> channels;
-    cv::split(difference, channels.data());
-    cv::max(channels[0], channels[1], channels[0]);
-    cv::Mat largest = cv_view(result);
-    cv::max(channels[0], channels[2], largest);
+    kernels::largest_difference(a.colour.pixels(), b.colour.pixels(), result.pixels());
     return result;
 }
 

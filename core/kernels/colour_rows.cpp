@@ -66,6 +66,25 @@ void full_range_row(const std::uint8_t* luma, std::uint8_t* out, std::size_t pix
     }
 }
 
+/// The values of `a` and `b` are interleaved in threes.
+void difference_row(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out, std::size_t pixels) {
+    const hn::CappedTag<std::uint8_t, 32> bytes;
+    const std::size_t lanes = hn::Lanes(bytes);
+    const auto apart = [](auto x, auto y) { return hn::Or(hn::SaturatedSub(x, y), hn::SaturatedSub(y, x)); };
+    std::size_t i = 0;
+    for (; i + lanes <= pixels; i += lanes) {
+        auto a0 = hn::Zero(bytes), a1 = a0, a2 = a0, b0 = a0, b1 = a0, b2 = a0;
+        hn::LoadInterleaved3(bytes, a + 3 * i, a0, a1, a2);
+        hn::LoadInterleaved3(bytes, b + 3 * i, b0, b1, b2);
+        hn::StoreU(hn::Max(hn::Max(apart(a0, b0), apart(a1, b1)), apart(a2, b2)), bytes, out + i);
+    }
+    for (; i < pixels; ++i) {
+        int most = 0;
+        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) most = std::max(most, a[k] < b[k] ? b[k] - a[k] : a[k] - b[k]);
+        out[i] = static_cast<std::uint8_t>(most);
+    }
+}
+
 }  // namespace
 }  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -74,6 +93,7 @@ HWY_AFTER_NAMESPACE();
 namespace vvr::kernels {
 
 HWY_EXPORT(bgr_row);
+HWY_EXPORT(difference_row);
 HWY_EXPORT(full_range_row);
 
 namespace {
@@ -117,6 +137,11 @@ void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std:
 
 void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out) {
     HWY_DYNAMIC_DISPATCH(full_range_row)(luma.data(), out.data(), luma.size());
+}
+
+void largest_difference(std::span<const Bgr> a, std::span<const Bgr> b, std::span<std::uint8_t> out) {
+    if (out.empty()) return;
+    HWY_DYNAMIC_DISPATCH(difference_row)(a.front().data(), b.front().data(), out.data(), out.size());
 }
 
 }  // namespace vvr::kernels

@@ -35,6 +35,9 @@ void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std:
 /// Converts a row of luma from 16…235 to 0…255; values outside are clipped.
 void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out);
 
+/// out[i] = the difference of a[i] and b[i] in the channel that differs most. All spans have the same length.
+void largest_difference(std::span<const Bgr> a, std::span<const Bgr> b, std::span<std::uint8_t> out);
+
 /// The weights of a Gaussian at -radius … radius, with sum 1.
 /// \param sigma pixels; may be 0 if `radius` is
 inline std::vector<double> gaussian_weights(double sigma, int radius) {

@@ -50,6 +50,25 @@ TEST(BlurBytes, IsAGaussian) {
     }
 }
 
+TEST(LargestDifference, IsThatOfTheChannelThatDiffersMost) {
+    std::mt19937 random(5);
+    for (const std::size_t count : {0U, 1U, 31U, 32U, 100U}) {
+        std::vector<Bgr> a(count);
+        std::vector<Bgr> b(count);
+        for (auto* pixels : {&a, &b}) {
+            for (Bgr& pixel : *pixels)
+                std::ranges::generate(pixel, [&] { return static_cast<std::uint8_t>(random()); });
+        }
+        Bytes found(count);
+        kernels::largest_difference(a, b, found);
+        for (std::size_t i = 0; i < count; ++i) {
+            int most = 0;
+            for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a[i][c] - b[i][c]));
+            EXPECT_EQ(found[i], most);
+        }
+    }
+}
+
 TEST(BlurBytes, LeavesAPlainPictureAsItIs) {
     for (const int level : {0, 1, 127, 254, 255}) {
         const Bytes from(50 * 20, static_cast<std::uint8_t>(level));
