@@ -138,7 +138,7 @@ OpenedFields open_any(const RenderJob& job) {
     require_input(job.input);
     if (!job.input.open && std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
     OpenedFields opened;
-    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings, job.bricks.max_layers);
     fields::FieldOptions fields = field_options_of(job);
     fields.span = resolve_span(fields.span, job.look.start_time, clip->info(), opened.day_times);
     opened.span = fields.span;
@@ -191,7 +191,7 @@ const std::string& only_input(const InputOptions& options) {
 }
 
 std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
-                                              std::vector<std::string>& warnings) {
+                                              std::vector<std::string>& warnings, std::int64_t layers) {
     require_input(options);
     warnings.insert(warnings.end(), options.problems.begin(), options.problems.end());
     video::SourceOptions source;
@@ -200,6 +200,8 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.threads = threads;
     source.rate = options.rate;
     source.join = options.join;
+    source.decode = options.decode;
+    source.layers = layers;
     if (options.open) return options.open(source);
     return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);
 }

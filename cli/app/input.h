@@ -76,8 +76,9 @@ std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::F
 
 /// Opens a whole clip, or a recording of several files.
 /// \param warnings receives sentences about the input
+/// \param layers of the volume, as SourceOptions::layers
 std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
-                                              std::vector<std::string>& warnings);
+                                              std::vector<std::string>& warnings, std::int64_t layers = 0);
 
 /// Refuses live streams, as a clip is read to its end, and more than once. Only warns if it can't be known.
 /// \throws Error usage for a live stream

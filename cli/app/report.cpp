@@ -265,7 +265,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
         {"report", format_version},
         {"vvr", version()},
         {"input", json_of_clip(info, plan.clock, camera_of(plan.job, info))},
-        {"frames", {{"used", seen.summary.frames}, {"damaged", seen.summary.damaged}}},
+        {"frames", {{"used", seen.summary.frames}, {"damaged", seen.summary.damaged}, {"decoded", info.decodes->name}}},
         {"span", {{"first", rounded(first)}, {"last", rounded(last)}, {"seconds", rounded(last - first)}}},
         {"field", {{"width", field.width}, {"height", field.height}}},
         {"volume",

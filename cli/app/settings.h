@@ -176,6 +176,7 @@ template <class Input, class Each>
 void each_recording_setting(Input& input, const Each& each) {
     each(setting::names, input.name_patterns);
     each(setting::join, input.join);
+    each(setting::decode, input.decode, video::frame_choices());
 }
 
 template <class Span, class Each>

@@ -75,7 +75,10 @@ std::string result_text(const RunContext& context) {
     const auto& [plan, seen, composed, run] = context;
     const std::filesystem::path& path = plan.job.output.path;
     const std::string name = path.empty() ? seen.info.name : path.string();
-    const std::string frames = counted(seen.summary.frames, "frame");
+    const bool all = &*seen.info.decodes == &video::frame_choices().front();
+    const std::string frames =
+        counted(seen.summary.frames, "frame") +
+        (all ? "" : fmt::format(" (decoded: {}, {:.0f} %)", seen.info.decodes->name, 100 * seen.info.decoded_share));
     if (plan.products.series) return fmt::format("'{}': {} of {}", name, counted(run.pictures, "picture"), frames);
     return fmt::format("'{}': {} in {} and {}", name, frames, counted(seen.volume.layers(), "layer"),
                        counted(std::ssize(composed.bricks), "brick"));

@@ -188,6 +188,7 @@ class Archive final : public Command {
         options::add_input_options(line, job_.input, "CLIPS",
                                    "the folder of the clips; vvr also searches its subfolders");
         options::add_name_options(line, job_.input);
+        options::add_decode_option(line, job_.input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr archive clips -o pictures --dry-run", "what a run would do, and why"},
                        {"vvr archive clips -o pictures --prune --quiet",

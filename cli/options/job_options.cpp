@@ -28,11 +28,16 @@ void add_name_options(CommandLine& line, app::InputOptions& options) {
                                    {.help = fmt::format("{}", fmt::join(video::known_recorders(), ", "))});
 }
 
+void add_decode_option(CommandLine& line, app::InputOptions& options) {
+    AddOptions(line, Group::input)(setting::decode, options.decode, video::frame_choices());
+}
+
 void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help) {
     line.find_camera(options.camera);
     add_input_options(line, options, "INPUT...", help);
     add_name_options(line, options);
     AddOptions(line, Group::input)(setting::join, options.join);
+    add_decode_option(line, options);
     // Only the plan of an archive's worker sets it.
     line.plan_setting("input-problem", [&options](const std::string& words) { options.problems.push_back(words); });
 }

@@ -29,6 +29,9 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
 /// Patterns that find camera and time in file names.
 void add_name_options(CommandLine& line, app::InputOptions& options);
 
+/// Adds the option for the frames that are decoded.
+void add_decode_option(CommandLine& line, app::InputOptions& options);
+
 /// INPUT as a clip or the files of a recording, with all of the above, and whether files are accepted as one recording
 /// that don't look like one.
 void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help);

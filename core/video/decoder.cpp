@@ -63,7 +63,8 @@ bool is_damaged(const AVFrame& frame) {
 
 }  // namespace
 
-Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demuxer_(&demuxer) {
+Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes)
+    : demuxer_(&demuxer), decodes_(std::move(decodes)) {
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec) {
@@ -98,6 +99,22 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     }
 }
 
+/// Reads the next packet that is decoded.
+bool Decoder::read() {
+    while (demuxer_->read(*packet_)) {
+        if (!decodes_ || decodes_(*packet_)) return true;
+    }
+    return false;
+}
+
+AvFrame Decoder::next_alone() {
+    while (read()) {
+        if (auto frame = decode_alone(*packet_)) return frame;
+        ++bad_packets_;
+    }
+    return nullptr;
+}
+
 AvFrame Decoder::next() {
     auto frame = av::make_frame();
     for (int failures = 0; failures < max_failures;) {
@@ -107,7 +124,7 @@ AvFrame Decoder::next() {
         if (code == AVERROR_EOF) return nullptr;
         const bool has_frame = code == 0;
         if (code == AVERROR(EAGAIN)) {
-            const bool more = demuxer_->read(*packet_);
+            const bool more = read();
             bad_packet = more && packet_->flags & AV_PKT_FLAG_CORRUPT;
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
@@ -163,15 +180,18 @@ double StampClock::next() const {
     return last_ ? *last_ + duration_ : 0;
 }
 
-VideoReader::VideoReader(Input input, double rate, int threads)
-    : input_(std::move(input)), rate_(rate), threads_(threads) {
+VideoReader::VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice)
+    : input_(std::move(input)), rate_(rate), threads_(threads), choice_(&choice) {
     open({});
 }
 
 void VideoReader::open(const SeekPoint& start) {
     close();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
-    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, threads_);
+    const AVCodecParameters& stream = *demuxer_->stream().codecpar;
+    decoder_ =
+        std::make_unique<Decoder>(*demuxer_, input_.name, choice_->alone ? 1 : threads_,
+                                  [this, &stream](const AVPacket& packet) { return choice_->decodes(packet, stream); });
     forgotten_ = 0;
     pass_frames_ = 0;
     pass_until_.reset();
@@ -187,6 +207,11 @@ void VideoReader::close() {
     if (decoder_) damaged_ = decoder_->damaged();
     decoder_.reset();
     demuxer_.reset();
+}
+
+void VideoReader::choose(const FrameChoiceRow& choice) {
+    choice_ = &choice;
+    rewind();
 }
 
 void VideoReader::rewind(const SeekPoint& start) {
@@ -214,7 +239,7 @@ SeekPoint VideoReader::find(double time) const {
         if (!pts || !dts || *dts < last_dts) return {};
         if (*dts >= end) break;
         last_dts = *dts;
-        if (*pts < end) ++frames;
+        if (*pts < end && choice_->decodes(*packet, *demuxer.stream().codecpar)) ++frames;
         keys += packet->flags & AV_PKT_FLAG_KEY ? 1 : 0;
         if (packet->flags & AV_PKT_FLAG_KEY && *pts <= end) {
             key_before = last_key;
@@ -229,7 +254,7 @@ SeekPoint VideoReader::find(double time) const {
 
 VideoReader::Timed VideoReader::next() {
     while (decoder_) {
-        auto image = decoder_->next();
+        auto image = choice_->alone ? decoder_->next_alone() : decoder_->next();
         if (!image && !decoder_->stopped()) return {};
         if (!image) {
             fall_back_to_one_thread();

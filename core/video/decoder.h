@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/video/demuxer.h"
+#include "core/video/frame_choice.h"
 #include "core/video/input.h"
 
 namespace vvr::video {
@@ -16,11 +18,15 @@ class Decoder {
     /// multithreaded output depends on a race, so a decoder with several threads stops at the first damage.
     ///
     /// \param threads 0 = one per core, or a single one for small pictures
+    /// \param decodes the packets that are decoded; empty = all
     /// \throws Error not_video if FFmpeg has no decoder for the stream
-    Decoder(Demuxer& demuxer, const std::string& name, int threads);
+    Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes = {});
 
     /// The next frame that decodes. Null at the end, after too many consecutive failures, and once stopped.
     AvFrame next();
+
+    /// The next frame that decodes on its own. Null at the end.
+    AvFrame next_alone();
 
     /// Whether a decoder with several threads has stopped at damage.
     bool stopped() const { return stopped_; }
@@ -33,7 +39,10 @@ class Decoder {
     std::int64_t damaged() const;
 
   private:
+    bool read();
+
     Demuxer* demuxer_;
+    std::function<bool(const AVPacket&)> decodes_;
     av::Ptr<AVCodecContext> codec_;
     av::Ptr<AVPacket> packet_ = av::make_packet();
     std::int64_t bad_packets_ = 0;
@@ -84,9 +93,12 @@ class VideoReader {
     };
 
     /// \throws Error as Demuxer and Decoder
-    VideoReader(Input input, double rate, int threads);
+    VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice = frame_choices().front());
 
     Timed next();
+
+    /// Restarts at the first frame, and decodes other frames from now on.
+    void choose(const FrameChoiceRow& choice);
 
     /// Restarts at the first frame, or at `start`. Call `next` at least once before.
     void rewind(const SeekPoint& start = {});
@@ -114,6 +126,7 @@ class VideoReader {
     Input input_;
     double rate_;
     int threads_;
+    const FrameChoiceRow* choice_;
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
     StampClock clock_{0};

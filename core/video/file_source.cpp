@@ -13,8 +13,32 @@
 
 namespace vvr::video {
 
+namespace {
+
+/// The row that `auto` stands for in this clip.
+const FrameChoiceRow& resolved(const SourceOptions& options, const VideoInfo& info, Size field) {
+    if (!options.decode->automatic) return *options.decode;
+    const bool shares = options.layers > 0 && info.frames >= 2 * options.layers;
+    return *Choice<FrameChoiceRow>(shares && 2 * field.width <= info.size.width ? "reference" : "all");
+}
+
+/// The share of a clip's frames that are decoded.
+double share_of(const FrameChoiceRow& choice, const Input& input, double rate) {
+    Demuxer demuxer(input, Demuxer::Kind::video, rate);
+    const auto packet = av::make_packet();
+    std::int64_t all = 0;
+    std::int64_t decoded = 0;
+    while (demuxer.read(*packet)) {
+        ++all;
+        decoded += choice.decodes(*packet, *demuxer.stream().codecpar) ? 1 : 0;
+    }
+    return decoded > 0 ? static_cast<double>(decoded) / static_cast<double>(all) : 1;
+}
+
+}  // namespace
+
 FileSource::FileSource(Input input, const SourceOptions& options)
-    : options_(options), reader_(std::move(input), options.rate, options.threads) {
+    : options_(options), reader_(std::move(input), options.rate, options.threads, *options.decode) {
     auto first = reader_.next();
     const auto& name = reader_.input().name;
     if (!first.image) {
@@ -37,6 +61,17 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     const auto written = info_.duration > 0 ? modified_at(name) : std::nullopt;
     if (written) info_.modified = static_cast<std::int64_t>(*written) - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
+    const FrameChoiceRow& choice = resolved(options_, info_, field_size_);
+    info_.decodes = choice;
+    if (&choice != &*options_.decode) {
+        reader_.choose(choice);
+        first = reader_.next();
+    }
+    if (&choice != &frame_choices().front()) {
+        info_.decoded_share = share_of(choice, reader_.input(), options_.rate);
+        info_.rate *= info_.decoded_share;
+        info_.frames = std::llround(static_cast<double>(info_.frames) * info_.decoded_share);
+    }
     ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }
 
@@ -100,6 +135,8 @@ std::vector<Frame> FileSource::sample(int count) {
     keys.scan(reader_.input(), options_.rate, 0);
     Scaler scale(*this);
     auto frames = keys.decode(options_.rate, scale);
+    const bool all = info_.decodes == Choice<FrameChoiceRow>(frame_choices().front());
+    if (frames.empty() && all) frames = sample_needed(reader_.input(), options_, count, scale);
     if (frames.empty()) return FrameSource::sample(count);
     rewind();
     return frames;

@@ -53,4 +53,46 @@ std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
     return frames;
 }
 
+namespace {
+
+/// The presentation timestamps of the sampled frames, ascending. Empty if a packet has none, or two have the same.
+std::vector<std::int64_t> sampled_stamps(const Input& input, double rate, int count) {
+    Demuxer demuxer(input, Demuxer::Kind::video, rate);
+    std::vector<std::int64_t> stamps;
+    const auto packet = av::make_packet();
+    while (demuxer.read(*packet)) {
+        if (packet->pts == AV_NOPTS_VALUE) return {};
+        if (!(packet->flags & AV_PKT_FLAG_DISCARD)) stamps.push_back(packet->pts);
+    }
+    std::ranges::sort(stamps);
+    if (std::ranges::adjacent_find(stamps) != stamps.end()) return {};
+    StampClock clock(demuxer.frame_duration());
+    TimeSampler<std::int64_t> sampler(count);
+    for (const std::int64_t stamp : stamps) {
+        const double time = clock(demuxer.seconds(stamp));
+        if (sampler.wants(time)) sampler.keep(time, stamp);
+    }
+    return sampler.take();
+}
+
+}  // namespace
+
+std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale) {
+    const std::vector<std::int64_t> stamps = sampled_stamps(input, options.rate, count);
+    if (stamps.empty()) return {};
+    const auto is_sampled = [&](std::int64_t stamp) { return std::ranges::binary_search(stamps, stamp); };
+    Demuxer demuxer(input, Demuxer::Kind::video, options.rate);
+    const AVCodecParameters& stream = *demuxer.stream().codecpar;
+    Decoder decoder(demuxer, input.name, options.threads,
+                    [&](const AVPacket& packet) { return is_sampled(packet.pts) || is_referenced(packet, stream); });
+    std::vector<Frame> frames;
+    while (auto image = decoder.next()) {
+        if (!is_sampled(image->best_effort_timestamp)) continue;
+        const double time = demuxer.seconds(image->best_effort_timestamp).value_or(0);
+        frames.push_back(scale({0, time, orientation_of(demuxer.stream()), std::move(image)}));
+    }
+    const bool complete = frames.size() == stamps.size() && decoder.damaged() == 0 && !decoder.stopped();
+    return complete ? std::move(frames) : std::vector<Frame>{};
+}
+
 }  // namespace vvr::video

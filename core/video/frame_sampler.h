@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/video/frame_source.h"
 #include "core/video/input.h"
 #include "core/video/scaler.h"
 
@@ -86,5 +87,10 @@ class KeyFrames {
     std::vector<Input> files_;
     std::int64_t seen_ = 0;
 };
+
+/// Samples the same frames as FrameSource::sample. Decodes only these and frames to which others refer: of a usual clip
+/// with B frames, about half.
+/// \returns nothing if the packets don't tell which frames these are, or if something is damaged
+std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale);
 
 }  // namespace vvr::video

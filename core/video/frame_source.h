@@ -8,6 +8,7 @@
 
 #include "core/base/wall_clock.h"
 #include "core/video/frame.h"
+#include "core/video/frame_choice.h"
 
 namespace vvr::video {
 
@@ -51,6 +52,9 @@ struct VideoInfo {
     std::string title{};                           ///< of an extraction: its clip's title; empty = use `name`
     std::vector<SegmentPlace> segments{};          ///< of a recording: its files read so far
     OmittedFrames left_out{};                      ///< of a recording: its omitted files
+    /// The frames that are decoded. `rate`, `frames` and every frame's index count only these.
+    Choice<FrameChoiceRow> decodes{frame_choices().front()};
+    double decoded_share = 1;  ///< of all frames
 };
 
 /// Whether the time at which the clip was recorded is known, not only that of a copy.
@@ -63,7 +67,9 @@ struct SourceOptions {
     bool colour = false;    ///< also fill Frame::colour
     int threads = 0;        ///< decoder threads; 0 = one per core, or a single one for small pictures
     double rate = 25;       ///< frames per second of inputs without timestamps: image sequences, raw streams
-    bool join = false;      ///< as in `find_recording`
+    Choice<FrameChoiceRow> decode{frame_choices().front()};  ///< frames of files; other inputs have all
+    std::int64_t layers = 0;              ///< for `auto`: of the volume; 0 = unknown, and all frames are decoded
+    bool join = false;                    ///< as in `find_recording`
     std::optional<std::int64_t> begin{};  ///< recording time from the file name, seconds since 1970 (UTC)
 };
 

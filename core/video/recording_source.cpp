@@ -39,6 +39,8 @@ double on_clock(double begin, double time, double tick) {
 
 RecordingSource::RecordingSource(Recording recording, const SourceOptions& options)
     : recording_(std::move(recording)), options_(options) {
+    // A file knows neither how long the recording is nor what the next one decodes.
+    options_.layers = 0;
     if (!open_next()) {
         throw Error(ErrorCode::not_video, fmt::format("cannot read any of the {} of '{}': {}",
                                                       counted(std::ssize(recording_.segments), "file"), recording_.name,
@@ -74,7 +76,8 @@ void RecordingSource::estimate_length() {
             const ClipHeader header = header_of(Demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate));
             const SegmentBegin begin = begin_of(segment, origin_, end);
             const double gap = end ? std::max(0.0, begin.time - *end) : 0;
-            frames += header.frames + std::llround(gap * rate);
+            const double decoded = static_cast<double>(header.frames) * info_.decoded_share;
+            frames += std::llround(decoded) + std::llround(gap * rate);
             end = begin.time + header.length;
         } catch (const Error& error) {
             if (error.kind() == ErrorKind::limit) throw;

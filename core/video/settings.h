@@ -11,6 +11,11 @@ inline constexpr Setting rate{.name = "rate",
                               .unit = "FPS",
                               .help = "frames per second of inputs without timestamps: pictures, raw streams",
                               .range = {0.001, 100'000}};
+inline constexpr Setting decode{
+    .name = "decode",
+    .unit = "NAME",
+    .help = "the frames of a video file that are decoded; fewer take less time. Numbers of frames count only these",
+    .not_live_reason = "every frame of a stream is decoded"};
 inline constexpr Setting names{"names", "PATTERN",
                                "pattern of file names that give camera and time, such as "
                                "'%Y-%m-%d/%H/{camera}/%M.%S'; can be given several times; built in: "};

@@ -1,0 +1,128 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/video/frame_choice.h"
+#include "tests/support/errors.h"
+#include "tests/unit/video/clips.h"
+
+namespace vvr {
+namespace {
+
+using namespace test;
+
+std::unique_ptr<video::FrameSource> open(const std::string& clip, std::string_view decode, std::int64_t layers = 0) {
+    video::SourceOptions options;
+    options.decode = decode;
+    options.layers = layers;
+    return video::open_source(clip, options);
+}
+
+/// Expects some frames of a clip, numbered without gaps, each as it is among all.
+void expect_part(const std::vector<video::Frame>& part, const std::vector<video::Frame>& all) {
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        EXPECT_EQ(part[i].index, static_cast<std::int64_t>(i));
+        const auto same = std::ranges::find_if(
+            all, [&](const video::Frame& frame) { return std::abs(frame.pts - part[i].pts) < 1e-6; });
+        ASSERT_NE(same, all.end());
+        EXPECT_EQ(fingerprint({part[i]}), fingerprint({*same}));
+    }
+}
+
+struct Encoding {
+    std::string name;
+    std::string arguments;
+};
+
+class WithBFrames : public testing::TestWithParam<Encoding> {};
+
+TEST_P(WithBFrames, ReferenceLeavesOutWhatNothingRefersTo) {
+    const TempFolder folder;
+    const std::string clip = walkers_clip(folder, GetParam().name, GetParam().arguments);
+    const std::vector<video::Frame> all = read_all(*open(clip, "all"));
+    ASSERT_EQ(all.size(), 75U);
+    const auto source = open(clip, "reference");
+    const std::vector<video::Frame> part = read_all(*source);
+    EXPECT_GT(part.size(), 15U);
+    EXPECT_LT(part.size(), 60U);
+    expect_part(part, all);
+    EXPECT_EQ(source->damaged(), 0);
+    EXPECT_EQ(source->info().decodes->name, "reference");
+    EXPECT_EQ(source->info().frames, std::ssize(part));
+    EXPECT_NEAR(source->info().rate, 25.0 * static_cast<double>(part.size()) / 75, 0.01);
+    source->rewind();
+    EXPECT_EQ(fingerprint(read_all(*source)), fingerprint(part));
+    source->seek(part.back().pts);
+    const auto late = source->next();
+    ASSERT_TRUE(late);
+    EXPECT_GT(late->index, 0);
+    EXPECT_NEAR(late->pts, part[static_cast<std::size_t>(late->index)].pts, 1e-6);
+}
+
+TEST_P(WithBFrames, SamplesAreTheSameWithAndWithoutTheFramesBetween) {
+    const TempFolder folder;
+    const auto source = open(walkers_clip(folder, GetParam().name, GetParam().arguments), "all");
+    for (const int count : {7, 31}) {
+        const std::vector<video::Frame> samples = source->sample(count);
+        EXPECT_GT(std::ssize(samples), count / 2);
+        EXPECT_EQ(fingerprint(samples), fingerprint(source->FrameSource::sample(count)));
+        EXPECT_EQ(read_all(*source).size(), 75U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, WithBFrames,
+                         testing::Values(Encoding{"avc.mp4", "-c:v libx264 -g 15 -bf 3 -b_strategy 0"},
+                                         Encoding{"avc.ts", "-c:v libx264 -g 15 -bf 3 -b_strategy 0"},
+                                         Encoding{"hevc.mp4", "-c:v libx265 -g 15 -x265-params log-level=none"},
+                                         Encoding{"hevc.ts", "-c:v libx265 -g 15 -x265-params log-level=none"}),
+                         [](const auto& test) {
+                             std::string name = test.param.name;
+                             std::ranges::replace(name, '.', '_');
+                             return name;
+                         });
+
+TEST(Decode, ReferenceIsEveryFrameWhereOthersMayReferToAny) {
+    const TempFolder folder;
+    for (const auto& [name, arguments] :
+         {Encoding{"no_b.mp4", "-c:v libx264 -bf 0"}, Encoding{"old.avi", "-c:v mpeg4 -bf 2"}}) {
+        const std::string clip = walkers_clip(folder, name, arguments);
+        EXPECT_EQ(fingerprint(read_all(*open(clip, "reference"))), fingerprint(read_all(*open(clip, "all"))));
+    }
+}
+
+TEST(Decode, KeyIsEveryKeyFrame) {
+    const TempFolder folder;
+    for (const auto& [name, arguments] :
+         {Encoding{"key.mp4", "-c:v libx264 -g 15 -keyint_min 15 -sc_threshold 0 -bf 2"},
+          Encoding{"open.mkv", "-c:v libx264 -g 15 -keyint_min 15 -sc_threshold 0 -x264-params open-gop=1"},
+          Encoding{"old.avi", "-c:v mpeg4 -g 15 -sc_threshold 1000000000"}}) {
+        const std::string clip = walkers_clip(folder, name, arguments);
+        const auto source = open(clip, "key");
+        const std::vector<video::Frame> part = read_all(*source);
+        EXPECT_EQ(part.size(), 5U) << name;
+        expect_part(part, read_all(*open(clip, "all")));
+        EXPECT_EQ(source->damaged(), 0);
+        EXPECT_EQ(source->info().frames, 5);
+        EXPECT_EQ(source->info().decodes->name, "key");
+    }
+}
+
+TEST(Decode, AutoIsReferenceWhereLayersAndFieldsAreCoarse) {
+    const TempFolder folder;
+    const std::string clip = walkers_clip(folder, "clip.mp4", "-c:v libx264 -bf 3 -s 1024x768");
+    EXPECT_EQ(open(clip, "auto", 30)->info().decodes->name, "reference");
+    EXPECT_EQ(open(clip, "auto", 70)->info().decodes->name, "all");
+    EXPECT_EQ(open(clip, "auto")->info().decodes->name, "all");
+    const std::string small = walkers_clip(folder, "small.mp4", "-c:v libx264 -bf 3");
+    EXPECT_EQ(open(small, "auto", 30)->info().decodes->name, "all");
+    const std::vector<video::Frame> part = read_all(*open(clip, "auto", 30));
+    EXPECT_EQ(fingerprint(part), fingerprint(read_all(*open(clip, "reference"))));
+}
+
+TEST(Decode, OtherNamesAreRefused) {
+    expect_error(ErrorCode::choice_unknown, [] { video::row_of(Name<video::FrameChoiceRow>{"keys"}); },
+                 {"decode", "keys", "key"});
+}
+
+}  // namespace
+}  // namespace vvr
