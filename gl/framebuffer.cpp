@@ -154,9 +154,7 @@ void allocate(const GladGLContext& gl, const GlTexture& texture, GLint internal,
 
 }  // namespace
 
-PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
-    : gl_(&gl),
-      depth_(gl) {
+PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size) : gl_(&gl), depth_(gl) {
     const std::size_t buffers = gl.EXT_shader_framebuffer_fetch != 0 ? 1 : 2;
     while (data_.size() < buffers) data_.push_back({GlFramebuffer(gl), GlTexture(gl), GlTexture(gl)});
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());

@@ -19,7 +19,8 @@ std::string shown_name(const std::string& input);
 /// The title of a picture and its page: `asked` if not empty, else the clip's name, which data files record.
 std::string title_of(const std::string& asked, const video::VideoInfo& clip);
 
-/// The camera of the input: from the archive that draws it, from the user, or from the names of its files. Empty if unknown.
+/// The camera of the input: from the archive that draws it, from the user, or from the names of its files. Empty if
+/// unknown.
 std::string camera_of(const RenderJob& job, const video::VideoInfo& info);
 
 /// Logs all warnings, and some of the problems with files.
