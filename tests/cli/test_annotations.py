@@ -3,6 +3,7 @@
 import collections
 import re
 
+import pytest
 from harness import check, page_data
 
 NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
@@ -54,6 +55,7 @@ def test_labels_with_the_clock_of_the_recording(t):
     t.render("clip.avi", "--start-time", "container").expect(1, "--start-time", "'clip.avi'", code="time-of-day-unknown")
 
 
+@pytest.mark.slow
 def test_when_a_file_was_written_is_no_time_of_day(t):
     """A container's creation_time and a file's modification time are shown by whom they are asked for, as what they are."""
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
@@ -90,6 +92,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
         check(page_data(page)["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
 
 
+@pytest.mark.slow
 def test_parts_of_a_clip_by_the_clock(t):
     t.clip("gate_2026-11-21_23-59-50.avi", seconds=20)
     name = "gate_2026-11-21_23-59-50.avi"

@@ -201,13 +201,12 @@ def test_archive_tries_again(t):
 
 
 def test_archive_takes_any_name(t):
-    names = ["-o.avi", "[a].avi", "x %05d*.avi", "####.avi", "{brick}.avi", "a b'\"<&>.avi", "line\nbreak.avi", "ä€😀.avi", "%41.avi",
-             "cam:1/c.avi", "-dir/d.avi", "a.avi", "a.mp4"]
+    names = ["-o [a] %05d* ####{brick}.avi", "a b'\"<&>ä€😀.avi", "line\nbreak%41.avi", "-dir/cam:1/d.avi", "a.avi", "a.mp4"]
     t.old_clips(*names)
     raw = os.fsencode(t.path("in")) + b"/\xff\xfe.avi"
     shutil.copy2(t.path("in/a.avi"), raw)
     count = len(names) + 1
-    archive(t).expect(0, f"{count} clips drawn, 0 failed", "%FF%FE.avi: ", "line%0Abreak.avi: ", "%2541.avi: ")
+    archive(t).expect(0, f"{count} clips drawn, 0 failed", "%FF%FE.avi: ", "line%0Abreak%2541.avi: ")
     for ending in (b".png", b".html", b".jpg", b".json"):
         check(os.path.exists(os.fsencode(t.path("out")) + b"/\xff\xfe.avi" + ending), f"no {ending}")
     for name in names:
@@ -620,7 +619,9 @@ def test_archive_draws_nights(t):
     recording = days_of(t)[0]["gate", "2026-10-24"]
     check(recording["night"] and recording["clips"] == 3, f"{recording}")
     # The same beginning has the same nights, and another one draws them again. A night has its pictures while it has a clip.
-    archive(t, "--per", "both", "--day-begins", "12:00", "--prune").expect(0, "5 clips drawn", "3 done before")
+    archive(t, "--per", "night", "--day-begins", "12:00", "--prune").expect(0, "nothing to do; 3 done before")
+    both = archive(t, "--per", "both", "--day-begins", "12:00", "--dry-run").expect(0, out=None).out
+    check(len(both.splitlines()) == len(times) and "-night" not in both, both)
     archive(t, "--per", "night", "--day-begins", "12:30", "--dry-run").expect(0, out=None)
     archive(t, "--per", "day", "--day-begins", "06:00").expect(0, "gate/2026-10-24: ", "2 clips drawn")
     again = archive(t, "--per", "day", "--dry-run").expect(0, out=None).out
@@ -678,6 +679,7 @@ def pictures(t):
     return [name for name in outputs(t) if name.endswith(".png")]
 
 
+@pytest.mark.slow
 def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     """Whatever a run leaves out of the clips, or can't see of them."""
     folders = {day: f"in/2026-11-{day}" for day in (20, 21)}

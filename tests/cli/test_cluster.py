@@ -5,6 +5,7 @@ import fcntl
 import os
 import threading
 
+import pytest
 from harness import check, lock_name
 
 SBATCH = """#!/bin/bash
@@ -106,22 +107,24 @@ def test_cluster_waits_for_the_run_that_slurm_lost(t):
         check(t.path("out/a.avi.png").exists() and not t.path("ended").exists(), text_of(t, "out/.logs/*"))
 
 
-def test_cluster_draws_a_clip_in_parts(t):
-    t.clip("clip.avi", seconds=3)
-    t.clip("long.avi", seconds=20)
-    options = ("--grid", "9", "--color=video", "--size", "160x100", "--camera", "-20,40", "--opacity", "2")
-    small = ("--size", "160x100")
-    # The long ones keep flow of a part of their frames.
-    for clip, *options in [("clip.avi", *options), ("long.avi", *small), ("long.avi", *small, "--time", "busy"),
-                           ("long.avi", *small, "--preset", "day")]:
-        t.vvr("render", clip, "-o", "whole.png", "--backend", "software", *options).expect(0, " frames in ")
-        t.path("parts.png").unlink(missing_ok=True)
-        submit(t, "submit-clip", clip, "parts.png", "--parts", "4", "--", *options).expect(0, "array 7 of 4 parts", out="7\n")
-        check(t.path("parts.png").exists(), f"no picture\n{text_of(t, 'parts.png.parts-*/logs/*')}")
-        check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), f"the parts make another picture, {options}")
-        check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
+@pytest.mark.parametrize("seconds, options", [
+    (3, ("--grid", "9", "--color=video", "--camera", "-20,40", "--opacity", "2")),
+    # Long ones keep flow of a part of their frames.
+    pytest.param(20, (), marks=pytest.mark.slow),
+    pytest.param(20, ("--time", "busy"), marks=pytest.mark.slow),
+    pytest.param(20, ("--preset", "day"), marks=pytest.mark.slow),
+])
+def test_cluster_draws_a_clip_in_parts(t, seconds, options):
+    t.clip(seconds=seconds)
+    options = (*options, "--size", "160x100")
+    t.vvr("render", "clip.avi", "-o", "whole.png", "--backend", "software", *options).expect(0, " frames in ")
+    submit(t, "submit-clip", "clip.avi", "parts.png", "--parts", "2", "--", *options).expect(0, "array 7 of 2 parts", out="7\n")
+    check(t.path("parts.png").exists(), f"no picture\n{text_of(t, 'parts.png.parts-*/logs/*')}")
+    check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), f"the parts make another picture, {options}")
+    check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
 
 
+@pytest.mark.slow
 def test_cluster_makes_the_parts_that_are_missing(t):
     t.clip("clip.avi", seconds=2)
     vvr = script_of(t, "vvr", f"""#!/bin/bash

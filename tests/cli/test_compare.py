@@ -3,6 +3,7 @@
 import struct
 import zlib
 
+import pytest
 from harness import check
 
 
@@ -151,6 +152,7 @@ def test_golden_options_that_do_not_fit(t):
     t.expect_files("clip.avi")
 
 
+@pytest.mark.slow
 def test_golden_in_every_format(t):
     t.clip()
     for ending in ("png", "exr", "tif", "jpg"):

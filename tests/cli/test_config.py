@@ -93,7 +93,7 @@ def test_names_that_nobody_knows_stop_every_command(t):
     t.clip()
     commands = (["render", "clip.avi", "-o", "out.png"], ["doctor"], ["compare", "a.png", "b.png"], ["config"], ["config", "render"],
                 ["info", "clip.avi"])
-    for text, *facts in (
+    for number, (text, *facts) in enumerate((
         ("[redner]\nsize = '40x30'\n", "'vvr.toml'", "[redner]", "'render'"),
         ("[redner]\n", "[redner]"),
         ("[render.look]\nsize = '40x30'\n", "[render.look]"),
@@ -104,9 +104,9 @@ def test_names_that_nobody_knows_stop_every_command(t):
         ("[camera.gate]\nthreshhold = 3\n", "'threshhold'", "[camera.gate]", "'threshold'"),
         ("[camera.gate]\njobs = 3\n", "'jobs'", "[camera.gate]"),
         ("[camera]\nthreshold = 3\n", "[camera.NAME]"),
-    ):
+    )):
         t.write("vvr.toml", text)
-        for command in commands:
+        for command in commands if number == 0 else commands[number % len(commands):][:1]:  # all read it with the same function
             t.vvr(*command, "--config", "vvr.toml").expect(1, *facts, code="config-invalid")
     t.vvr("render", "--help", env=os.environ | {"VVR_CONFIG": "vvr.toml"}).expect(0, out=None)  # for whoever wants to mend it
     t.expect_files("clip.avi", "vvr.toml")
@@ -142,12 +142,9 @@ threshold = 70
     # Only the clips of a camera whose section has changed are drawn again. The command line takes precedence.
     t.write("vvr.toml", t.path("vvr.toml").read_text().replace("= 40", "= 41"))
     t.archive("in", "-o", "out", *config).expect(0, "house/gate/21112026-203000.avi: ", "1 clip drawn", "2 done before")
-    t.archive("in", "-o", "other", *config, "--threshold", "33").expect(0, "3 clips drawn")
-    check(t.json("other/house/gate/21112026-203000.avi.report.json")["settings"]["threshold"] == "33",
-          "the command line")
     # One clip has the settings of its camera too, by its folders or by name.
     clip = "in/house/gate/21112026-203000.avi"
-    for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70")):
+    for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70"), (["--threshold", "33"], "33")):
         t.render(clip, *config, *arguments, "--report", "r.json").expect(0)
         check(t.json("r.json")["settings"]["threshold"] == expected, f"{arguments}")
     # So has a folder of one camera, whose clips lie deeper.

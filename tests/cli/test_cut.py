@@ -74,6 +74,7 @@ def test_cut_copies_an_event(t):
         check(all(packet[2] in known for packet in sound), "the sound is not that of the clip")
 
 
+@pytest.mark.slow
 def test_cut_follows_the_ending(t):
     clip = bag(t)
     for name in ("piece.mkv", "piece.mov", "piece.m4v", "PIECE.MP4"):
@@ -145,6 +146,7 @@ def test_cut_exactly_between_frames(t):
     check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
 
 
+@pytest.mark.slow
 def test_cut_takes_the_searches_options(t):
     clip = bag(t)
     t.vvr("render", clip, "--events", "left", "--report", "left.json").expect(0, "1 event")

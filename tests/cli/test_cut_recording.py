@@ -44,8 +44,8 @@ def test_cut_joins_the_files_of_a_recording(t):
     names = segments(t)
     t.write("day/all.txt", "\n".join(name.removeprefix("day/") for name in names) + "\n")
     whole = pictures(t, "-i", "bag.mp4")
-    for given in (["day"], names, ["day/*/*/gate"], ["day/*/*/*/*.mp4"], ["day/all.txt"]):
-        for ending in (".mp4", ".mkv"):
+    for number, given in enumerate((["day"], names, ["day/*/*/gate"], ["day/*/*/*/*.mp4"], ["day/all.txt"])):
+        for ending in (".mp4", ".mkv") if number == 0 else (".mp4",):
             t.vvr("cut", *given, "--start", "3s", "--end", "12s", "-o", "piece" + ending).expect(
                 0, "frames copied, 1.600 s to ", "it begins at a key frame 1.400 s before the piece")
             made = pictures(t, "-i", "piece" + ending)

@@ -65,13 +65,13 @@ def test_colour_of_the_video_needs_extracted_frames(t):
 
 @pytest.mark.parametrize("extracted, drawn", [
     (("--threshold", "30", "--grid", "8"), ("--show", "volume,arrows,tracelines,frames", "--window", "4")),
-    ((), ("--color", "video")), ((), ("--color", "direction", "--show", "volume")),
-    (("--start", "17f"), ()), (("--start", "1.5s", "--end", "2.05s"), ())])
+    ((), ("--color", "video")), pytest.param((), ("--color", "direction", "--show", "volume"), marks=pytest.mark.slow),
+    pytest.param(("--start", "17f"), (), marks=pytest.mark.slow), (("--start", "1.5s", "--end", "2.05s"), ())])
 def test_extracted_data_give_the_picture_of_the_clip(t, extracted, drawn):
     t.vvr("extract", moving_clip(t), "-o", "data", *extracted).expect(0)
     t.render("clip.mkv", *extracted, *drawn, output="clip.png").expect(0)
     # What an extraction was made with may be said again.
-    for options in ((), extracted):
+    for options in {(), extracted}:
         t.render("data", *drawn, *options, output="data.png").expect(0)
         same(t, "clip.png", "data.png")
 

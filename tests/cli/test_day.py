@@ -3,16 +3,17 @@
 import base64
 import json
 
+import pytest
 from harness import check
 
 
 def recording(t, name="day.mkv"):
     """Forty minutes at a frame a second; a square crosses the scene in minutes 5, 6, 24 and 25."""
     moving = "between(mod(t,1140),300,420)"
-    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=1:duration=2400", "-f", "lavfi", "-i",
-             "color=white:size=24x24:rate=1:duration=2400", "-filter_complex",
-             f"[0][1]overlay=x='if({moving},mod(0.8*t,96),-50)':y=20:eval=frame", "-c:v", "ffv1", name)
-    return name
+    return t.make(name, "day", how=lambda: t.ffmpeg(
+        "-f", "lavfi", "-i", "color=gray:size=96x64:rate=1:duration=2400", "-f", "lavfi", "-i",
+        "color=white:size=24x24:rate=1:duration=2400", "-filter_complex",
+        f"[0][1]overlay=x='if({moving},mod(0.8*t,96),-50)':y=20:eval=frame", "-c:v", "ffv1", name))
 
 
 def room_of(report, begin, end):
@@ -77,6 +78,7 @@ def test_preset_of_a_day(t):
     t.render("day.mkv", "--time", "busy", output="s.{brick}.png").expect(1, "--time busy", code="options-conflict")
 
 
+@pytest.mark.slow
 def test_idle_time_of_extracted_data(t):
     recording(t)
     t.vvr("extract", "day.mkv", "-o", "data").expect(0)

@@ -20,13 +20,14 @@ PAGES = ("README.md", *sorted(f"docs/{page.name}" for page in (SOURCE / "docs").
 
 @pytest.mark.parametrize("page", PAGES)
 def test_commands_of(t, page):
-    """Runs a page's commands in a folder where the clip that it names is."""
+    """Runs a page's commands in a folder where the clip that it names is. Their pictures are small if they don't say how large."""
+    t.write(".cache/small.toml", 'size = "160x100"\n')
     t.clip("clip.avi")
     t.clip(".cache/vtest.avi")  # where scripts/demo leaves it
     blocks = commands((t.source / page).read_text())
     check(blocks, f"{page} has no commands to test")
     for block in blocks:
-        t.run(["bash", "-euc", block], env=t.put_on_path()).expect(0, out=None)
+        t.run(["bash", "-euc", block], env=t.put_on_path() | {"VVR_CONFIG": str(t.path(".cache/small.toml"))}).expect(0, out=None)
 
 
 def test_cli_page_is_up_to_date(t):

@@ -53,7 +53,8 @@ def cron_lines(t):
 
 def test_cron_lines_draw_what_is_new(t):
     drawn = 0
-    as_cron_has_it = {"PATH": "/usr/bin:/bin", "SHELL": "/bin/sh", "HOME": str(t.folder), "LOGNAME": "vvr"}
+    t.write("small.toml", 'size = "160x100"\n')
+    as_cron_has_it = {"VVR_CONFIG": str(t.path("small.toml")), "PATH": "/usr/bin:/bin", "SHELL": "/bin/sh", "HOME": str(t.folder), "LOGNAME": "vvr"}
     for number, (page, line) in enumerate(cron_lines(t)):
         check(line.startswith(("/usr/local/bin/vvr ", "/usr/bin/vvr ")), f"{page}: cron does not find the program of `{line}`")
         here = t.path(f"{number}")
@@ -63,7 +64,7 @@ def test_cron_lines_draw_what_is_new(t):
         for place, there in (("/usr/local/bin/vvr", t.vvr_path), ("/usr/bin/vvr", t.vvr_path), ("/media/frigate/recordings", "clips"), ("/srv/cctv", "clips"), ("/data/cctv", "clips"),
                              ("/srv/pictures", "pictures"), ("/data/pictures", "pictures"), ("/var/log/vvr", ".")):
             line = line.replace(place, str(there))
-        for _ in range(2):
+        for _ in range(2 if number == 0 else 1):
             t.run(["/bin/sh", "-c", line], cwd=here, env=as_cron_has_it).expect(0, err="")  # cron would send a mail
         if "--write index" in line:
             check((here / "pictures/index.html").exists(), f"{page}: no index of `{line}`")

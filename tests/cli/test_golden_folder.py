@@ -2,6 +2,7 @@
 
 import xml.etree.ElementTree as tree
 
+import pytest
 from harness import check, moving_clip
 
 GENERAL = 'backend = "software"\nsize = "160x100"\nshow = "volume,outline"\n'
@@ -71,6 +72,7 @@ def test_a_clip_that_can_not_be_drawn(t):
     check("bad<&" in suite[0][0].text and suite[0][0].get("type") == "not-video", suite[0][0].text)
 
 
+@pytest.mark.slow
 def test_files_are_found_from_anywhere(t):
     two(t)
     t.vvr("golden", "golden", "--bless").expect(0)

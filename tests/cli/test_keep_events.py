@@ -6,6 +6,7 @@ import os
 import subprocess
 import time
 
+import pytest
 from harness import check, lock_name
 from test_archive import QUICK
 from test_cut import packets
@@ -123,6 +124,7 @@ def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
     check(not sidecar.exists() and not t.path(f"out/{CLIP}.png").exists(), "the rest")
 
 
+@pytest.mark.slow
 def test_archive_removes_the_empty_folder_of_pieces(t):
     folder = archived(t)
     t.stamp(f"in/{CLIP}", -40 * 86400)
@@ -185,6 +187,7 @@ def test_kept_events_of_a_day(t):
     check(last["first"]["time"] > "2026-11-21T20:00:24", f"{last}")
 
 
+@pytest.mark.slow
 def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
     found = []
     for mode in ("off", "required"):

@@ -1,5 +1,6 @@
 """What docs/reading.md says helps, on generated clips."""
 
+import pytest
 from harness import check
 
 NOISE = ("--noise", "2", "--detail", "4")
@@ -40,6 +41,7 @@ def test_reading_a_shaking_camera(t):
     check(kinds(t, clip, "--stabilize", "off") == [], "it makes no difference")
 
 
+@pytest.mark.slow
 def test_reading_flicker(t):
     clip = filtered(t, scene(t, "walks_by", *SMALL), "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
@@ -60,6 +62,7 @@ def lit(t, clip, *options):
     return sum(file.stat().st_size for file in t.path("data/scalar").iterdir())
 
 
+@pytest.mark.slow
 def test_reading_rain_and_trees(t):
     rain = scene(t, "rain")
     check(kinds(t, rain, "--min-area", "60") == ["moved"], str(kinds(t, rain, "--min-area", "60")))

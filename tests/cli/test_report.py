@@ -180,6 +180,7 @@ def peeking_clip(t):
              "[a][2]overlay=x='-24+2*mod(n,300)':y=180", "-c:v", "ffv1", "peeking.mkv")
 
 
+@pytest.mark.slow
 def test_report_advises_a_region_where_scraps_dominate(t):
     peeking_clip(t)
     result = t.vvr("render", "peeking.mkv", "--report", "report.json")

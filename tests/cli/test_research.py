@@ -67,7 +67,8 @@ def test_fields_of_another_program_are_drawn_as_they_are(t):
                                                 for row in t.rgb("data/scalar/000020.png")], "not the values of 255")
 
 
-@pytest.mark.parametrize("ending, pixels", [("png", "gray16be"), ("exr", "grayf32le"), ("tif", "gray16le")])
+@pytest.mark.parametrize("ending, pixels", [pytest.param("png", "gray16be", marks=pytest.mark.slow), ("exr", "grayf32le"),
+                                            pytest.param("tif", "gray16le", marks=pytest.mark.slow)])
 def test_deeper_pictures_are_rounded(t, ending, pixels):
     data(t)
     t.path("deep").mkdir()
@@ -201,6 +202,7 @@ def test_the_paper_extracted_and_drawn(t):
     check(t.path("extracted.png").read_bytes() == t.path("clip.png").read_bytes(), "the extraction gives another picture")
 
 
+@pytest.mark.slow
 def test_settings_are_the_values_that_were_used(t):
     data(t, "--flow", "horn-schunck", "--solver", "jacobi")
     told = settings(t, "data")
@@ -226,6 +228,7 @@ sys.modules[__name__] = MagicMock(subplots=lambda *_: (MagicMock(), (MagicMock()
 """
 
 
+@pytest.mark.slow
 def test_examples_with_numpy(t):
     missing = [name for name in ("numpy", "OpenImageIO") if importlib.util.find_spec(name) is None]
     if missing:

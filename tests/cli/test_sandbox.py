@@ -110,7 +110,7 @@ def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     check(set(shut.values()) == {SIGSYS}, f"not ended by SIGSYS: {shut}")
 
 
-@pytest.mark.parametrize("mode", ["auto", "off"])
+@pytest.mark.parametrize("mode", ["auto", pytest.param("off", marks=pytest.mark.slow)])
 def test_no_worker_ends_the_run(t, mode):
     """Whatever one says, leaves or does that a clip has taken over: the others are drawn, and each try is counted."""
     said = {"exit-127": (127, "worker-result-invalid", "cannot execute"), "exit-2": (2, "io", "No space left on device"),
@@ -197,6 +197,7 @@ def test_the_sandbox_changes_no_byte(t, walls):
             check(with_walls == without_walls, f"{name}{ending} differs")
 
 
+@pytest.mark.slow
 def test_the_sandbox_is_said_once_a_run(t, walls):
     t.old_clips("a.avi", "b.avi", "c.avi")
     done = archive(t, "--match", "[ab].avi").expect(0, *ALL_WALLS, f"(Landlock {landlock()})")
@@ -248,6 +249,7 @@ def test_the_sandbox_lets_links_and_named_files_through(t, walls):
     check("Landlock" in t.path("elsewhere/log").read_text(), "the log file has no word of it")
 
 
+@pytest.mark.slow
 def test_the_sandbox_lets_a_day_through(t, walls):
     t.old_clips(*[f"2026-11-21/08/gate/{minute}.00.avi" for minute in ("00", "01", "02")])
     archive(t, "--sandbox", "required", "--per", "day").expect(0, "1 clip drawn, 0 failed")

@@ -26,6 +26,7 @@ def test_a_picture_for_each_brick(t):
         check(text in data, f"{text} is not in the last picture")
 
 
+@pytest.mark.slow
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.
     moving_clip(t, frames=320)
@@ -43,6 +44,7 @@ def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     check(len({pixels(t, f"fresh0.{i}.png") for i in range(8)}) == 8, "the stripes stand still")
 
 
+@pytest.mark.slow
 def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9f", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)

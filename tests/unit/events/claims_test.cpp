@@ -118,7 +118,8 @@ class LowRate : public testing::TestWithParam<int> {
         return all;
     }
 };
-INSTANTIATE_TEST_SUITE_P(All, LowRate, testing::Values(5, 12, 25, 50));
+INSTANTIATE_TEST_SUITE_P(Quick, LowRate, testing::Values(5, 25));
+INSTANTIATE_TEST_SUITE_P(Nightly, LowRate, testing::Values(12, 50));
 
 TEST_P(LowRate, LeavesNobody) {
     for (const auto make : {generator::make_long_crowd, generator::make_walkers, generator::make_stands,

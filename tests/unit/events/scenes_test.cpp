@@ -101,25 +101,28 @@ TEST(FallOnFloorEvents, AreOneThatLiesStill) {
     EXPECT_NEAR(events[0].stays[0].place.y, facts.y, pixels_off);
 }
 
-TEST(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
-    for (const double noise : {0.0, 5.0}) {
-        generator::Options options{.noise = noise};
-        const generator::Scene scene = generator::make_two_walkers_cross(options);
-        const std::vector<events::Event> events = events_of(scene);
-        ASSERT_EQ(events.size(), 2U) << noise;
-        const auto visits = visits_of(scene);
-        for (const std::string name : {"walker 0", "walker 1"}) {
-            const std::vector<generator::Interval>& own = visits.at(name);
-            const bool rightward = scene.truth(own.front().first + 20).find(name)->vx > 0;
-            const auto event = std::ranges::find_if(events, [&](const events::Event& e) {
-                return (e.path.back().place.x > e.path.front().place.x) == rightward;
-            });
-            ASSERT_NE(event, events.end()) << name;
-            expect_frames(*event, {own.front().first, own.back().last});
-            EXPECT_GT(event->path_length, 0.9 * scene.size().width);
-        }
+/// The parameter is the noise.
+class TwoWalkersCrossEvents : public testing::TestWithParam<double> {};
+
+TEST_P(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
+    const generator::Scene scene = generator::make_two_walkers_cross({.noise = GetParam()});
+    const std::vector<events::Event> events = events_of(scene);
+    ASSERT_EQ(events.size(), 2U);
+    const auto visits = visits_of(scene);
+    for (const std::string name : {"walker 0", "walker 1"}) {
+        const std::vector<generator::Interval>& own = visits.at(name);
+        const bool rightward = scene.truth(own.front().first + 20).find(name)->vx > 0;
+        const auto event = std::ranges::find_if(events, [&](const events::Event& e) {
+            return (e.path.back().place.x > e.path.front().place.x) == rightward;
+        });
+        ASSERT_NE(event, events.end()) << name;
+        expect_frames(*event, {own.front().first, own.back().last});
+        EXPECT_GT(event->path_length, 0.9 * scene.size().width);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Quick, TwoWalkersCrossEvents, testing::Values(5.0));
+INSTANTIATE_TEST_SUITE_P(Nightly, TwoWalkersCrossEvents, testing::Values(0.0));
 
 TEST(WalkersEvents, AreAsManyAsWalkers) {
     const generator::Scene scene = generator::make_walkers({});

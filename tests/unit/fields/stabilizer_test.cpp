@@ -114,7 +114,7 @@ TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
 }
 
 TEST(ShakingCamera, AStillOneIsLeftAlone) {
-    generator::Options options{.frames = 60, .noise = 3, .drift = 20};
+    generator::Options options{.size = {192, 144}, .frames = 60, .noise = 3, .drift = 20};
     for (const generator::Scene& scene : {generator::make_walkers(options), generator::make_left_bag(options)}) {
         const std::vector<fields::Field> aligned = fields_of(scene, without_flow("auto"));
         const std::vector<fields::Field> as_it_is = fields_of(scene, without_flow("off"));
@@ -126,7 +126,7 @@ TEST(ShakingCamera, AStillOneIsLeftAlone) {
 }
 
 TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
-    generator::Options options{.frames = 40};
+    generator::Options options{.size = {192, 144}, .frames = 40};
     const generator::Scene shaken = generator::make_shaken(generator::make_walkers(options));
     fields::FieldOptions fields = without_flow("auto");
     fields.threads = 1;
