@@ -3,11 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/image/picture.h"
@@ -19,7 +17,7 @@ struct Samples {
     Size size;
     std::vector<std::string> channels;  ///< "R", "G", "B", "A", or the file's own names
     std::vector<float> values;          ///< integers are scaled to 0..1
-    Metadata attributes{};              ///< all attributes of the file, as text
+    Metadata attributes{};              ///< the file's attributes as text; of a PNG, its texts
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {
@@ -45,59 +43,6 @@ Samples decode_samples(const std::filesystem::path& name, std::span<const std::b
 
 /// Removes the pixel data channels, whose values are indices, seconds or NaN, not intensities.
 Samples without_pixel_data(Samples samples);
-
-/// The type of a file's colour values.
-enum class Stored { uint8, uint16, half };
-
-/// Names and values of an encoder's options, as OpenImageIO defines them.
-using EncoderOptions = std::vector<std::pair<std::string, int>>;
-
-/// libpng's constants for row filters.
-namespace png_filter {
-inline constexpr int none = 0x08;  ///< for mostly uniform pictures
-inline constexpr int sub = 0x10;   ///< difference from the left neighbour: nearly as small as adaptive filters, in half
-                                   ///< the time
-}  // namespace png_filter
-
-/// A picture file to encode.
-struct PictureFile {
-    std::string format;  ///< file extension, without the dot
-    std::string name;    ///< for error messages
-    Size size;
-    int colours = 3;  ///< channels: 1 grey, 3 colour, 4 colour and alpha
-    Stored stored = Stored::uint8;
-    std::vector<std::string> pixel_data{};  ///< names of additional float channels
-    Metadata attributes{};
-    EncoderOptions options{};
-    /// Interleaved, top row first. 8-bit values with straight alpha for 8-bit formats, floats with premultiplied alpha
-    /// for others.
-    std::span<const std::byte> values{};
-};
-
-/// The functions that use OpenImageIO. OpenImageIO and its 250 dependencies take 0.2 s to load. Therefore these
-/// functions are in a library of their own (core/image/oiio.cpp), which is loaded on first use.
-struct PictureCodec {
-    /// Encodes a picture file. The output is deterministic.
-    /// \throws Error io if OpenImageIO fails
-    std::vector<std::byte> (*encode)(const PictureFile& file);
-    /// Reads a file, or `bytes` if given, with the reader of one format.
-    /// \throws Error io if it can't be read, limit if the picture is too large
-    Samples (*read)(const std::filesystem::path& path, std::string_view format,
-                    std::optional<std::span<const std::byte>> bytes);
-    /// Reads a file of this size with one channel into `values`, scaled as Samples::values.
-    /// \throws Error as `read`, and io for another size or several channels
-    void (*read_grey)(const std::filesystem::path& path, std::string_view format, Size size, float* values);
-    /// Reads an 8-bit PNG of this size and number of channels into `values`.
-    /// \throws Error io for any other file
-    void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);
-};
-
-/// Loads the library at the first call. Thread-safe.
-/// \throws Error io if it can't be loaded, limit if out of memory
-const PictureCodec& picture_codec();
-
-/// The only symbol that the library exports: a function that returns a pointer to the codec.
-inline constexpr const char* picture_codec_symbol = "vvr_picture_codec";
 
 /// The extensions of picture files that can be written, with their dots.
 std::vector<std::string> picture_file_extensions();

@@ -24,7 +24,8 @@
 #include "core/fields/planes.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
-#include "core/image/picture_file.h"
+#include "core/image/picture_codec.h"
+#include "core/image/png.h"
 
 namespace vvr::store {
 
@@ -34,13 +35,13 @@ namespace fs = std::filesystem;
 
 std::vector<std::byte> encode(Size size, int channels, std::span<const std::uint8_t> values) {
     // Differences are mostly empty, so the fastest level without a filter compresses them well enough.
-    return image::picture_codec().encode(
-        {.format = "png",
-         .name = "a plane.png",
-         .size = size,
-         .colours = channels,
-         .options = {{"png:compressionLevel", 1}, {"png:filter", image::png_filter::none}},
-         .values = std::as_bytes(values)});
+    return image::png_codec().encode({.format = "png",
+                                      .name = "a plane.png",
+                                      .size = size,
+                                      .colours = channels,
+                                      .png_level = 1,
+                                      .png_filter = image::png_filter::none,
+                                      .values = std::as_bytes(values)});
 }
 
 void swap_red_and_blue(Plane<Bgr>& plane) {
@@ -63,7 +64,7 @@ std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<std::uint8_t>::for_overwrite(size);
-    image::picture_codec().read_bytes(path, size, 1, plane.pixels().data());
+    image::read_png_bytes(path, 1, plane.size(), plane.pixels());
     return plane;
 }
 
@@ -72,7 +73,7 @@ Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<Bgr>::for_overwrite(size);
-    image::picture_codec().read_bytes(path, size, 3, plane.pixels().front().data());
+    image::read_png_bytes(path, 3, plane.size(), {plane.pixels().front().data(), 3 * plane.pixels().size()});
     swap_red_and_blue(plane);
     return plane;
 }

@@ -4,6 +4,7 @@ pkg_check_modules(libav REQUIRED IMPORTED_TARGET libavformat libavcodec libavuti
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
+pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)
 
 # The shapes, ligatures and order of the letters of any script.

@@ -109,3 +109,20 @@ def test_version_loads_neither_drivers_nor_openimageio(t):
     loaded = t.run(["env", "LD_TRACE_LOADED_OBJECTS=1", t.vvr_path]).out
     for library in ("libEGL", "libOSMesa", "libOpenImageIO"):
         check("libc.so" in loaded and library not in loaded, loaded)
+
+
+def test_png_files_load_no_openimageio(t):
+    """Loading it takes longer than to draw a short clip: only other formats need it."""
+    t.clip()
+    small = ("--size", "160x100", "--backend", "software")
+
+    def loads_openimageio(*command):
+        run = t.run(["env", "LD_DEBUG=files", t.vvr_path, *command]).expect(0, out=None)
+        check("libc.so" in run.err, run.err[-300:])
+        return "libOpenImageIO" in run.err
+
+    for command in (("render", "clip.avi", "-o", "out.png", "--still", "still.png", *small), ("compare", "out.png", "out.png"),
+                    ("render", "clip.avi", "--golden", "out.png", *small), ("extract", "clip.avi", "-o", "data"),
+                    ("render", "data", "-o", "again.png", *small)):
+        check(not loads_openimageio(*command), f"{command} loads OpenImageIO")
+    check(loads_openimageio("render", "clip.avi", "-o", "out.exr", *small), "an EXR is written without it")
