@@ -34,16 +34,23 @@ namespace {
 std::vector<video::Segment> list_clips(const app::InputOptions& options) {
     if (std::ranges::all_of(options.names, store::is_data_folder)) return {};
     const video::RecorderNames layouts(options.name_patterns);
-    if (auto recording = video::find_recording(options.names, layouts, options.join))
-        return std::move(recording->segments);
+    std::vector<video::Segment> clips;
     std::error_code none;
-    if (!std::filesystem::is_regular_file(options.names.front(), none)) return {};
-    return {video::segment_from_name(options.names.front(), layouts)};
+    if (auto recording = video::find_recording(options.names, layouts, options.join)) {
+        clips = std::move(recording->segments);
+    } else if (std::filesystem::is_regular_file(options.names.front(), none)) {
+        clips = {video::segment_from_name(options.names.front(), layouts)};
+    }
+    for (video::Segment& clip : clips) {
+        if (!options.camera.empty()) clip.camera = options.camera;
+    }
+    return clips;
 }
 
 /// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
 std::string text_of(const video::Segment& clip) {
-    const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
+    const std::string camera =
+        clip.camera.empty() ? "camera not known (--camera-name names it)" : "camera " + shown_text(clip.camera);
     const std::string_view by = row_of(clip.begin_source).words;
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
     const bool named = clip.begin_source == ClockSource::file_name;

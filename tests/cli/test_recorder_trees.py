@@ -103,6 +103,9 @@ def test_numbered_cameras(t):
     t.archive("grows", "-o", "days", "--per", "day", "--prune", *look).expect(
         0, "01/2026-11-21: ", "02/2026-11-21: ", "2026-11-21: its clips belong to other days now, so its picture was removed")
     check(not t.path("days/2026-11-21.png").exists() and t.path("days/01/2026-11-21.png").exists(), "the day of no camera")
+    t.copy("clip.avi", "01_20261121200000.avi")
+    check("camera not known (--camera-name names it)" in t.vvr("info", "01_20261121200000.avi", "--quick").expect(0, out=None).out, "no next step")
+    check(t.vvr("info", "01_20261121200000.avi", "--camera-name", "01", "--json").expect(0, out=None).json()["files"][0]["camera"] == "01", "named")
     t.copy("clip.avi", *[f"counted/clip{n}_2026-11-21_20-00-0{2 * n}.avi" for n in range(4)])
     check({clip["camera"] for clip in told(t, "counted")} == {None}, f"{told(t, 'counted')}")
 
