@@ -43,13 +43,13 @@ struct Failure {
 void ignore_warning(png_structp, png_const_charp) {}
 
 void* allocate(png_structp png, png_alloc_size_t bytes) {
-    void* const memory = std::malloc(bytes);
+    void* const memory = std::malloc(bytes);  // NOLINT(cppcoreguidelines-owning-memory): libpng owns it
     if (memory == nullptr) static_cast<Failure*>(png_get_mem_ptr(png))->memory = true;
     return memory;
 }
 
 void release(png_structp, void* memory) {
-    std::free(memory);
+    std::free(memory);  // NOLINT(cppcoreguidelines-owning-memory): libpng owns it
 }
 
 /// Calls libpng. It leaves by longjmp, so nothing from here to there may have a destructor: not the calls, nor the
