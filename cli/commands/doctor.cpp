@@ -7,7 +7,6 @@
 
 #include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
@@ -25,7 +24,7 @@ extern "C" {
 #include "core/base/version.h"
 #include "core/base/wall_clock.h"
 #include "core/image/text.h"
-#include "core/image/video_encoder.h"
+#include "core/page/preview.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
@@ -114,26 +113,17 @@ nlohmann::ordered_json json_of(const DetectorReport& report) {
 struct Surroundings {
     std::string font = image::font_name();  ///< empty = none
     std::string zone = zone_text(std::time(nullptr));
-    std::vector<std::string> encoders{};  ///< of pages and animations; those that the installed libav has
+    std::string encoder = std::string(page::preview_encoder());  ///< of the preview in pages; empty = none
     std::string sandbox = workers::Sandbox(workers::SandboxMode::automatic, {}).summary();
 };
 
-Surroundings look_around() {
-    Surroundings found;
-    for (const char* const encoder : {"libx264", "libvpx-vp9", "libvpx"}) {
-        if (image::has_encoder(encoder)) found.encoders.emplace_back(encoder);
-    }
-    return found;
-}
-
 std::string describe(const Surroundings& here) {
-    const std::string encoders = here.encoders.empty()
-                                     ? "none: pages have no video; install a libavcodec with libx264 or libvpx"
-                                     : fmt::format("{}", fmt::join(here.encoders, ", "));
     return fmt::format("font           {}\n",
                        here.font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : here.font) +
-           fmt::format("page video     {}\n", encoders) + fmt::format("time zone      {}\n", here.zone) +
-           fmt::format("sandbox        {}\n", here.sandbox);
+           fmt::format("page video     {}\n",
+                       here.encoder.empty() ? "none: pages have no video; install a libavcodec with libx264 or libvpx"
+                                            : here.encoder) +
+           fmt::format("time zone      {}\n", here.zone) + fmt::format("sandbox        {}\n", here.sandbox);
 }
 
 /// The backend that `--backend auto` uses: the first that works.
@@ -152,7 +142,7 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
                {{"vvr", version()},
                 {"libraries", libraries},
                 {"font", here.font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.font)},
-                {"page_video", here.encoders},
+                {"page_video", here.encoder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.encoder)},
                 {"time_zone", here.zone},
                 {"sandbox", here.sandbox},
                 {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
@@ -192,7 +182,7 @@ class Doctor final : public Command {
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment&) override {
         const DetectorReport detector = look_at(detector_);  // before there are threads
         const std::vector<gl::BackendReport> reports = gl::probe_backends();
-        const Surroundings here = look_around();
+        const Surroundings here;
         cli::print(json_ ? as_json(reports, detector, here) : as_text(reports, detector, here));
         if (detector.error) throw Error(*detector.error);
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {

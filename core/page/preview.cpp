@@ -44,7 +44,17 @@ std::size_t place_of(Preview::Use use) {
     return static_cast<std::size_t>(use);
 }
 
+/// The first kind with an installed encoder; the end if there is none.
+auto installed_kind() {
+    return std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
+}
+
 }  // namespace
+
+std::string_view preview_encoder() {
+    const auto kind = installed_kind();
+    return kind == kinds.end() ? std::string_view() : kind->encoder;
+}
 
 Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
     : use_(use), size_(fit_into(clip, long_sides[place_of(use)])), expected_(expected) {
@@ -54,7 +64,7 @@ Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
 }
 
 void Preview::begin() {
-    const auto kind = std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
+    const auto kind = installed_kind();
     if (kind == kinds.end()) {
         given_up_ = true;
         return;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ExpectedLength {
     std::int64_t frames = 0;
     double seconds = 0;
 };
+
+/// The encoder of previews that the installed libav has; empty if there is none, and pages have no preview.
+std::string_view preview_encoder();
 
 /// Encodes the preview of a clip frame by frame. Gives up if the preview would be too large or too coarse, or if libav
 /// fails, because a page also works without it.

@@ -71,6 +71,16 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
     }
 }
 
+/// Sorts files by name, and removes repeated ones.
+/// \returns how many were repeated
+std::ptrdiff_t sort_once(Files& files) {
+    std::ranges::sort(files, natural_less);
+    const auto repeated = std::ranges::unique(files);
+    const auto repeats = std::ssize(repeated);
+    files.erase(repeated.begin(), repeated.end());
+    return repeats;
+}
+
 [[noreturn]] void refuse_part(const std::string& name) {
     std::error_code none;
     if (name == "-" || is_url(name)) {
@@ -285,8 +295,7 @@ std::vector<std::string> files_of_inputs(std::span<const std::string> names) {
     for (const std::string& name : names) {
         if (!is_single_source(name)) add_files(name, files);
     }
-    std::ranges::sort(files, natural_less);
-    files.erase(std::unique(files.begin(), files.end()), files.end());
+    sort_once(files);
     return files;
 }
 
@@ -301,10 +310,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
         if (is_single_source(name)) refuse_part(name);
         add_files(name, files);
     }
-    std::ranges::sort(files, natural_less);
-    const auto repeated = std::unique(files.begin(), files.end());
-    const auto repeats = std::distance(repeated, files.end());
-    files.erase(repeated, files.end());
+    const std::ptrdiff_t repeats = sort_once(files);
     if (files.empty()) {
         throw Error(ErrorCode::file_invalid,
                     fmt::format("the list '{}' is empty; write the path of a video file in each line", names.front()));
