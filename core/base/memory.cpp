@@ -9,6 +9,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <opencv2/core.hpp>
+
 namespace vvr {
 
 std::int64_t machine_memory() {
@@ -41,6 +43,9 @@ bool is_out_of_memory(const std::exception& error) {
     if (const auto* const system = dynamic_cast<const std::system_error*>(&error)) {
         return system->code() == std::errc::resource_unavailable_try_again ||
                system->code() == std::errc::not_enough_memory;
+    }
+    if (const auto* const opencv = dynamic_cast<const cv::Exception*>(&error)) {
+        return opencv->code == cv::Error::StsNoMem;
     }
     // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their
     // own.

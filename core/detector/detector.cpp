@@ -15,6 +15,7 @@
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/detector/formats.h"
 #include "core/detector/onnx.h"
@@ -148,6 +149,7 @@ Detector::Detector(const std::filesystem::path& model, Trial trial) {
         if (trial == Trial::in_child) failure = failure_in_child([&] { Network::try_once(bytes, input); });
         if (!failure) network_ = std::make_unique<Network>(bytes, input);
     } catch (const cv::Exception& error) {
+        if (is_out_of_memory(error)) throw;  // no fault of the model
         failure = text_of(error);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::not_a_model) throw;
@@ -181,6 +183,7 @@ std::vector<Detection> Detector::detect(const ImageView& image, float threshold)
         const auto output = network_->run(letterboxed(image, input), image.order);
         candidates = decode(network_->format(), output, input, threshold);
     } catch (const cv::Exception& error) {
+        if (is_out_of_memory(error)) throw;
         throw Error(ErrorCode::not_a_model, fmt::format("the detector fails: {}; give another model", text_of(error)));
     }
     const Letterbox letterbox(image.size, input);

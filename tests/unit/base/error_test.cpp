@@ -1,10 +1,15 @@
 #include "core/base/error.h"
 
 #include <cerrno>
+#include <new>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "core/base/memory.h"
 
 namespace vvr {
 namespace {
@@ -30,6 +35,13 @@ TEST(ErrorCodes, TellErrorsOfTheSystemApart) {
     EXPECT_EQ(code_of_system_error(ENOENT), ErrorCode::file_not_found);
     EXPECT_EQ(code_of_system_error(EDQUOT), ErrorCode::disk_full);
     EXPECT_EQ(code_of_system_error(EIO), ErrorCode::io);
+}
+
+TEST(OutOfMemory, IsTheSameFromEachLibrary) {
+    EXPECT_TRUE(is_out_of_memory(std::bad_alloc()));
+    EXPECT_TRUE(is_out_of_memory(cv::Exception(cv::Error::StsNoMem, "no memory", "fastMalloc", "alloc.cpp", 73)));
+    EXPECT_FALSE(is_out_of_memory(cv::Exception(cv::Error::StsBadArg, "wrong", "resize", "resize.cpp", 1)));
+    EXPECT_FALSE(is_out_of_memory(std::logic_error("wrong")));
 }
 
 }  // namespace
