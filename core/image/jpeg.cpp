@@ -2,117 +2,161 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <cstdint>
+#include <iterator>
 #include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <turbojpeg.h>
 
 #include <fmt/format.h>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
-#include "core/base/av_writer.h"
-#include "core/base/cv_view.h"
 #include "core/base/error.h"
-
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavutil/error.h>
-#include <libavutil/frame.h>
-}
 
 namespace vvr::image {
 
 namespace {
 
-// Full chroma: crops of large frames have all of it. The planes are in the order of OpenCV's YCrCb.
-constexpr AVPixelFormat pixel_format = AV_PIX_FMT_YUVJ444P;
-constexpr std::array planes{0, 2, 1};
+constexpr int quality_in_memory = 85;
 
-constexpr int quantiser = 3;  // 1 to 31; JPEG quality of about 90
+struct Destroy {
+    void operator()(void* handle) const { tjDestroy(handle); }
+};
+using Handle = std::unique_ptr<void, Destroy>;
 
-void check(int result, const char* what) {
-    if (result >= 0) return;
-    throw Error(result == AVERROR(ENOMEM) ? ErrorCode::out_of_memory : ErrorCode::io,
-                fmt::format("cannot {} a picture in memory: {}; use an FFmpeg that has the codec mjpeg", what,
-                            av_error_text(result)));
+Handle owned(tjhandle made) {
+    if (made == nullptr) throw std::bad_alloc();
+    return Handle(made);
 }
 
-template <class T>
-AvPtr<T> owned(T* made, const char* what) {
-    check(made == nullptr ? AVERROR(ENOMEM) : 0, what);
-    return AvPtr<T>(made);
+/// Throws what the library says of its last call.
+[[noreturn]] void fail(const Handle& handle, std::string_view what) {
+    const std::string why = tjGetErrorStr2(handle.get());
+    const bool memory = why.find("nsufficient memory") != std::string::npos ||  // libjpeg's
+                        why.find("Memory allocation") != std::string::npos;     // TurboJPEG's
+    throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::io, fmt::format("cannot {}: {}", what, why));
 }
 
-AvPtr<AVCodecContext> make_context(const AVCodec* codec, const char* what) {
-    check(codec == nullptr ? AVERROR(ENOSYS) : 0, what);
-    AvPtr<AVCodecContext> context = owned(avcodec_alloc_context3(codec), what);
-    context->thread_count = 1;
-    context->flags |= AV_CODEC_FLAG_BITEXACT;
-    context->log_level_offset = 100;  // keep messages off stderr
-    return context;
-}
+/// A picture for the library: its values are interleaved, top row first.
+struct Source {
+    const std::byte* values;
+    Size size;
+    int format;       ///< TJPF
+    int subsampling;  ///< TJSAMP
+    int quality;      ///< 1..100
+};
 
-cv::Mat view_of(const AVFrame& frame, int plane) {
-    return {frame.height, frame.width, CV_8UC1, frame.data[plane], static_cast<std::size_t>(frame.linesize[plane])};
-}
-
-AvPtr<AVFrame> to_frame(const Plane<Bgr>& picture) {
-    AvPtr<AVFrame> frame = owned(av_frame_alloc(), "compress");
-    frame->format = pixel_format;
-    frame->color_range = AVCOL_RANGE_JPEG;
-    frame->width = picture.width();
-    frame->height = picture.height();
-    check(av_frame_get_buffer(frame.get(), 0), "compress");
-    // The encoder reads beyond the ends of rows, so the padding must be deterministic.
-    for (const AVBufferRef* const buffer : frame->buf) {
-        if (buffer != nullptr) std::memset(buffer->data, 0, buffer->size);
+std::vector<std::byte> encode(const Source& source, std::string_view what) {
+    const Handle handle = owned(tjInitCompress());
+    std::vector<std::byte> jpeg(tjBufSize(source.size.width, source.size.height, source.subsampling));
+    auto* at = reinterpret_cast<unsigned char*>(jpeg.data());
+    auto bytes = static_cast<unsigned long>(jpeg.size());  // NOLINT(google-runtime-int): its type
+    if (tjCompress2(handle.get(), reinterpret_cast<const unsigned char*>(source.values), source.size.width, 0,
+                    source.size.height, source.format, &at, &bytes, source.subsampling, source.quality,
+                    TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT) != 0) {
+        fail(handle, what);
     }
-    cv::Mat converted;
-    cv::cvtColor(cv_view(picture), converted, cv::COLOR_BGR2YCrCb);
-    for (int channel = 0; channel < 3; ++channel) {
-        cv::Mat plane = view_of(*frame, planes[static_cast<std::size_t>(channel)]);
-        cv::extractChannel(converted, plane, channel);
+    jpeg.resize(bytes);
+    return jpeg;
+}
+
+void append(std::vector<std::byte>& to, std::string_view text) {
+    std::ranges::transform(text, std::back_inserter(to), [](char c) { return static_cast<std::byte>(c); });
+}
+
+void append_little(std::vector<std::byte>& to, std::size_t number, int bytes) {
+    for (int i = 0; i < bytes; ++i) to.push_back(static_cast<std::byte>(number >> (8 * i) & 0xFF));
+}
+
+void append_big16(std::vector<std::byte>& to, std::size_t number) {
+    to.push_back(static_cast<std::byte>(number >> 8 & 0xFF));
+    to.push_back(static_cast<std::byte>(number & 0xFF));
+}
+
+/// The texts as a marker segment of JPEG: an Exif header and a TIFF directory with an entry per text (Exif 2.3, 4.5 and
+/// 4.6.4).
+std::vector<std::byte> exif_segment(const Metadata& attributes) {
+    constexpr std::array<std::pair<std::string_view, int>, 2> tags{
+        {{"ImageDescription", 0x010E}, {"Software", 0x0131}}};
+    constexpr std::size_t header_bytes = 8;
+    constexpr std::size_t entry_bytes = 12;
+    constexpr int ascii = 2;
+    std::vector<std::pair<int, std::string>> texts;  // in the order of tags, as TIFF demands
+    for (const auto& [name, tag] : tags) {
+        const auto attribute =
+            std::ranges::find(attributes, name, [](const auto& pair) { return std::string_view(pair.first); });
+        if (attribute == attributes.end()) continue;
+        std::string text = attribute->second;
+        text.resize(std::max<std::size_t>(text.size() + 1, 5));  // four bytes or fewer would be in the entry itself
+        texts.emplace_back(tag, std::move(text));
     }
-    return frame;
+    std::vector<std::byte> tiff;
+    append(tiff, {"II*\0", 4});
+    append_little(tiff, header_bytes, 4);
+    append_little(tiff, texts.size(), 2);
+    std::size_t value = header_bytes + 2 + texts.size() * entry_bytes + 4;
+    for (const auto& [tag, text] : texts) {
+        append_little(tiff, static_cast<std::size_t>(tag), 2);
+        append_little(tiff, ascii, 2);
+        append_little(tiff, text.size(), 4);
+        append_little(tiff, value, 4);
+        value += text.size();
+    }
+    append_little(tiff, 0, 4);  // no further directory
+    for (const auto& [tag, text] : texts) append(tiff, text);
+
+    constexpr std::string_view identifier("Exif\0\0", 6);
+    std::vector<std::byte> segment{std::byte{0xFF}, std::byte{0xE1}};
+    append_big16(segment, 2 + identifier.size() + tiff.size());
+    append(segment, identifier);
+    segment.insert(segment.end(), tiff.begin(), tiff.end());
+    return segment;
+}
+
+std::vector<std::byte> encode_file(const PictureFile& file) {
+    std::vector<std::byte> jpeg = encode({file.values.data(), file.size, TJPF_RGB, TJSAMP_420, file.jpeg_quality},
+                                         fmt::format("encode '{}'", file.name));
+    constexpr std::ptrdiff_t jfif_end = 20;  // the library begins each file with SOI and a JFIF segment of 18 bytes
+    const std::vector<std::byte> exif = exif_segment(file.attributes);
+    jpeg.insert(jpeg.begin() + jfif_end, exif.begin(), exif.end());
+    return jpeg;
 }
 
 }  // namespace
 
+const PictureCodec& jpeg_codec() {
+    static constexpr PictureCodec codec{encode_file, [](const std::filesystem::path& path, std::string_view format,
+                                                        std::optional<std::span<const std::byte>> bytes) {
+                                            return openimageio_codec().open(path, format, bytes);
+                                        }};
+    return codec;
+}
+
 std::vector<std::byte> compress(const Plane<Bgr>& picture) {
-    const AvPtr<AVCodecContext> context = make_context(avcodec_find_encoder(AV_CODEC_ID_MJPEG), "compress");
-    context->width = picture.width();
-    context->height = picture.height();
-    context->pix_fmt = pixel_format;
-    context->color_range = AVCOL_RANGE_JPEG;
-    context->time_base = {1, 1};
-    context->flags |= AV_CODEC_FLAG_QSCALE;
-    context->global_quality = FF_QP2LAMBDA * quantiser;
-    check(avcodec_open2(context.get(), nullptr, nullptr), "compress");
-    const AvPtr<AVFrame> frame = to_frame(picture);
-    frame->quality = context->global_quality;
-    const AvPtr<AVPacket> packet = owned(av_packet_alloc(), "compress");
-    check(avcodec_send_frame(context.get(), frame.get()), "compress");
-    check(avcodec_receive_packet(context.get(), packet.get()), "compress");
-    const auto bytes = std::as_bytes(std::span(packet->data, static_cast<std::size_t>(packet->size)));
-    return {bytes.begin(), bytes.end()};
+    // All of the colour, as crops of large frames have all of it.
+    return encode({std::as_bytes(picture.pixels()).data(), picture.size(), TJPF_BGR, TJSAMP_444, quality_in_memory},
+                  "compress a picture in memory");
 }
 
 Plane<Bgr> decompress(std::span<const std::byte> jpeg) {
-    const AvPtr<AVCodecContext> context = make_context(avcodec_find_decoder(AV_CODEC_ID_MJPEG), "decompress");
-    check(avcodec_open2(context.get(), nullptr, nullptr), "decompress");
-    const AvPtr<AVPacket> packet = owned(av_packet_alloc(), "decompress");
-    check(av_new_packet(packet.get(), static_cast<int>(jpeg.size())), "decompress");
-    std::memcpy(packet->data, jpeg.data(), jpeg.size());
-    const AvPtr<AVFrame> frame = owned(av_frame_alloc(), "decompress");
-    check(avcodec_send_packet(context.get(), packet.get()), "decompress");
-    check(avcodec_receive_frame(context.get(), frame.get()), "decompress");
-    check(frame->format == pixel_format ? 0 : AVERROR_INVALIDDATA, "decompress");
-    cv::Mat converted(frame->height, frame->width, CV_8UC3);
-    for (int channel = 0; channel < 3; ++channel) {
-        cv::insertChannel(view_of(*frame, planes[static_cast<std::size_t>(channel)]), converted, channel);
+    const Handle handle = owned(tjInitDecompress());
+    const auto* const from = reinterpret_cast<const unsigned char*>(jpeg.data());
+    constexpr std::string_view what = "decompress a picture in memory";
+    Size size{};
+    int subsampling = 0;
+    int colour_space = 0;
+    if (tjDecompressHeader3(handle.get(), from, jpeg.size(), &size.width, &size.height, &subsampling, &colour_space) !=
+        0) {
+        fail(handle, what);
     }
-    Plane<Bgr> picture = Plane<Bgr>::for_overwrite({frame->width, frame->height});
-    cv::Mat out = cv_view(picture);
-    cv::cvtColor(converted, out, cv::COLOR_YCrCb2BGR);
+    Plane<Bgr> picture = Plane<Bgr>::for_overwrite(size);
+    auto* const to = reinterpret_cast<unsigned char*>(std::as_writable_bytes(picture.pixels()).data());
+    if (tjDecompress2(handle.get(), from, jpeg.size(), to, size.width, 0, size.height, TJPF_BGR, 0) != 0) {
+        fail(handle, what);
+    }
     return picture;
 }
 

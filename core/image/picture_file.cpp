@@ -18,6 +18,7 @@
 #include "core/base/file.h"
 #include "core/base/setting.h"
 #include "core/base/version.h"
+#include "core/image/jpeg.h"
 #include "core/image/picture.h"
 #include "core/image/picture_codec.h"
 #include "core/image/png.h"
@@ -29,7 +30,7 @@ namespace {
 
 constexpr std::string_view setting_prefix = "vvr:";
 constexpr const char* lines_attribute = "ImageDescription";
-// A JPEG segment has at most 64 KB, and libjpeg aborts the program for a longer text.
+// A JPEG segment has at most 64 KB.
 constexpr std::size_t longest_description = 60'000;
 
 /// A picture file format.
@@ -50,8 +51,8 @@ constexpr std::array formats{
     Format{".exr", Stored::half, true, true, true, any_side, openimageio_codec},
     Format{".tif", Stored::uint16, true, false, false, any_side, openimageio_codec},
     Format{".tiff", Stored::uint16, true, false, false, any_side, openimageio_codec},
-    Format{".jpg", Stored::uint8, false, false, false, 65500, openimageio_codec},
-    Format{".jpeg", Stored::uint8, false, false, false, 65500, openimageio_codec},
+    Format{".jpg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
+    Format{".jpeg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
 };
 
 const Format& format_of(const std::filesystem::path& path) {

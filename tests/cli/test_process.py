@@ -111,7 +111,7 @@ def test_version_loads_neither_drivers_nor_openimageio(t):
         check("libc.so" in loaded and library not in loaded, loaded)
 
 
-def test_png_files_load_no_openimageio(t):
+def test_png_and_jpeg_files_and_pages_load_no_openimageio(t):
     """Loading it takes longer than to draw a short clip: only other formats need it."""
     t.clip()
     small = ("--size", "160x100", "--backend", "software")
@@ -121,8 +121,8 @@ def test_png_files_load_no_openimageio(t):
         check("libc.so" in run.err, run.err[-300:])
         return "libOpenImageIO" in run.err
 
-    for command in (("render", "clip.avi", "-o", "out.png", "--still", "still.png", *small), ("compare", "out.png", "out.png"),
+    for command in (("render", "clip.avi", "-o", "out.png", "--still", "still.jpg", *small), ("compare", "out.png", "out.png"),
                     ("render", "clip.avi", "--golden", "out.png", *small), ("extract", "clip.avi", "-o", "data"),
-                    ("render", "data", "-o", "again.png", *small)):
+                    ("render", "data", "-o", "again.png", *small), ("render", "clip.avi", "-o", "page.html", *small)):
         check(not loads_openimageio(*command), f"{command} loads OpenImageIO")
     check(loads_openimageio("render", "clip.avi", "-o", "out.exr", *small), "an EXR is written without it")
