@@ -4,8 +4,9 @@ target_include_directories(vvr_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(vvr_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
-  # From GCC 13 on, these two take references to members and moved optionals for faults.
-  target_compile_options(vvr_flags INTERFACE -Wno-dangling-reference -Wno-maybe-uninitialized)
+  # From GCC 13 on, these take references to members, moved optionals, and code of fmt that never runs for faults.
+  target_compile_options(vvr_flags INTERFACE -Wno-dangling-reference -Wno-maybe-uninitialized -Wno-array-bounds
+    -Wno-stringop-overflow)
 endif()
 
 if(VVR_SANITIZE)

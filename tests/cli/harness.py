@@ -14,6 +14,7 @@ import time
 from dataclasses import dataclass
 
 import png
+import pytest
 
 
 def check(condition, text):
@@ -21,6 +22,11 @@ def check(condition, text):
     __tracebackhide__ = True
     if not condition:
         raise AssertionError(text)
+
+
+def nightly_except(values, *daily):
+    """Parameters of a test: the default set runs only those in `daily`."""
+    return [value if value in daily else pytest.param(value, marks=pytest.mark.nightly) for value in values]
 
 
 def fnv1a(text):

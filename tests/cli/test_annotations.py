@@ -55,7 +55,7 @@ def test_labels_with_the_clock_of_the_recording(t):
     t.render("clip.avi", "--start-time", "container").expect(1, "--start-time", "'clip.avi'", code="time-of-day-unknown")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_when_a_file_was_written_is_no_time_of_day(t):
     """A container's creation_time and a file's modification time are shown by whom they are asked for, as what they are."""
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
@@ -92,7 +92,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
         check(page_data(page)["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_parts_of_a_clip_by_the_clock(t):
     t.clip("gate_2026-11-21_23-59-50.avi", seconds=20)
     name = "gate_2026-11-21_23-59-50.avi"
@@ -159,6 +159,7 @@ def test_labels_and_captions_need_a_font(t):
         0, "fontconfig found no font, so 'frame.png' has no captions; install one, such as fonts-dejavu-core")
 
 
+@pytest.mark.nightly
 def test_keyframes_need_the_clips_length(t):
     t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "40")
     t.render("walkers.y4m", "--keyframes", "3", "--show", "frames").expect(0)

@@ -72,6 +72,7 @@ def stamps(t, files_there=True):
             for clip, known in sidecars(t, files_there).items() if known["state"] == "done"}
 
 
+@pytest.mark.nightly
 def test_archive_of_ten_kinds_of_clips(t):
     t.clip("in/good.mp4", seconds=1, codec=("-c:v", "libx264", "-pix_fmt", "yuv420p", "-metadata", "creation_time=2026-11-20T08:00:07Z"))
     t.clip("in/long.avi", seconds=3)
@@ -170,6 +171,7 @@ def test_archive_leaves_what_is_still_written(t):
     archive(t).expect(0, "1 clip drawn", "1 done before")
 
 
+@pytest.mark.nightly
 def test_archive_tries_again(t):
     t.old_clips("a.avi")
     t.write("in/bad.avi", "no video")
@@ -200,6 +202,7 @@ def test_archive_tries_again(t):
     check("failed; shows what was until" in t.path("out/index.html").read_text(), "the index does not say it")
 
 
+@pytest.mark.nightly
 def test_archive_takes_any_name(t):
     names = ["-o [a] %05d* ####{brick}.avi", "a b'\"<&>ä€😀.avi", "line\nbreak%41.avi", "-dir/cam:1/d.avi", "a.avi", "a.mp4"]
     t.old_clips(*names)
@@ -266,6 +269,7 @@ def test_archive_without_opengl_blames_no_clip(t):
     archive(t).expect(0, "2 clips drawn")
 
 
+@pytest.mark.nightly
 def test_archive_limits_its_workers(t):
     t.old_clips("a.avi")
     t.clip("part.avi", seconds=60, size="384x288")
@@ -288,6 +292,7 @@ def test_an_archive_says_what_its_workers_warn_of(t):
     check(archive(t, "--quiet").err == "", "a warning of what is done before")
 
 
+@pytest.mark.nightly
 def test_archive_is_shared_out(t):
     t.old_clips(*[f"cam{k % 3}/{k}.avi" for k in range(9)])
     options = ("--write", "pictures,pages", "--dry-run")
@@ -413,6 +418,7 @@ def start(t, *arguments, **options):
                    **options)
 
 
+@pytest.mark.nightly
 def test_archives_at_once_share_the_work(t):
     names = [f"cam{k % 2}/{k}.avi" for k in range(5)]
     t.old_clips(*names)
@@ -448,6 +454,7 @@ def no_worker_left(workers):
         time.sleep(0.02)
 
 
+@pytest.mark.nightly
 @pytest.mark.timeout(600)
 def test_archive_that_is_killed(t):
     """In every way, at random moments; after the next whole run all is as if nothing had been."""
@@ -499,6 +506,7 @@ def test_archive_on_a_full_disk(t):
     check(".vvr-" not in result.out, f"left behind: {result}")
 
 
+@pytest.mark.nightly
 def test_archive_ends_its_workers(t):
     t.old_clips(*[f"{k}.avi" for k in range(6)])
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
@@ -526,6 +534,7 @@ def test_archive_ends_workers_that_do_not_answer(t):
     nothing_hidden(t)
 
 
+@pytest.mark.nightly
 def test_archive_draws_no_playlists(t):
     t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
     t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
@@ -602,6 +611,7 @@ def test_archive_keeps_files_for_a_time(t):
     archive(t, "--keep", "30d", "--write", "index").expect(1, "--keep", code="options-conflict")
 
 
+@pytest.mark.nightly
 def test_archive_draws_nights(t):
     """From noon to noon, also when the clock changes: on 2026-10-25 at 3:00 it goes back to 2:00 in Berlin."""
     t.zone("Europe/Berlin")
@@ -679,7 +689,7 @@ def pictures(t):
     return [name for name in outputs(t) if name.endswith(".png")]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     """Whatever a run leaves out of the clips, or can't see of them."""
     folders = {day: f"in/2026-11-{day}" for day in (20, 21)}
@@ -729,6 +739,7 @@ def test_archive_prunes_no_day_whose_clips_may_be_there(t):
     prune(0, "1 day was drawn by an older vvr, which did not record the clips")
 
 
+@pytest.mark.nightly
 def test_archive_keeps_a_day_whose_redraw_fails(t):
     """Until a new set is whole the old one stays, and says what it shows."""
     slow = ("--per", "day", "--field-size", "source", "--flow", "horn-schunck", "--write", "pictures,index")

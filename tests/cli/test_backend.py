@@ -2,6 +2,7 @@
 
 import os
 
+import pytest
 from harness import check
 
 
@@ -46,6 +47,7 @@ def test_works_without_a_display(t):
     t.render("clip.avi", "--quiet", env=bare).expect(0, err="")
 
 
+@pytest.mark.nightly
 def test_pixel_data_without_framebuffer_fetch(t):
     """A driver that can't read the framebuffer in a shader draws each slice into a second one: the same data."""
     t.scene("left_bag", "bag.y4m", "--size", "96x72", "--frames", "60")

@@ -67,6 +67,7 @@ def test_cluster_draws_an_archive(t):
     check("--gres=gpu:1" in t.path("submitted").read_text() and "--backend egl" in t.path("submitted").read_text(), "no GPU asked for")
 
 
+@pytest.mark.nightly
 def test_cluster_requeues_what_may_be_the_nodes_fault(t):
     t.path("in").mkdir()
     vvr = script_of(t, "vvr", "#!/bin/sh\ncase $* in *--dry-run*) ;; *) exit 4 ;; esac\n")
@@ -85,6 +86,7 @@ def test_cluster_requeues_what_may_be_the_nodes_fault(t):
     check(not tried(RESTARTS="1"), "the run that was lost puts back the one that took its place")
 
 
+@pytest.mark.nightly
 def test_cluster_waits_for_the_run_that_slurm_lost(t):
     t.path("out").mkdir()
     t.clip("in/a.avi", seconds=1)
@@ -110,9 +112,9 @@ def test_cluster_waits_for_the_run_that_slurm_lost(t):
 @pytest.mark.parametrize("seconds, options", [
     (3, ("--grid", "9", "--color=video", "--camera", "-20,40", "--opacity", "2")),
     # Long ones keep flow of a part of their frames.
-    pytest.param(20, (), marks=pytest.mark.slow),
-    pytest.param(20, ("--time", "busy"), marks=pytest.mark.slow),
-    pytest.param(20, ("--preset", "day"), marks=pytest.mark.slow),
+    pytest.param(20, (), marks=pytest.mark.nightly),
+    pytest.param(20, ("--time", "busy"), marks=pytest.mark.nightly),
+    pytest.param(20, ("--preset", "day"), marks=pytest.mark.nightly),
 ])
 def test_cluster_draws_a_clip_in_parts(t, seconds, options):
     t.clip(seconds=seconds)
@@ -124,7 +126,7 @@ def test_cluster_draws_a_clip_in_parts(t, seconds, options):
     check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_cluster_makes_the_parts_that_are_missing(t):
     t.clip("clip.avi", seconds=2)
     vvr = script_of(t, "vvr", f"""#!/bin/bash
@@ -148,6 +150,7 @@ exec '{t.vvr_path}' "$@"
     t.expect_picture("out.png")
 
 
+@pytest.mark.nightly
 def test_cluster_refuses_what_cannot_be(t):
     t.clip("clip.avi", seconds=1)
     t.path("in").mkdir()

@@ -113,6 +113,7 @@ def test_golden_that_differs_keeps_the_candidate_until_it_is_met(t):
     golden(t).expect(7, code="picture-differs")
 
 
+@pytest.mark.nightly
 def test_golden_of_another_size_or_renderer(t):
     t.clip()
     golden(t, "--bless").expect(0)
@@ -129,6 +130,7 @@ def test_golden_of_another_size_or_renderer(t):
     golden(t, "--camera", "10,46").expect(7, "'golden.png'", "soft", code="picture-differs")
 
 
+@pytest.mark.nightly
 def test_golden_that_cannot_be_read_or_kept(t):
     t.clip()
     t.write("golden.png", "no picture")
@@ -152,7 +154,7 @@ def test_golden_options_that_do_not_fit(t):
     t.expect_files("clip.avi")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_golden_in_every_format(t):
     t.clip()
     for ending in ("png", "exr", "tif", "jpg"):

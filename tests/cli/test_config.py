@@ -51,6 +51,7 @@ def test_found_config_file_with_errors(t, places):
     check(not t.path("out.png").exists(), "a picture all the same")
 
 
+@pytest.mark.nightly
 def test_workers_of_an_archive_read_no_config_file(t, places):
     """What an archive is drawn with stands in its sidecars; a [render] of its own is not among that."""
     t.clip("in/a.avi")

@@ -74,7 +74,7 @@ def test_cut_copies_an_event(t):
         check(all(packet[2] in known for packet in sound), "the sound is not that of the clip")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_cut_follows_the_ending(t):
     clip = bag(t)
     for name in ("piece.mkv", "piece.mov", "piece.m4v", "PIECE.MP4"):
@@ -146,7 +146,7 @@ def test_cut_exactly_between_frames(t):
     check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_cut_takes_the_searches_options(t):
     clip = bag(t)
     t.vvr("render", clip, "--events", "left", "--report", "left.json").expect(0, "1 event")
@@ -190,6 +190,7 @@ def test_cut_of_a_damaged_clip(t):
         0, "warning: 'half.mkv' ends at ", "earlier than the requested end", "frames copied")
 
 
+@pytest.mark.nightly
 def test_cut_refuses_events_that_are_not_there(t):
     clip = bag(t)
     events(t, clip)
@@ -216,6 +217,7 @@ def test_cut_refuses_reports_that_are_none(t):
         0, "frames copied")  # the same file, whatever it is called
 
 
+@pytest.mark.nightly
 def test_cut_refuses_pieces_that_are_empty(t):
     t.clip("clip.mkv", seconds=4)
     for exact in ((), ("--exact",)):
@@ -278,6 +280,7 @@ def test_cut_never_writes_over_its_input(t):
     check(t.path("clip.mkv").read_bytes() == before, "the input has changed")
 
 
+@pytest.mark.nightly
 def test_cut_names_containers_that_can_hold_the_codec(t):
     t.clip("clip.mkv", codec=("-c:v", "ffv1"))
     t.vvr("cut", "clip.mkv", "--start", "1s", "-o", "x.mp4").expect(1, "'x.mp4'", "ffv1", ".mkv", "--exact", code="options-conflict")

@@ -3,6 +3,7 @@
 import datetime
 import json
 
+import pytest
 from harness import check
 from test_cut import H264, KEYS, RATE, apart, bag, grey_frames, packets
 from test_recording import cut as recorded
@@ -113,6 +114,7 @@ def test_cut_refuses_to_join_what_differs(t):
     t.vvr("cut", "day", "--start", "5f", "--end", "9s", "-o", "y.mp4").expect(1, "--start 5", "12.5s", code="option-value")
 
 
+@pytest.mark.nightly
 def test_cut_takes_an_event_of_a_recordings_report(t):
     names = segments(t)
     events = report(t, "day")["events"]
@@ -227,6 +229,7 @@ def test_cut_of_an_avi_keeps_the_day(t):
     check("2026-11-21T07:12:02" in json.dumps(tags(t, "x.avi")), f"{tags(t, 'x.avi')}")
 
 
+@pytest.mark.nightly
 def test_cut_chooses_the_ending(t):
     bag(t)
     t.clip("old.avi", codec=("-c:v", "msmpeg4"))

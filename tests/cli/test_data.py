@@ -12,6 +12,7 @@ def same(t, one, other):
     check(t.path(one).read_bytes() == t.path(other).read_bytes(), f"{one} and {other} differ")
 
 
+@pytest.mark.nightly
 def test_parts_by_number_make_the_picture_of_the_whole(t):
     moving_clip(t, frames=41)
     t.render("clip.mkv", output="whole.png").expect(0)
@@ -65,8 +66,8 @@ def test_colour_of_the_video_needs_extracted_frames(t):
 
 @pytest.mark.parametrize("extracted, drawn", [
     (("--threshold", "30", "--grid", "8"), ("--show", "volume,arrows,tracelines,frames", "--window", "4")),
-    ((), ("--color", "video")), pytest.param((), ("--color", "direction", "--show", "volume"), marks=pytest.mark.slow),
-    pytest.param(("--start", "17f"), (), marks=pytest.mark.slow), (("--start", "1.5s", "--end", "2.05s"), ())])
+    ((), ("--color", "video")), pytest.param((), ("--color", "direction", "--show", "volume"), marks=pytest.mark.nightly),
+    pytest.param(("--start", "17f"), (), marks=pytest.mark.nightly), (("--start", "1.5s", "--end", "2.05s"), ())])
 def test_extracted_data_give_the_picture_of_the_clip(t, extracted, drawn):
     t.vvr("extract", moving_clip(t), "-o", "data", *extracted).expect(0)
     t.render("clip.mkv", *extracted, *drawn, output="clip.png").expect(0)
@@ -76,6 +77,7 @@ def test_extracted_data_give_the_picture_of_the_clip(t, extracted, drawn):
         same(t, "clip.png", "data.png")
 
 
+@pytest.mark.nightly
 def test_parts_by_time_fit_together_or_not(t):
     t.vvr("extract", moving_clip(t), "-o", "whole").expect(0)
     for part, *span in (("part0", "--end", "10f"), ("part10", "--start", "1s", "--end", "20f"),

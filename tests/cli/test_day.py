@@ -24,6 +24,7 @@ def room_of(report, begin, end):
     return 1 - idle
 
 
+@pytest.mark.nightly
 def test_room_goes_where_something_moves(t):
     recording(t)
     t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "each layer merges ")
@@ -78,7 +79,7 @@ def test_preset_of_a_day(t):
     t.render("day.mkv", "--time", "busy", output="s.{brick}.png").expect(1, "--time busy", code="options-conflict")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_idle_time_of_extracted_data(t):
     recording(t)
     t.vvr("extract", "day.mkv", "-o", "data").expect(0)

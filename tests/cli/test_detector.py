@@ -64,6 +64,7 @@ def test_detector_that_sees_nothing_refutes_nothing(t):
     check(report["detector"]["events"] == 3, str(report["detector"]))
 
 
+@pytest.mark.nightly
 def test_detector_is_named_by_a_config_file(t):
     bag(t)
     t.write("vvr.toml", 'detector = "tiny.onnx"\n')
@@ -100,6 +101,7 @@ def test_model_that_is_none_is_refused_before_the_clip_is_read(t, name, content,
     check(not t.path("out").exists(), "the archive has begun")
 
 
+@pytest.mark.nightly
 def test_series_and_streams_have_classes(t):
     bag(t)
     t.vvr("render", "bag.y4m", "-o", "out.{brick:2}.png", "--report", "report.json", "--brick", "4s", "--window", "2", *QUICK,
@@ -128,6 +130,7 @@ def archive_of_bags(t, *arguments):
     return t.archive("in", "-o", "out", *QUICK, "--match", "*.y4m", "--match", "*.avi", *arguments)
 
 
+@pytest.mark.nightly
 def test_archive_knows_what_came(t):
     archive_of_bags(t, "--detector", "tiny.onnx").expect(0)
     found = t.json("out/gate/bag.y4m.json")["found"]

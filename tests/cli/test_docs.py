@@ -5,7 +5,7 @@ import re
 import subprocess
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
@@ -18,7 +18,7 @@ def commands(text):
 PAGES = ("README.md", *sorted(f"docs/{page.name}" for page in (SOURCE / "docs").glob("*.md") if commands(page.read_text())))
 
 
-@pytest.mark.parametrize("page", PAGES)
+@pytest.mark.parametrize("page", nightly_except(PAGES, "README.md"))
 def test_commands_of(t, page):
     """Runs a page's commands in a folder where the clip that it names is. Their pictures are small if they don't say how large."""
     t.write(".cache/small.toml", 'size = "160x100"\n')

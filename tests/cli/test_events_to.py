@@ -5,6 +5,7 @@ import os
 import subprocess
 import threading
 
+import pytest
 from harness import check
 
 FAST = ("--size", "160x100", "--flow", "none", "--backend", "software")
@@ -63,6 +64,7 @@ def test_archive_tells_each_event_once(t):
     check([line["clip"][-12:] for line in lines(t)] == ["20-00-00.avi", "20-30-00.avi"], f"{lines(t)}")
 
 
+@pytest.mark.nightly
 def test_a_day_tells_the_events_of_its_new_files(t):
     t.zone("UTC")
     clips(t, "in/gate/2026-11-21_20-00-00.avi")
@@ -84,6 +86,7 @@ def test_standard_output(t):
     check(line["camera"] is None and line["begin"] is None and line["clip"] == "one.avi", said.out)
 
 
+@pytest.mark.nightly
 def test_a_named_pipe_needs_no_reader(t):
     clips(t, "in/one.avi")
     os.mkfifo(t.path("events.jsonl"))
@@ -97,6 +100,7 @@ def test_a_named_pipe_needs_no_reader(t):
     archive(t).expect(0)
 
 
+@pytest.mark.nightly
 def test_lines_that_can_not_be_written(t):
     """The pictures are there, and the exit status tells."""
     clips(t, "in/one.avi")

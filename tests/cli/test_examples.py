@@ -2,6 +2,7 @@
 
 import re
 
+import pytest
 from harness import check
 
 
@@ -51,6 +52,7 @@ def cron_lines(t):
     return lines
 
 
+@pytest.mark.nightly
 def test_cron_lines_draw_what_is_new(t):
     drawn = 0
     t.write("small.toml", 'size = "160x100"\n')

@@ -1,5 +1,6 @@
 """Filters in the picture: bands without shells between them, the hull, the sign of a difference, norms."""
 
+import pytest
 from harness import check, moving_clip
 
 # Time runs from left to right over the whole width.
@@ -44,6 +45,7 @@ def test_no_seeds_on_uncovered_background(t):
     check(checked > 50, f"only {checked} seeds")
 
 
+@pytest.mark.nightly
 def test_norms(t):
     # A green square as bright as the grey around it, then a white one.
     t.ffmpeg("-f", "lavfi", "-i", "color=0x787878:size=96x64:rate=10:duration=4", "-vf",

@@ -37,6 +37,7 @@ def test_font_draws_text_and_is_recorded(t, fonts):
     check(captions[0] != captions[1], "the font makes no difference to captions")
 
 
+@pytest.mark.nightly
 def test_font_of_the_machine_is_recorded_where_there_is_text(t, fonts):
     sans = t.vvr("doctor", "--json").expect(0, out=None).json()["font"]
     t.render("clip.avi", "--size", "320x200").expect(0)
@@ -49,6 +50,7 @@ def test_font_of_the_machine_is_recorded_where_there_is_text(t, fonts):
     check(bare[0] == bare[1], "another font, other bytes without text")
 
 
+@pytest.mark.nightly
 def test_golden_of_another_font_says_so(t, fonts):
     options = ("render", "clip.avi", "--size", "320x200", "--golden", "golden.png")
     one, other = fonts
@@ -57,6 +59,7 @@ def test_golden_of_another_font_says_so(t, fonts):
     t.vvr(*options, env=fonts[other]).expect(7, "'golden.png'", one, other, code="picture-differs")
 
 
+@pytest.mark.nightly
 def test_golden_of_other_settings_says_so(t):
     t.clip()
     options = ("render", "clip.avi", "--size", "160x100", "--show", "volume", "--golden", "golden.png")
@@ -85,6 +88,7 @@ def drawn(t, picture, title, environment):
     return done.err, t.rgb(picture)
 
 
+@pytest.mark.nightly
 def test_letters_that_a_font_lacks_come_from_another(t, fonts):
     err, alone = drawn(t, "alone.png", "مدخل", fonts["DejaVuSerif-Bold.ttf"])
     check("no font has 4 characters" in err, err)

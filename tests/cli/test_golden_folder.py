@@ -72,7 +72,7 @@ def test_a_clip_that_can_not_be_drawn(t):
     check("bad<&" in suite[0][0].text and suite[0][0].get("type") == "not-video", suite[0][0].text)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_files_are_found_from_anywhere(t):
     two(t)
     t.vvr("golden", "golden", "--bless").expect(0)
@@ -83,6 +83,7 @@ def test_files_are_found_from_anywhere(t):
     t.vvr("golden", "../golden", "--report", "-", "--quiet", cwd=t.path("elsewhere")).expect(7, out=None)
 
 
+@pytest.mark.nightly
 def test_mistakes_in_the_file(t):
     """Nothing is drawn then."""
     moving_clip(t)

@@ -7,7 +7,7 @@ import re
 import shlex
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cli" / "commands" / "command.h"
 COMMANDS = re.findall(r'CommandRow\{"(\w+)"', TABLE.read_text(encoding="utf-8"))
@@ -55,6 +55,7 @@ def test_help_and_its_json_have_the_same_options(t, command):
     check(len(expected) > 5 and found == expected, f"{set(found) ^ set(expected)}")
 
 
+@pytest.mark.nightly
 def test_help_is_as_wide_as_the_terminal(t):
     for command in COMMANDS:
         for columns in (72, 120):
@@ -95,7 +96,7 @@ def what_it_needs(t, command):
     return words[3:] if len(words) > 2 else None
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", nightly_except(COMMANDS, "golden"))
 def test_help_lists_only_what_the_command_accepts(t, command):
     example = what_it_needs(t, command)
     if example is None:
@@ -154,7 +155,7 @@ def test_watch_help_has_no_options_that_need_an_end(t):
 HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 9s"}
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("command", nightly_except(COMMANDS, "render"))
 def test_examples_of_help_run(t, command):
     t.clip("clip.avi", seconds=3)
     if command in ("cut", "watch") or "bag.y4m" in str(t.help()[command]["examples"]):

@@ -1,5 +1,6 @@
 """Inputs that are missing, damaged or odd."""
 
+import pytest
 from harness import check
 
 
@@ -82,6 +83,7 @@ def test_info_says_what_a_render_would_do(t):
     check(told["render"]["seconds"] > 0 and told["render"]["frames_per_second"] > 0, str(told))
 
 
+@pytest.mark.nightly
 def test_info_measures_a_render(t):
     t.clip(seconds=40)
     text = t.vvr("info", "clip.avi").expect(0, out=None).out
@@ -94,6 +96,7 @@ def test_info_measures_a_render(t):
     check(told["render"]["seconds"] is None and "there is no EGL device 99" in told["warnings"][-1], str(told))
 
 
+@pytest.mark.nightly
 def test_playlist_on_disk_is_refused(t):
     """Whatever its name, what it names, itself or files elsewhere, and whether it has an end: what to give instead is said."""
     t.clip("seg.ts", codec=("-c:v", "mpeg2video"))

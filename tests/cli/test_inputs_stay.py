@@ -2,6 +2,7 @@
 
 import os
 
+import pytest
 from harness import check
 
 SMALL = ("--size", "160x100", "--backend", "software", "--quiet")
@@ -20,6 +21,7 @@ class Kept:
         check(self.t.path(self.name).read_bytes() == self.bytes, f"{self.name} has changed: {run}")
 
 
+@pytest.mark.nightly
 def test_a_log_is_no_input(t):
     """A log is opened before anything else, and only ever added to."""
     t.clip("clip.avi", seconds=1)
@@ -37,6 +39,7 @@ def test_a_log_is_no_input(t):
     t.expect_files("clip.avi", "link.txt", "log.txt", "vvr.toml")
 
 
+@pytest.mark.nightly
 def test_a_file_of_a_recording_is_no_output(t):
     """In a folder below, of a pattern, of a list, and by a link."""
     deep = "day/sub/2026-11-21_10-00-00.avi"
@@ -56,6 +59,7 @@ def test_a_file_of_a_recording_is_no_output(t):
         t.vvr("render", "day/sub", "--report", "day/sub/report.json", *SMALL).expect(0)
 
 
+@pytest.mark.nightly
 def test_a_picture_of_a_pattern_is_no_output(t):
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=0.5", "f/%03d.png")
     picture = Kept(t, "f/003.png")

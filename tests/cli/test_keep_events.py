@@ -66,6 +66,7 @@ def check_has(t, clip, piece, first, last):
     t.run(["ffmpeg", "-v", "error", "-i", str(t.path(piece)), "-f", "null", "-"]).expect(0, err="")
 
 
+@pytest.mark.nightly
 def test_archive_keeps_events(t):
     folder = archived(t)
     check(names(folder) == ["SHA256SUMS", "event-1.mp4", "event-2.mp4", "evidence.json"], f"{names(folder)}")
@@ -124,7 +125,7 @@ def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
     check(not sidecar.exists() and not t.path(f"out/{CLIP}.png").exists(), "the rest")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_archive_removes_the_empty_folder_of_pieces(t):
     folder = archived(t)
     t.stamp(f"in/{CLIP}", -40 * 86400)
@@ -133,6 +134,7 @@ def test_archive_removes_the_empty_folder_of_pieces(t):
     check(not folder.exists(), f"{names(folder.parent)}")
 
 
+@pytest.mark.nightly
 def test_archive_of_a_clip_whose_events_cannot_be_copied(t):
     """It has no time stamps: its picture is drawn, no half piece is left, and it says so once."""
     two_events(t, "in/gate/clip.avi", ("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
@@ -145,6 +147,7 @@ def test_archive_of_a_clip_whose_events_cannot_be_copied(t):
     archive(t).expect(0, "nothing to do")
 
 
+@pytest.mark.nightly
 def test_archive_keeps_the_events_of_a_damaged_clip(t):
     two_events(t, "in/gate/clip.mkv")
     data = bytearray(t.path("in/gate/clip.mkv").read_bytes())
@@ -187,7 +190,7 @@ def test_kept_events_of_a_day(t):
     check(last["first"]["time"] > "2026-11-21T20:00:24", f"{last}")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
     found = []
     for mode in ("off", "required"):

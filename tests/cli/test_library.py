@@ -252,6 +252,7 @@ def test_threads_draw_at_the_same_time_what_they_draw_alone(t, prefix):
     t.run([main]).expect(0, out="4 4")
 
 
+@pytest.mark.nightly
 def test_examples_draw_frames_in_memory(t, prefix, examples):
     frames = examples / "render_frames"
     done = t.run([frames, "frames.png"])

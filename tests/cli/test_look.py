@@ -1,5 +1,6 @@
 """Animations, transfer functions and colours."""
 
+import pytest
 from harness import check
 
 LINES = ("--show", "volume,tracelines")
@@ -13,6 +14,7 @@ def test_a_series_of_pictures(t):
     check(len(pictures) == 3, "pictures of the series are the same")
 
 
+@pytest.mark.nightly
 def test_animated_files(t):
     t.clip()
     for ending in ("gif", "mp4", "webm"):
@@ -35,6 +37,7 @@ def test_animations_that_cannot_be(t):
     t.expect_files("clip.avi")
 
 
+@pytest.mark.nightly
 def test_samples_smooth_edges(t):
     t.clip()
     for samples in ("1", "4"):

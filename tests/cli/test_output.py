@@ -7,6 +7,7 @@ import resource
 import struct
 import subprocess
 
+import pytest
 from harness import check, part_name
 
 
@@ -20,6 +21,7 @@ def test_same_bytes_every_time(t):
             check(same, f"a.{ending} and {other}.{ending} differ")
 
 
+@pytest.mark.nightly
 def test_layers_stand_in_an_exr(t):
     t.clip()
     for backend in ("software", "osmesa"):

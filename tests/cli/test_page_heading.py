@@ -4,7 +4,7 @@ import html
 import re
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 from test_archive import QUICK
 from test_page_live import page_of
 
@@ -70,6 +70,7 @@ def test_page_heading_of_a_camera_that_the_name_tells(t):
     check((heading, file) == ("cam7 · Tue 17 Nov 2026, 07:15", "cam7_2026-11-17_07-15-00.avi"), f"{heading}; {file}")
 
 
+@pytest.mark.nightly
 def test_page_heading_of_a_stream(t):
     page_of(t, "file.html", 3, "--title", "gate")
     heading, _, summary = words_of(t, "file.html")
@@ -81,7 +82,7 @@ def test_page_heading_of_a_stream(t):
     check(summary.endswith("; times of day live"), summary)
 
 
-@pytest.mark.parametrize("hours", [0, 2])
+@pytest.mark.parametrize("hours", nightly_except([0, 2], 0))
 def test_page_events_do_not_span_time_without_signal(t, hours):
     """Somebody stands there at the end of one file and at the beginning of the next."""
     rate, seconds = 10, 20

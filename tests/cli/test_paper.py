@@ -2,6 +2,7 @@
 
 import struct
 
+import pytest
 from harness import check, moving_clip
 
 FRAMES = 24
@@ -53,6 +54,7 @@ def test_alpha_of_100_gives_almost_no_flow(t):
     check(u["100"] < 0.25 * SPEED, f"60 steps with α = 100 find {u['100']:.2f} of {SPEED} pixels")
 
 
+@pytest.mark.nightly
 def test_size_of_arrows_and_steps_of_tracelines(t):
     texture(t)
     seed = one_seed(t)
@@ -69,6 +71,7 @@ def test_size_of_arrows_and_steps_of_tracelines(t):
     check(ten < 1.1 * 10 * SPEED * pixels_per_column, f"ten steps are {ten} pixels long")
 
 
+@pytest.mark.nightly
 def test_velocity_along_time(t):
     texture(t)
     seed = one_seed(t)

@@ -7,6 +7,7 @@ import shutil
 import signal
 import time
 
+import pytest
 from harness import check
 
 
@@ -68,11 +69,12 @@ def test_progress_bar_on_a_terminal(t):
     check("200 frames" in last and "[" not in last, f"the bar is still there: {last!r}")
 
 
+@pytest.mark.nightly
 def test_archive_shows_its_progress_on_a_terminal(t):
     for name in ("one.avi", "two.avi"):
-        t.clip(f"in/{name}", seconds=20, size="384x288")
+        t.clip(f"in/{name}", seconds=20, size="192x144")
     t.age("in")
-    said = on_terminal(t, "archive", "in", "-o", "out", "--jobs", "1")
+    said = on_terminal(t, "archive", "in", "-o", "out", "--jobs", "1", "--size", "160x100")
     lines = [line for line in said.split("\r\033[K") if line.startswith("archive [")]
     check(lines and all(len(line) < 80 and "\n" not in line for line in lines), said)
     check(any("; 0 of 2 clips; " in line for line in lines) and any("; 1 of 2 clips; " in line for line in lines), said)
@@ -80,7 +82,7 @@ def test_archive_shows_its_progress_on_a_terminal(t):
     check(len(set(parts)) > 2, f"the parts of a clip: {parts}")
     last = said.rsplit("\033[K", 1)[1]
     check("'out': 2 clips drawn" in last and "archive [" not in last, f"the bar is still there: {last!r}")
-    check("archive [" not in on_terminal(t, "archive", "in", "-o", "quiet", "--quiet"), "a bar in spite of --quiet")
+    check("archive [" not in on_terminal(t, "archive", "in", "-o", "quiet", "--quiet", "--size", "160x100"), "a bar in spite of --quiet")
 
 
 def test_installed_program_is_relocatable(t):

@@ -29,19 +29,21 @@ def test_reading_a_clock_is_left_out(t):
     check(report(t, scene(t, "clock", *SMALL))["volume"]["still"], "the clock is in the picture")
 
 
+@pytest.mark.nightly
 def test_reading_a_train_is_masked(t):
     clip = scene(t, "train", *SMALL)
     check(kinds(t, clip) == ["stood", "moved"], str(kinds(t, clip)))
     check(kinds(t, clip, "--mask", "0,30 192,30 192,95 0,95") == ["moved"], "the mask does not hide the train")
 
 
+@pytest.mark.nightly
 def test_reading_a_shaking_camera(t):
     clip = scene(t, "walks_by_shaken")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
     check(kinds(t, clip, "--stabilize", "off") == [], "it makes no difference")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_reading_flicker(t):
     clip = filtered(t, scene(t, "walks_by", *SMALL), "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
@@ -62,7 +64,7 @@ def lit(t, clip, *options):
     return sum(file.stat().st_size for file in t.path("data/scalar").iterdir())
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_reading_rain_and_trees(t):
     rain = scene(t, "rain")
     check(kinds(t, rain, "--min-area", "60") == ["moved"], str(kinds(t, rain, "--min-area", "60")))
@@ -74,6 +76,7 @@ def test_reading_rain_and_trees(t):
     check(lit(t, tree, "--mask", "220,0 384,0 384,145 220,145") < 0.8 * lit(t, tree), "the tree is as much as before")
 
 
+@pytest.mark.nightly
 def test_reading_colours_of_objects(t):
     clip = scene(t, "walks_by")
     legend = {}

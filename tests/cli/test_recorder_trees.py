@@ -3,6 +3,7 @@
 import datetime
 import re
 
+import pytest
 from harness import check
 
 UTC = datetime.timezone.utc
@@ -110,6 +111,7 @@ def test_numbered_cameras(t):
     check({clip["camera"] for clip in told(t, "counted")} == {None}, f"{told(t, 'counted')}")
 
 
+@pytest.mark.nightly
 def test_files_of_the_same_second_are_named(t):
     little_clip(t, seconds=2)
     t.copy("clip.avi", *[f"d/2026-11-21_10-00-00_{number}.avi" for number in range(9)])

@@ -90,6 +90,7 @@ def test_recording_goes_on_past_damaged_files(t):
     t.render("day").expect(3, "4 files", "'day'", code="not-video")
 
 
+@pytest.mark.nightly
 def test_recording_joins_overlaps_and_takes_other_sizes(t):
     whole_clip(t)
     names = cut(t)
@@ -103,6 +104,7 @@ def test_recording_joins_overlaps_and_takes_other_sizes(t):
     check(report_of(t, "day", *LOOK)["frames"]["used"] == 350, "a file at half the rate has half the frames")
 
 
+@pytest.mark.nightly
 def test_recording_of_copies_leaves_nothing_out(t):
     """Copies have the time of the copy, which is no time at which a recorder wrote them."""
     whole_clip(t)
@@ -197,6 +199,7 @@ def test_recording_that_cannot_be(t):
     t.render("day/2026-11-21/*/hall").expect(0)
 
 
+@pytest.mark.nightly
 def test_recording_has_the_clock_of_the_day(t):
     whole_clip(t)
     # Across midnight, and in the zone of the machine: Frigate's names are in UTC.

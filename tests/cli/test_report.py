@@ -5,7 +5,7 @@ import re
 
 import jsonschema
 import pytest
-from harness import check, page_data
+from harness import check, nightly_except, page_data
 
 
 def read(t, name="report.json"):
@@ -79,6 +79,7 @@ def test_report_where_there_are_no_objects(t):
     check(read(t)["events"] is None, "the video itself has events")
 
 
+@pytest.mark.nightly
 def test_report_of_what_was_extracted(t):
     t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
     t.vvr("render", "cross.y4m", "--report", "clip.json").expect(0, "2 events")
@@ -180,7 +181,7 @@ def peeking_clip(t):
              "[a][2]overlay=x='-24+2*mod(n,300)':y=180", "-c:v", "ffv1", "peeking.mkv")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_report_advises_a_region_where_scraps_dominate(t):
     peeking_clip(t)
     result = t.vvr("render", "peeking.mkv", "--report", "report.json")
@@ -225,7 +226,7 @@ def test_a_stay_is_told_with_one_number_everywhere(t):
     check(f": {text}</li>" in page, f"no {text!r} in the page's list")
 
 
-@pytest.mark.parametrize("goes", [39.3, 41.6])
+@pytest.mark.parametrize("goes", nightly_except([39.3, 41.6], 41.6))
 def test_a_carried_bag_is_left_until_it_is_fetched(t, goes):
     """A bag as wide as who carries it. Its last frames show a hand before it, or somebody stands beside it who then goes with it."""
     man = f"if(between(t,4,12),(t-4)*21-24,if(between(t,12,14),146,if(between(t,14,22),146-(t-14)*21,if(between(t,32,39),(t-32)*24.3-24," \

@@ -67,8 +67,8 @@ def test_fields_of_another_program_are_drawn_as_they_are(t):
                                                 for row in t.rgb("data/scalar/000020.png")], "not the values of 255")
 
 
-@pytest.mark.parametrize("ending, pixels", [pytest.param("png", "gray16be", marks=pytest.mark.slow), ("exr", "grayf32le"),
-                                            pytest.param("tif", "gray16le", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("ending, pixels", [pytest.param("png", "gray16be", marks=pytest.mark.nightly), ("exr", "grayf32le"),
+                                            pytest.param("tif", "gray16le", marks=pytest.mark.nightly)])
 def test_deeper_pictures_are_rounded(t, ending, pixels):
     data(t)
     t.path("deep").mkdir()
@@ -92,6 +92,7 @@ def test_fields_have_the_numbers_of_the_clips_frames(t):
     check(not t.path("none.png").exists(), "a picture was written")
 
 
+@pytest.mark.nightly
 def test_wrong_fields_are_refused(t):
     data(t)
     good = t.path("data/scalar/000017.png").read_bytes()
@@ -136,6 +137,7 @@ def test_folders_that_are_none(t):
     t.vvr("watch", "clip.mkv", "-o", "out.png", "--field", "empty").expect(1, "--field", code="option-unknown")
 
 
+@pytest.mark.nightly
 def test_flow_of_another_program(t):
     data(t)
     t.vvr("extract", "clip.mkv", "-o", "again", "--flow", "data/flow").expect(0)
@@ -159,6 +161,7 @@ def test_flow_of_another_program(t):
     check(not any(t.path("fast/flow/000000.flo").read_bytes()[12:]), "the first frame has a flow")
 
 
+@pytest.mark.nightly
 def test_wrong_flow_is_refused(t):
     data(t)
     path = t.path("data/flow/000017.flo")
@@ -178,6 +181,7 @@ def test_wrong_flow_is_refused(t):
     t.render(*render).expect(2, "--flow", "000041.flo'", "frame 41", "frame 39", code="file-invalid")
 
 
+@pytest.mark.nightly
 def test_seeds_of_another_flow_are_refused(t):
     data(t)
     shutil.copytree(t.path("data/seeds"), t.path("old"))
@@ -202,7 +206,7 @@ def test_the_paper_extracted_and_drawn(t):
     check(t.path("extracted.png").read_bytes() == t.path("clip.png").read_bytes(), "the extraction gives another picture")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_settings_are_the_values_that_were_used(t):
     data(t, "--flow", "horn-schunck", "--solver", "jacobi")
     told = settings(t, "data")
@@ -228,7 +232,7 @@ sys.modules[__name__] = MagicMock(subplots=lambda *_: (MagicMock(), (MagicMock()
 """
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_examples_with_numpy(t):
     missing = [name for name in ("numpy", "OpenImageIO") if importlib.util.find_spec(name) is None]
     if missing:

@@ -8,7 +8,7 @@ import signal
 import time
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 from test_archive import archive, complete, outputs, sidecar
 
 LIBC = ctypes.CDLL(None, use_errno=True)
@@ -94,6 +94,7 @@ def test_a_hijacked_worker_without_a_sandbox_does_as_it_likes(t):
     check(not wrong, f"refused without a sandbox: {wrong}")
 
 
+@pytest.mark.nightly
 def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     """Each by a clip of its own, in one run; the clip that asks for nothing is drawn."""
     calls = ["execve", "execveat", "ptrace", "peek", "mount", "unshare", "bpf", "userfaultfd", "int80", "x32"]
@@ -110,7 +111,8 @@ def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
     check(set(shut.values()) == {SIGSYS}, f"not ended by SIGSYS: {shut}")
 
 
-@pytest.mark.parametrize("mode", ["auto", pytest.param("off", marks=pytest.mark.slow)])
+@pytest.mark.nightly
+@pytest.mark.parametrize("mode", ["auto", "off"])
 def test_no_worker_ends_the_run(t, mode):
     """Whatever one says, leaves or does that a clip has taken over: the others are drawn, and each try is counted."""
     said = {"exit-127": (127, "worker-result-invalid", "cannot execute"), "exit-2": (2, "io", "No space left on device"),
@@ -150,7 +152,8 @@ def no_process_of(folder, seconds):
     return True
 
 
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["kill", "term", "int"])
+@pytest.mark.parametrize("number", nightly_except([signal.SIGKILL, signal.SIGTERM, signal.SIGINT], signal.SIGKILL),
+                         ids=["kill", "term", "int"])
 def test_a_hijacked_worker_does_not_outlive_the_run(t, walls, number):
     """It asks not to end with its parent, and to be in a group of its own, and ignores what it can."""
     t.old_clips("stay.avi")
@@ -197,7 +200,7 @@ def test_the_sandbox_changes_no_byte(t, walls):
             check(with_walls == without_walls, f"{name}{ending} differs")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_sandbox_is_said_once_a_run(t, walls):
     t.old_clips("a.avi", "b.avi", "c.avi")
     done = archive(t, "--match", "[ab].avi").expect(0, *ALL_WALLS, f"(Landlock {landlock()})")
@@ -249,12 +252,13 @@ def test_the_sandbox_lets_links_and_named_files_through(t, walls):
     check("Landlock" in t.path("elsewhere/log").read_text(), "the log file has no word of it")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_sandbox_lets_a_day_through(t, walls):
     t.old_clips(*[f"2026-11-21/08/gate/{minute}.00.avi" for minute in ("00", "01", "02")])
     archive(t, "--sandbox", "required", "--per", "day").expect(0, "1 clip drawn, 0 failed")
 
 
+@pytest.mark.nightly
 def test_the_sandbox_needs_no_home(t, walls):
     """A service has a home that is not there, a folder for temporary files of its own, and no cache."""
     t.old_clips("one.avi")

@@ -2,6 +2,7 @@
 
 import struct
 
+import pytest
 from harness import check, moving_clip
 
 # Time runs from left to right over the whole width, and all that has a colour is an arrow.
@@ -51,6 +52,7 @@ def test_a_seed_whose_flag_is_0_draws_nothing(t):
         check(arrows(t) == 0, f"{part} of seeds whose flags are 0")
 
 
+@pytest.mark.nightly
 def test_a_digit_per_brick(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("clip.mkv", *STRAIGHT, "--window", "4", "--seed-flags", "10").expect(0)
@@ -71,6 +73,7 @@ def test_flags_count_bricks_from_the_first_of_the_clip(t):
     check(shown == [True, True, False, True], f"arrows of bricks 0 and 3 in windows of two: {shown}")
 
 
+@pytest.mark.nightly
 def test_one_list_that_all_frames_share(t):
     moving_clip(t)
     # The square passes 40, 30 from frame 11 to 24, and 80, 30 from frame 37 on.
@@ -90,6 +93,7 @@ def test_one_list_that_all_frames_share(t):
     check(arrows(t, "stored.png") > 0, "no arrows of a stored flow")
 
 
+@pytest.mark.nightly
 def test_lists_and_flags_that_do_not_fit(t):
     moving_clip(t)
     t.write("big.txt", seed_list([], size="97 64"))
@@ -155,6 +159,7 @@ def test_seeds_of_a_stored_flow(t):
     check(0.05 < columns(t)[0] and columns(t)[-1] < 0.14, f"arrows where frame 3 is not: {columns(t)}")
 
 
+@pytest.mark.nightly
 def test_stored_flows_that_cannot_be(t):
     moving_clip(t)
     t.path("flows").mkdir()

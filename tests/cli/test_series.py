@@ -26,7 +26,7 @@ def test_a_picture_for_each_brick(t):
         check(text in data, f"{text} is not in the last picture")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.
     moving_clip(t, frames=320)
@@ -44,7 +44,7 @@ def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     check(len({pixels(t, f"fresh0.{i}.png") for i in range(8)}) == 8, "the stripes stand still")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9f", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
@@ -78,6 +78,7 @@ def test_a_film_of_the_window(t):
         t.render("clip.mkv", *look, *arguments, output=output).expect(1, *facts, code=code)
 
 
+@pytest.mark.nightly
 def test_a_series_in_the_colours_of_the_video(t):
     t.ffmpeg("-i", moving_clip(t), "-frames:v", "1", "empty.png")
     for backend in ("software", "osmesa"):
@@ -88,6 +89,7 @@ def test_a_series_in_the_colours_of_the_video(t):
         check(pixels(t, "begin.png") == pixels(t, f"{backend}.1.png"), f"{backend}: the first full window")
 
 
+@pytest.mark.nightly
 def test_a_series_of_extracted_data(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "1").expect(0)
     look = ("--show", "volume,arrows,tracelines,outline", "--brick", "10f", "--window", "2", "--backend", "software")
@@ -97,6 +99,7 @@ def test_a_series_of_extracted_data(t):
         check(pixels(t, f"clip.{i}.png") == pixels(t, f"data.{i}.png"), f"picture {i}")
 
 
+@pytest.mark.nightly
 def test_a_clip_shorter_than_the_window(t):
     moving_clip(t)
     t.render("clip.mkv", "--brick", "2s", "--window", "8", output="s.{brick}.png").expect(0, "2 pictures of 40 frames")
@@ -149,6 +152,7 @@ def colours_of(t, name):
             if any(pixel[k] > 150 and max(pixel[:k] + pixel[k + 1:]) < 90 for pixel in pixels)}
 
 
+@pytest.mark.nightly
 def test_a_series_shows_every_frame_before_a_gap(t):
     """Files of 4 s, a minute apart: no brick is whole, and each has frames that nobody else shows."""
     for i, colour in enumerate(("red", "lime", "blue")):

@@ -27,7 +27,7 @@ def given_back(t, clip, *options):
     return settings
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_settings_of_each_filter_can_be_given_back(t):
     t.clip()
     names = values_of(t, "filter")
@@ -38,7 +38,7 @@ def test_settings_of_each_filter_can_be_given_back(t):
         check(settings["transfer"] in values_of(t, "transfer"), f"{name}: {settings}")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_settings_of_each_solver_can_be_given_back(t):
     t.clip()
     names = values_of(t, "solver")
@@ -51,10 +51,11 @@ def test_settings_of_each_solver_can_be_given_back(t):
 
 
 @pytest.mark.parametrize("options", [
-    ("--preset", "paper"), ("--color", "signed", "--filter", "edges"), ("--start", "3f", "--end", "1.5s"),
-    *(pytest.param(options, marks=pytest.mark.slow) for options in (
+    ("--preset", "paper"),
+    *(pytest.param(options, marks=pytest.mark.nightly) for options in (
         ("--brick", "5f"), ("--time", "busy"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"), ("--transfer", "heat"),
-        ("--flow", "none"), ("--field-size", "32x24", "--step", "2"), ("--slices", "40", "--height", "0.4")))])
+        ("--color", "signed", "--filter", "edges"), ("--start", "3f", "--end", "1.5s"), ("--flow", "none"),
+        ("--field-size", "32x24", "--step", "2"), ("--slices", "40", "--height", "0.4")))])
 def test_settings_of_other_options_can_be_given_back(t, options):
     """The picture that they give is the same."""
     t.clip()

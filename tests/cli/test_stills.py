@@ -4,6 +4,7 @@ import base64
 import re
 import statistics
 
+import pytest
 from harness import check
 
 OBJECT = 160  # pixels
@@ -33,6 +34,7 @@ def contrast(t, jpeg):
     return statistics.pstdev(sum(rows[j][i]) / 3 for j in middle for i in middle)
 
 
+@pytest.mark.nightly
 def test_portraits_show_what_the_small_frame_cannot_hold(t):
     clip = checkerboard_clip(t)
     t.render(clip, "--backend", "software", output="page.html").expect(0)

@@ -9,6 +9,7 @@ import subprocess
 import time
 import zlib
 
+import pytest
 from harness import check, http_server, send
 
 SMALL = ("--size", "160x100", "--backend", "software", "--quiet")
@@ -26,6 +27,7 @@ def mutated(data, seed):
     return bytes(changed[:choose.randint(1, len(changed))] if choose.random() < 0.2 else changed)
 
 
+@pytest.mark.nightly
 def test_pictures_of_other_formats_are_refused(t):
     """Dozens of readers come with OpenImageIO, and some end the program where a file is damaged: they never get one."""
     t.clip("clip.avi", seconds=1)
@@ -44,6 +46,7 @@ def test_pictures_of_other_formats_are_refused(t):
     check(not t.path("out.png").exists(), "a picture of what can't be read")
 
 
+@pytest.mark.nightly
 def test_damaged_pictures_end_no_program(t):
     t.clip("clip.avi", seconds=1)
     good = {}
@@ -100,6 +103,7 @@ def test_what_has_no_end_is_read_nowhere(t):
     t.vvr("info", "clip.avi", env=home, timeout=30).expect(2, "vvr.toml'", code="not-a-file")
 
 
+@pytest.mark.nightly
 def test_a_recording_that_goes_away_in_the_middle(t):
     """An error, or a picture of what was read and a word about the rest: never a signal, and never a series of nothing."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=320x240:rate=25:duration=2", "-c:v", "mpeg4", "-q:v", "3", "x.avi")
@@ -118,6 +122,7 @@ def test_a_recording_that_goes_away_in_the_middle(t):
             check((run.returncode == 0) == bool(drawn), f"after {seconds} s: status {run.returncode}, {drawn}\n{said}")
 
 
+@pytest.mark.nightly
 def test_a_header_that_lies_about_time_stops_nothing(t):
     """A length of centuries, and a clock that jumps by them: the picture is drawn, and it is said."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=2", "-c:v", "mpeg4", "clip.mkv")
@@ -153,6 +158,7 @@ def test_a_manifest_that_is_none_makes_no_folder_ours(t):
     t.expect_files("clip.avi", "mine", "mine/color", "mine/color/a.png", "mine/first.png", "mine/manifest.json")
 
 
+@pytest.mark.nightly
 def test_memory_that_is_short_is_never_another_fault(t):
     """Whatever it is that memory runs out for, a library, OpenGL or a plane: status 5, and no clip or driver is blamed."""
     t.clip("clip.avi", seconds=1)

@@ -6,6 +6,7 @@ import resource
 import signal
 import time
 
+import pytest
 from harness import check, http_server, lock_name, send
 from test_archive import QUICK
 
@@ -60,6 +61,7 @@ def test_addresses_tell_no_secrets(t):
     check("127.0.0.1" in run.err, run.err)
 
 
+@pytest.mark.nightly
 def test_no_output_tells_the_secrets_of_an_address(t):
     """A stream that is read, a reference and a title: each file that vvr writes, and all that it says."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=96x64:rate=10:duration=2", "-c:v", "mpeg2video", "clip.ts")
@@ -117,6 +119,7 @@ def test_watch_waits_for_no_writer(t):
     t.expect_files("pipe")
 
 
+@pytest.mark.nightly
 def test_a_file_on_a_server_is_waited_for(t):
     """It comes all at once: no frame is late, and --reference first is not advised to who has given it."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=25:duration=4", "-c:v", "mpeg2video", "clip.ts")
@@ -245,6 +248,7 @@ def test_a_signal_ends_the_wait_for_a_lock(t):
     t.vvr("archive", "-o", "out", "--write", "index").expect(0, "is up to date")
 
 
+@pytest.mark.nightly
 def test_a_page_without_its_preview_is_a_page(t):
     """One frame whose time is 25 days late makes a film that libav can't write."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=3", "-c:v", "flv1", "b.flv")

@@ -114,8 +114,8 @@ def stages(first_test, first_programs):
         yield lambda: failure_of_pytest(f"tests/{first_test}") if "::" in first_test else failure_of_unit(first_test)
     yield lambda: failure_of_units(first_programs)
     yield lambda: failure_of_units(unit_programs() - first_programs)
-    yield lambda: failure_of_pytest("-m", "not slow and not alone and not browser", "tests/cli", "tests/rules")
-    yield lambda: failure_of_pytest("-n0", "-m", "alone and not slow and not browser", "tests/cli")
+    yield lambda: failure_of_pytest("-m", "not slow and not nightly and not alone and not browser", "tests/cli", "tests/rules")
+    yield lambda: failure_of_pytest("-n0", "-m", "alone and not slow and not nightly and not browser", "tests/cli")
 
 
 def first_failure(parts):

@@ -109,7 +109,7 @@ TEST(Decode, KeyIsEveryKeyFrame) {
 
 TEST(Decode, AutoIsReferenceWhereLayersAndFieldsAreCoarse) {
     const TempFolder folder;
-    const std::string clip = walkers_clip(folder, "clip.mp4", "-c:v libx264 -bf 3 -s 1024x768");
+    const std::string clip = walkers_clip(folder, "clip.mp4", "-c:v libx264 -preset ultrafast -bf 3 -s 1024x768");
     EXPECT_EQ(open(clip, "auto", 30)->info().decodes->name, "reference");
     EXPECT_EQ(open(clip, "auto", 70)->info().decodes->name, "all");
     EXPECT_EQ(open(clip, "auto")->info().decodes->name, "all");
