@@ -145,7 +145,8 @@ TEST(Png, HasTextsOfEachChunk) {
     EXPECT_EQ(image::settings_of(image::decode_samples("a.png", file)), settings);
 }
 
-TEST(Png, IsByteForByteThatOfOpenImageIO) {
+// Their bytes are the same with the OpenImageIO of Debian 12, but not with others.
+TEST(Png, SaysTheSameAsThatOfOpenImageIO) {
     std::vector<std::uint8_t> values(static_cast<std::size_t>(4 * some.width * some.height));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint8_t>(i * i / 7);
     for (const int colours : {1, 3, 4}) {
@@ -153,7 +154,14 @@ TEST(Png, IsByteForByteThatOfOpenImageIO) {
             image::PictureFile file{.format = "png", .name = "a.png", .size = some, .colours = colours, .srgb = srgb};
             file.attributes = {{"Software", "vvr"}, {"vvr:title", std::string(100'000, 't')}, {"vvr:empty", ""}};
             file.values = std::as_bytes(std::span(values)).first(values.size() / 4 * static_cast<std::size_t>(colours));
-            EXPECT_EQ(image::png_codec().encode(file), image::openimageio_codec().encode(file)) << colours << srgb;
+            SCOPED_TRACE(fmt::format("{} channels, {}", colours, srgb ? "sRGB" : "no colour space"));
+            const std::vector<std::byte> our_file = image::png_codec().encode(file);
+            const std::vector<std::byte> their_file = image::openimageio_codec().encode(file);
+            const auto ours = image::openimageio_codec().open("ours.png", "png", our_file);
+            const auto theirs = image::openimageio_codec().open("theirs.png", "png", their_file);
+            EXPECT_EQ(ours->attributes(), theirs->attributes());
+            EXPECT_EQ(ours->channels, theirs->channels);
+            EXPECT_EQ(values_of(*ours), values_of(*theirs));
         }
     }
 }
