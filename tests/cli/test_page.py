@@ -84,7 +84,7 @@ def click_at_twenty(page, places, begin=0):
 def test_page_plays_the_clip(t):
     places = disc_page(t)
     with Page(t, "out.html") as page:
-        check(page.source() == "the clip itself", page.source())
+        check(page.source() == "the original clip", page.source())
         frame = 100
         page.click(column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         page.wait("the clip plays", f"return !video.paused && video.currentTime > {(frame + 5) / RATE}")
@@ -183,7 +183,7 @@ def test_page_of_a_variable_rate(t):
         check(len(times) == len(places), f"{len(times)} times of {len(places)} frames")
         t.vvr("render", clip, "-o", "out.html", *SIDE_VIEW).expect(0)
         with Page(t, "out.html") as page:
-            check(page.source() == "the clip itself", page.source())
+            check(page.source() == "the original clip", page.source())
             page.hold_still()
             for frame in TWENTY:
                 _, shown = page.click_and_look(column_of((frame + 0.5) / len(times)), row_of(places[frame][1]))
@@ -341,12 +341,12 @@ def test_page_of_hostile_names(t):
     os.rename(t.path("plain.mp4"), bytes(t.folder) + b"/bad\xff.mp4")
     t.run([t.vvr_path, "render", b"bad\xff.mp4", "-o", "bad.html", "--size", "320x200"]).expect(0)
     with Page(t, "bad.html") as page:
-        check(page.source() == "the clip itself", page.source())
+        check(page.source() == "the original clip", page.source())
         for k, name in enumerate(names):
             page.open(t.path(f"in <b>/page {k}.html"))
             check(page.text_of("h1") == name, page.text_of("h1"))
             check(page.run("return document.title") == name, page.run("return document.title"))
-            check(page.source() == "the clip itself", f"{name}: {page.source()} {page.run('return data.clip')}")
+            check(page.source() == "the original clip", f"{name}: {page.source()} {page.run('return data.clip')}")
             count = page.run("return [document.scripts.length, document.images.length, document.querySelectorAll('b').length]")
             plain = page.run("return [8, 3 + document.querySelectorAll('#events img, #letters img, #map img').length, document.querySelectorAll('#help b, #events b, #strip b, #letters b').length + 1]")
             check(count == plain, f"{name}: the name made {count} of {plain} elements")

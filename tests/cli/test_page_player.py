@@ -39,7 +39,7 @@ def test_page_from_a_server(t, ranges):
     places = disc_page(t)
     with Served(t.folder, ranges) as served, Page(t, served.url("out.html")) as page:
         page.wait("a film is open", "return film !== null")
-        wanted = "the clip itself" if ranges else "the server can’t send a part of the clip, so this is a small preview"
+        wanted = "the original clip" if ranges else "the server can’t send a part of the clip, so this is a small preview"
         check(page.source() == wanted, page.source())
         page.hold_still()
         for frame in (31, 127, 223):
@@ -194,11 +194,11 @@ def test_page_plays_the_pieces_of_its_events_when_the_clip_is_gone(t):
     page_name = "out/gate/2026-11-21_20-00-00.mp4.html"
     with Page(t, page_name) as page:
         page.wait("a film is open", "return film !== null")
-        check(page.source() == "the clip itself", page.source())
+        check(page.source() == "the original clip", page.source())
     t.path("in/gate/2026-11-21_20-00-00.mp4").unlink()
     with Page(t, page_name) as page:
         page.wait("a film is open", "return film !== null")
-        check(page.source() == "the clip is not where it was, so this is the pieces that were kept of its events", page.source())
+        check(page.source() == "the clip is not where it was, so this is a clip per event", page.source())
         events = page.run("return data.events.map(({first, last}) => [first, last])")
         begins = page.run("return data.pieces.map(([, begin]) => begin)")
         check(len(events) == 2 and len(begins) == 2, f"{events} {begins}")

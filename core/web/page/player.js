@@ -46,11 +46,11 @@ function filmsOf() {
     const {clip, segments, pieces} = state.data;
     const {preview} = state.parts;
     const films = [];
-    if (clip) films.push({url: () => clip, begin: 0, says: 'the clip itself'});
+    if (clip) films.push({url: () => clip, begin: 0, says: 'the original clip'});
     const ofFiles = (/** @type {import('./data.js').Segment[]} */ files, /** @type {string} */ says) =>
         ({url: () => files[0][0], begin: files[0][1], says, files, segment: files[0]});
-    if (segments?.length) films.push(ofFiles(segments, 'the recording itself'));
-    if (pieces?.length) films.push({...ofFiles(pieces, 'the pieces that were kept of its events'), isPieces: true});
+    if (segments?.length) films.push(ofFiles(segments, 'the original recording'));
+    if (pieces?.length) films.push({...ofFiles(pieces, 'a clip per event'), isPieces: true});
     if (preview) {
         const every = preview.step > 1 ? ', one frame in ' + preview.step : '';
         films.push({url: previewUrl, begin: preview.begin, isPreview: true, says: `a small preview${every}`});
