@@ -104,12 +104,8 @@ constexpr std::size_t most_colours = 256;
 // Upper bits per channel. Colours with the same upper bits are treated as one.
 constexpr int bits = 6;
 
-int level(float value) {
-    return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
-}
-
 std::array<int, 3> levels(const Rgba& pixel) {
-    return {level(pixel.r), level(pixel.g), level(pixel.b)};
+    return {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)};
 }
 
 std::size_t bin_of(const std::array<int, 3>& colour) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -15,6 +16,12 @@ namespace vvr::image {
 
 /// Red, green, blue, alpha, 0..1, premultiplied.
 using Rgba = glm::vec4;
+
+/// A colour value of 0..1 as one of 0..255. Others are clamped; NaN becomes 0.
+inline std::uint8_t to_byte(float value) {
+    constexpr float to_nearest = 0.5F;  // std::lround takes five times as long
+    return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + to_nearest);  // std::clamp keeps NaN
+}
 
 /// What each pixel of a picture shows, as planes of the picture's size. Empty unless requested.
 struct PixelData {

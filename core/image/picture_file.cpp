@@ -67,12 +67,6 @@ const Format& format_of(const std::filesystem::path& path) {
                             did_you_mean(extension, known), fmt::join(known, " ")));
 }
 
-std::uint8_t byte_of(float value) {
-    constexpr float to_nearest = 0.5F;  // std::lround takes five times as long
-    // Maps NaN to 0; std::clamp would not.
-    return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + to_nearest);
-}
-
 /// The interleaved values of an 8-bit file.
 /// \param channels 3, or 4 with alpha
 std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
@@ -81,8 +75,8 @@ std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
     for (const Rgba& pixel : picture.pixels.pixels()) {
         // 8-bit formats have straight alpha.
         const float over_alpha = channels == 4 && pixel.a > 0 ? 1 / pixel.a : 1;
-        for (int c = 0; c < 3; ++c) values.push_back(byte_of(over_alpha * pixel[c]));
-        if (channels == 4) values.push_back(byte_of(pixel.a));
+        for (int c = 0; c < 3; ++c) values.push_back(to_byte(over_alpha * pixel[c]));
+        if (channels == 4) values.push_back(to_byte(pixel.a));
     }
     return values;
 }

@@ -163,10 +163,7 @@ struct VideoEncoder::Parts {
     static Plane<Bgr> bytes_of(const Picture& picture) {
         Plane<Bgr> bytes(picture.pixels.size());
         std::ranges::transform(picture.pixels.pixels(), bytes.pixels().begin(), [](const Rgba& pixel) {
-            const auto byte = [](float value) {
-                return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
-            };
-            return Bgr{byte(pixel.b), byte(pixel.g), byte(pixel.r)};
+            return Bgr{to_byte(pixel.b), to_byte(pixel.g), to_byte(pixel.r)};
         });
         return bytes;
     }

@@ -24,7 +24,7 @@ from breaks import BREAKS
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 COPY = SOURCE / "build" / "mutation"
 BUILD = COPY / "build" / "release"
-COMMANDS = ("vvr", "vvr-scene", "vvr-withhold", "vvr_hijack")
+COMMANDS = ("vvr", "vvr_library", "vvr-scene", "vvr-withhold", "vvr_hijack")
 ENVIRONMENT = os.environ | {"VVR_BUILD": str(BUILD), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "PYTHONDONTWRITEBYTECODE": "1",
                             "GTEST_FAIL_FAST": "1", "GTEST_BRIEF": "1"}
 
