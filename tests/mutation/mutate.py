@@ -141,10 +141,12 @@ def noticed_by(bug):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("numbers", type=int, nargs="*", help="which bugs; all if none is given")
+    parser.add_argument("numbers", type=int, nargs="*", help=f"which bugs, from 1 to {len(BREAKS)}; all if none is given")
     parser.add_argument("--list", action="store_true", help="print the bugs and their numbers")
     arguments = parser.parse_args()
     numbers = arguments.numbers or range(1, len(BREAKS) + 1)
+    if not 1 <= min(numbers) <= max(numbers) <= len(BREAKS):
+        parser.error(f"there are bugs 1 to {len(BREAKS)}")
     if not arguments.list:
         make_copy()
     if not arguments.list and not arguments.numbers:
