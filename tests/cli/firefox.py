@@ -38,6 +38,7 @@ class Marionette:
         pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
         rows = [f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in PREFERENCES.items()]
         pathlib.Path(folder, "user.js").write_text("".join(rows))
+        pathlib.Path(folder, "MarionetteActivePort").unlink(missing_ok=True)  # of an earlier browser with this profile
         with open(os.path.join(folder, "log"), "wb") as log:
             self.child = subprocess.Popen([FIREFOX, "--headless", "--marionette", "--no-remote", "--profile", os.fspath(folder), "--width",
                                            "1440", "--height", "986"], stdout=log, stderr=subprocess.STDOUT)

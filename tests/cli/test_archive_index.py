@@ -66,7 +66,7 @@ def test_index_lists_by_day_and_camera(t):
         check(page.texts(".card .first b") == ["07:30:00", "07:00:00", "08:00:00", "06:10:00", "12:00:00"], str(page.texts(".card .first b")))
         check(page.texts(".badge") == ["no events", "1 event", "damaged", "2 events"], str(page.texts(".badge")))
         check(page.texts(".first small") == ["12 s", "10:00 min", "10:00 min", "10:00 min"], str(page.texts(".first small")))
-        check(page.texts(".failed .reason") == ["Failed 3 times, exit status 3'bad.avi' is not a video"], str(page.texts(".reason")))
+        check(page.texts(".failed .reason") == ["Failed 3 times'bad.avi' is not a video"], str(page.texts(".reason")))
         check(page.text("summary") == "5 clips · 3 cameras · 3 events · 1 failure · times in UTC, "
               "from when files were last written (4), creation times in containers (1)", page.text("summary"))
         page.filter("HALL bad")

@@ -189,9 +189,12 @@ def test_index_card_turns_by_swipes(t):
         check(page.run("return document.title") == "Video archive", "a swipe opens the clip")
         wanted = page.run("return document.querySelector('.card').hash")
         left, top, right, bottom = page.box(".card .images")
-        time.sleep(0.5)  # a tap just after a swipe only ends its movement, in every page
-        page.touch("touchStart", ((left + right) / 2, (top + bottom) / 2))
-        page.touch("touchEnd")
+        for _ in range(10):  # a tap just after a swipe only ends its movement, in every page
+            time.sleep(0.5)
+            if page.run("return document.title") != "Video archive":
+                break
+            page.touch("touchStart", ((left + right) / 2, (top + bottom) / 2))
+            page.touch("touchEnd")
         page.wait("a tap opens it", "return document.documentElement.dataset.ready !== undefined && vvr.state.chosen !== null")
         check(page.run("return location.hash") == wanted and wanted.startswith("#event="), f"it leads to {page.run('return location.hash')}")
 
@@ -258,7 +261,7 @@ def test_index_answers_a_hundred_thousand_events_at_once(t):
     with opened(t) as page:
         page.press("#views [value=scene]")
         page.wait("all events", "return document.getElementById('foundheading').textContent === '100,000 events'", 60)
-        took = []
+        took, bare = [], []
         for tool, begin, end in (("#askbox", (0.3, 0.3), (0.6, 0.6)), ("#askline", (0.1, 0.9), (0.9, 0.2)),
                                  ("#askbox", (0.1, 0.1), (0.2, 0.2)), ("#askbox", (0.2, 0.4), (0.6, 0.9))):
             page.press(tool)
@@ -266,7 +269,10 @@ def test_index_answers_a_hundred_thousand_events_at_once(t):
             page.drag("#stage", begin, end)
             page.wait("an answer", "return answer !== null")
             took.append(page.run("return answer.took"))
+            bare.append(page.run("""const begin = performance.now(); let sum = 0;
+                for (const {way} of answer.events) for (let k = 0; k < way.length; ++k) sum += Math.max(way[k], sum % 7);
+                return performance.now() - begin + 0 * sum;"""))
             found = page.run("return answer.found.length")
             check(1000 < found < 100_000, f"{found} events")
-        print(f"{[round(ms, 1) for ms in took]} ms")
-        check(min(took) < 100, f"an answer takes {took} ms")
+        print(f"{[round(ms, 1) for ms in took]} ms; to read all points: {[round(ms, 1) for ms in bare]} ms")
+        check(min(took) < 3 * min(bare), f"an answer takes {took} ms, to read all points {bare} ms")

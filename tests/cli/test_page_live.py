@@ -83,8 +83,8 @@ def test_live_page_tells_its_age_by_the_clock_of_the_server(t, ahead):
     page_of(t, "live.html", 6)
     with Served(t.folder) as served:
         served.ahead = ahead
-        written_at(t, "live.html", time.time() + ahead - 2)
         with Live(t, served.url("live.html")) as page:
+            written_at(t, "live.html", time.time() + ahead - 2)
             page.wait("its age", "return /^· updated \\d s ago$/.test(document.getElementById('age').textContent)", 5)
             check(page.run("return document.getElementById('state').className") == "", "it is said to be old")
             written_at(t, "live.html", time.time() + ahead - 300)

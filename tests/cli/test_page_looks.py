@@ -210,6 +210,7 @@ def test_page_is_printed_whole(t):
         veiled = "return veilWords.some(word => word !== 0) && document.getElementById('veil').checkVisibility()"
         check(page.run(veiled), "what is not chosen is printed as what is")
         page.media("print", "dark")
+        page.wait("dark", "return dark")  # the window says so a moment later
         page.run("dispatchEvent(new Event('beforeprint'))")
         page.wait("light", "return !dark")
         page.run("dispatchEvent(new Event('afterprint'))")

@@ -4,7 +4,7 @@ import {shortSpanOf} from '../shared/durations.js';
 import {meets, sidesOf} from '../shared/shapes.js';
 import {clamp} from '../shared/text.js';
 import {daysBefore} from '../shared/wall_clock.js';
-import {boundsOf, crossingWords, crossingsOf, stayOf} from '../shared/ways.js';
+import {boundsOf, crossingWords, crossingsOf, stayOf, stayWords} from '../shared/ways.js';
 
 /**
  * @typedef {import('../shared/shapes.js').Shape} Shape
@@ -69,7 +69,7 @@ export function answerOf(event, place, way, size, clock) {
     const at = stay ? stay.at / 10 : begin;
     // An event that lasts into the time is shown when that begins.
     const moment = firstMoment(at, stay ? at + stay.lasts / 10 : end, seconds => clock.has(event, seconds));
-    return moment === null ? null : {at: moment, ways: [], words: () => stay ? 'here ' + shortSpanOf(stay.lasts / 10) : ''};
+    return moment === null ? null : {at: moment, ways: [], words: () => stay ? stayWords(stay, shortSpanOf) : ''};
 }
 
 /**

@@ -101,7 +101,7 @@ export const eventsIn = list => list.reduce((sum, clip) => sum + (clip.events ??
 export const tallyWords = ({words, tally}, told) => tally !== 'count' ? `${words} for ${durationOf(told)}` : told > 1 ? `${told} ${words}` : words;
 
 /** @param {Clip} clip */
-export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, exit status ${clip.status}`;
+export const failureOf = clip => `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}`;
 
 /**
  * Where the times of clips come from, the most frequent source first: "file names (4), when files were written (1)".

@@ -8,7 +8,7 @@ import {counted, failureOf, tallyWords} from './clips.js';
 import {clear} from './filters.js';
 import {pictureOf, urlOfCard} from './gallery.js';
 import {lastFailed, sortedBy} from './query.js';
-import {cameraName, choices, chosenClips, clips, data, isSeen, see, state, wallOf} from './state.js';
+import {byCameraName, cameraName, choices, chosenClips, clips, data, isSeen, see, state, wallOf} from './state.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
@@ -129,7 +129,7 @@ function sectionOf(title, clipsOf, columns) {
  */
 const sectionsByDay = (list, columns) => [...grouped(list, 'day')].map(([day, ofDay]) => {
     const section = element('section', 'day');
-    const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => a[0] - b[0]);
+    const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => byCameraName(a[0], b[0]));
     section.append(element('h2', '', weekday(day) + ', ' + day), ...cameras.map(([camera, ofCamera]) =>
         sectionOf(`${cameraName(camera)} · ${many(counted(ofCamera).length, 'clip')}`, lastFailed(ofCamera), columns)));
     return section;

@@ -10,7 +10,7 @@ import {focusShown, followAddress, leadToHit, listenToReturn} from './leading.js
 import {drawClips, fillAll} from './list.js';
 import {drawDays} from './overview.js';
 import {answer, askPlace, drawHeat, drawHours, drawPlace, drawScene, drawTools, drawWays, listenToScene, sceneCamera} from './scene.js';
-import {ask, cameraName, chosenClips, clips, data, drawAll, hits, search, searchedClips, set, span, state} from './state.js';
+import {ask, cameraName, camerasByName, chosenClips, clips, data, drawAll, hits, search, searchedClips, set, span, state} from './state.js';
 
 const cameras = at('camera', HTMLSelectElement);
 
@@ -79,9 +79,8 @@ function cameraItem(camera, name, list) {
 /** What does not change: the summary, and the cameras, by name. */
 function fillPage() {
     const ofCamera = grouped(clips, 'camera');
-    const byName = [...data.cameras.keys()].sort((a, b) => cameraName(a).localeCompare(cameraName(b), 'en', {numeric: true}));
     at('summary').textContent = summaryOf(clips, data);
-    at('cameras').append(cameraItem(null, 'All cameras', clips), ...byName.map(camera => cameraItem(camera, cameraName(camera), ofCamera.get(camera) ?? [])));
+    at('cameras').append(cameraItem(null, 'All cameras', clips), ...camerasByName.map(camera => cameraItem(camera, cameraName(camera), ofCamera.get(camera) ?? [])));
 }
 
 function listen() {

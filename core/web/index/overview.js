@@ -7,7 +7,7 @@ import {busiestHour, counted, eventsIn, hoursOf, pageOf, tallyWords} from './cli
 import {addressOfClip} from '../page/address.js';
 import {bits} from './data.js';
 import {noteOfNone, stretchOf} from './list.js';
-import {ask, cameraName, chosenClips, data, search, see, state} from './state.js';
+import {ask, byCameraName, cameraName, chosenClips, data, search, see, state} from './state.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
@@ -88,7 +88,7 @@ export function drawDays() {
     if (state.view !== 'days') return;
     const list = chosenClips();
     const table = element('table');
-    const cameras = [...new Set(list.map(clip => clip.camera))].sort((a, b) => a - b);
+    const cameras = [...new Set(list.map(clip => clip.camera))].sort(byCameraName);
     const head = element('tr');
     head.append(element('td'), ...cameras.map(camera => {
         const cell = headOf('', 'col');

@@ -10,7 +10,7 @@ import {answerOf, coloursOf, daysBetween, heatOf, ofWay} from './answers.js';
 import {bits} from './data.js';
 import {eventsOf, loadDay} from './events.js';
 import {isOf, isOfChoice} from './query.js';
-import {ask, cameraName, choices, clips, data, hits, searchedClips, set, span, state, wallOf} from './state.js';
+import {ask, cameraName, camerasByName, choices, clips, data, hits, searchedClips, set, span, state, wallOf} from './state.js';
 import {stillOf} from './tiles.js';
 
 /**
@@ -27,7 +27,7 @@ const surface = at('drawing', SVGSVGElement);
 const tools = [['askbox', 'box'], ['askline', 'line']];
 
 /** The cameras that have a picture of their scene. */
-const filmed = [...data.cameras.keys()].filter(camera => clips.some(clip => clip.camera === camera && clip.drawn));
+const filmed = camerasByName.filter(camera => clips.some(clip => clip.camera === camera && clip.drawn));
 
 /** The camera whose scene is shown; null = one is to be chosen. */
 export const sceneCamera = () => state.camera ?? (filmed.length === 1 ? filmed[0] : null);

@@ -22,6 +22,16 @@ export const {isSeen, see, refresh} = seenOf(location.href);
 /** @param {number} camera */
 export const cameraName = camera => data.cameras[camera] === '' ? '(top folder)' : upright(data.cameras[camera]);
 
+/** The cameras in the order of their names, as people count: cam 2 before cam 10. */
+export const camerasByName = [...data.cameras.keys()].sort((a, b) => cameraName(a).localeCompare(cameraName(b), 'en', {numeric: true}));
+const ranks = new Map(camerasByName.map((camera, rank) => [camera, rank]));
+
+/**
+ * @param {number} a a camera
+ * @param {number} b
+ */
+export const byCameraName = (a, b) => (ranks.get(a) ?? 0) - (ranks.get(b) ?? 0);
+
 export const {state, set, drawAll} = store({
     ...nothingAsked,
 

@@ -3,7 +3,7 @@
 import {spanOf} from '../shared/durations.js';
 import {scaled, sidesOf} from '../shared/shapes.js';
 import {derived} from '../shared/state.js';
-import {crossingWords, crossingsOf, stayOf} from '../shared/ways.js';
+import {crossingWords, crossingsOf, stayOf, stayWords} from '../shared/ways.js';
 import {isSet, sortedPlaces, wantedPlaces} from './events.js';
 import {keyOf} from './marks.js';
 import {kindOf, state} from './state.js';
@@ -18,7 +18,7 @@ export function answerOf(event) {
     const place = scaled(asked, 1000);
     if (asked.kind === 'box') {
         const stay = stayOf(event.way, sidesOf(place));
-        return stay && (stay.lasts < 0.5 ? 'came past here' : `here ${spanOf(stay.lasts / 10)}`);
+        return stay && stayWords(stay, spanOf);
     }
     const crossings = crossingsOf(event.way, place.from, place.to);
     return crossings.length ? crossingWords(crossings, asked, data.size, seconds => time.clockOf(seconds, false)) : null;

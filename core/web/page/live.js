@@ -24,7 +24,8 @@ const kept = 'vvr-live ' + location.pathname;
 async function lookForNews() {
     if (state.data.live?.ended) return;
     if (isFile) {
-        if (document.visibilityState !== 'visible' || document.activeElement?.matches('input')) return;
+        if (document.visibilityState !== 'visible' || document.querySelector('details.menu[open]') ||
+            document.activeElement?.matches('input:not([type="checkbox"])')) return;
         keepState();
         return location.reload();
     }
@@ -77,11 +78,13 @@ function takeOver(text) {
 
 /** Before the page opens itself again. */
 function keepState() {
-    const {now, follows, scale, middle, kind, what, leastSeconds, order, asked, speed, chosen, events, stripFrom, stripLasts, time} = state;
+    const {now, follows, scale, middle, large, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
+        speed, chosen, events, stripFrom, stripLasts, time} = state;
     const strip = stripLasts < time.lasts * 0.999 ? {stripFrom, stripLasts} : {};
     sessionStorage.setItem(kept, JSON.stringify({
-        state: {now, follows, scale, middle, kind, what, leastSeconds, order, asked, speed, ...strip}, plays: isPlaying(),
-        number: chosen === null ? null : numberOf(events, chosen)}));
+        state: {now, follows, scale, middle, large, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
+            speed, ...strip},
+        plays: isPlaying(), number: chosen === null ? null : numberOf(events, chosen)}));
 }
 
 /** After it has. */

@@ -73,6 +73,13 @@ export function stayOf(way, box) {
 }
 
 /**
+ * A stay in words: "here 8.4 s", or that it was too short to be one.
+ * @param {{lasts: number}} stay
+ * @param {(seconds: number) => string} words of a duration
+ */
+export const stayWords = ({lasts}, words) => lasts < 0.5 ? 'came past here' : `here ${words(lasts / 10)}`;
+
+/**
  * Where a way is at a time, in thousandths; before and after it, at its ends.
  * @param {number[]} way
  * @param {number} tenths of a second
