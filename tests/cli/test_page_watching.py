@@ -246,6 +246,9 @@ def test_page_of_few_lines_scrolls(t):
             kept = page.run("""const wheel = ctrlKey => new WheelEvent('wheel', {deltaY: 100, ctrlKey, bubbles: true, cancelable: true});
                 return ['view', 'strip', 'screen'].map(id => document.getElementById(id)).flatMap(e => [e.dispatchEvent(wheel(false)), e.dispatchEvent(wheel(true))]);""")
             check(kept == [True, False] * 3, f"the page keeps the wheel for itself: {kept}")
+            kept = page.run("""return ['ArrowDown', 'ArrowRight'].map(key =>
+                document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true})));""")
+            check(kept == [True, False], f"the page keeps the arrows that scroll it: {kept}")
             high = page.run("return view.getBoundingClientRect().height")
             check(high >= 200, f"{width}x{height}: the picture has {high} pixels, too few for its text")
 

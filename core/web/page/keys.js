@@ -30,6 +30,9 @@ const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, s
  */
 const isIn = (target, selector) => target instanceof Element && target.closest(selector) !== null;
 
+// There the page scrolls as a whole, so the up and down keys scroll it; left and right still go through the events.
+const hasFewLines = matchMedia('(max-height: 520px)');
+
 export function listenToKeys() {
     // A button that was clicked keeps the focus and would take Space for itself; only for who came by keyboard it does.
     let byKeyboard = false;
@@ -40,6 +43,7 @@ export function listenToKeys() {
         const action = pageAction(event);
         if (isIn(event.target, 'select, input:not([type="checkbox"])')) return;
         if (!action) return;
+        if (hasFewLines.matches && !event.shiftKey && ['ArrowUp', 'ArrowDown'].includes(event.key)) return;
         if (byKeyboard && event.key === ' ' && isIn(event.target, 'button, a, summary, input')) return;
         const [name, ...values] = action;
         actions[name](...values);
