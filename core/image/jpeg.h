@@ -12,7 +12,8 @@ namespace vvr::image {
 /// Most pixels per side of a JPEG file.
 inline constexpr int most_jpeg_side = 65500;
 
-/// JPEG files: written by libjpeg-turbo, in colour and with `Software` and `ImageDescription` as Exif; read by OpenImageIO.
+/// JPEG files: written by libjpeg-turbo, in colour and with `Software` and `ImageDescription` as Exif; read by
+/// OpenImageIO.
 const PictureCodec& jpeg_codec();
 
 /// Compresses a picture that stays in memory, to about a tenth and nearly without loss. The output is deterministic.
