@@ -10,7 +10,7 @@ import itertools
 import os
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 
 # Large enough for portraits, map and strip.
 GLANCE = ("--size", "640x480", "--title", "Hall")
@@ -53,7 +53,7 @@ def test_golden_picture(t, name):
     check(picture.stat().st_size <= most, f"{picture} is large for a golden picture")
 
 
-@pytest.mark.parametrize("name", ("volume-arrows", *(pytest.param(name, marks=pytest.mark.nightly) for name in ("boxes-slices", "relief", "glance"))))
+@pytest.mark.parametrize("name", nightly_except(("volume-arrows", "boxes-slices", "relief", "glance"), "volume-arrows"))
 def test_another_rasteriser_draws_it_alike(t, name):
     # Softpipe is Mesa's plain interpreter: it shares no code with llvmpipe that fills triangles or runs shaders. It has
     # no antialiasing.

@@ -1,7 +1,7 @@
 """Settings that files record are those that were used, and can be given back: the same picture, byte for byte."""
 
 import pytest
-from harness import check
+from harness import check, nightly_except
 
 NO_OPTIONS = ("font",)  # recorded beside the settings
 
@@ -50,12 +50,10 @@ def test_settings_of_each_solver_can_be_given_back(t):
     check(len(seen) == len(names), f"each solver has its own numbers: {seen}")
 
 
-@pytest.mark.parametrize("options", [
-    ("--preset", "paper"),
-    *(pytest.param(options, marks=pytest.mark.nightly) for options in (
-        ("--brick", "5f"), ("--time", "busy"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"), ("--transfer", "heat"),
-        ("--color", "signed", "--filter", "edges"), ("--start", "3f", "--end", "1.5s"), ("--flow", "none"),
-        ("--field-size", "32x24", "--step", "2"), ("--slices", "40", "--height", "0.4")))])
+@pytest.mark.parametrize("options", nightly_except((
+    ("--preset", "paper"), ("--brick", "5f"), ("--time", "busy"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"),
+    ("--transfer", "heat"), ("--color", "signed", "--filter", "edges"), ("--start", "3f", "--end", "1.5s"), ("--flow", "none"),
+    ("--field-size", "32x24", "--step", "2"), ("--slices", "40", "--height", "0.4")), ("--preset", "paper")))
 def test_settings_of_other_options_can_be_given_back(t, options):
     """The picture that they give is the same."""
     t.clip()

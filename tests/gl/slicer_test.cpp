@@ -259,7 +259,7 @@ TEST(Slicer, ReliefLightsWhatFacesTheLightAndChangesNoOpacity) {
     int brighter = 0;
     int darker = 0;
     for (std::size_t i = 0; i < flat.pixels().size(); ++i) {
-        ASSERT_NEAR(relief.pixels()[i].w, flat.pixels()[i].w, 1e-4);  // Mesa 25: 1.3e-5
+        ASSERT_NEAR(relief.pixels()[i].w, flat.pixels()[i].w, 2e-5);  // Mesa 25: 1.3e-5
         brighter += relief.pixels()[i].x > flat.pixels()[i].x + 0.02F ? 1 : 0;
         darker += relief.pixels()[i].x < flat.pixels()[i].x - 0.02F ? 1 : 0;
     }

@@ -30,7 +30,7 @@ const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, s
  */
 const isIn = (target, selector) => target instanceof Element && target.closest(selector) !== null;
 
-// There the page scrolls as a whole, so the up and down keys scroll it; left and right still go through the events.
+// There the page scrolls as a whole (page.css has the same limit), so the up and down keys scroll it; left and right still go through the events.
 const hasFewLines = matchMedia('(max-height: 520px)');
 
 export function listenToKeys() {

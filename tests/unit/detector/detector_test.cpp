@@ -142,7 +142,7 @@ TEST_F(DetectorTest, SurvivesDamagedModels) {
     const std::string model = TinyModel().onnx();
     std::mt19937 random(7);
     std::size_t refused = 0;
-    constexpr std::size_t tries = 100;  // fuzz.model tries more
+    constexpr std::size_t tries = 300;
     for (std::size_t i = 0; i < tries; ++i) {
         std::string damaged = model;
         for (auto change = random() % 4 + 1; change > 0; --change) {
