@@ -548,6 +548,7 @@ def days_of(t):
     return {(data["cameras"][day["row"][0]], day["date"]): day for day in data["recordings"]}, data
 
 
+@pytest.mark.nightly
 def test_archive_says_where_a_day_is_that_of_writing(t):
     """Nothing tells when these were recorded: log, report, sidecar and index say that the day is by when they were written."""
     t.zone("UTC")

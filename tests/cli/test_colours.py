@@ -2,6 +2,7 @@
 
 import colorsys
 
+import pytest
 from harness import check, moving_clip
 
 # Time runs from left to right over the whole width.
@@ -27,6 +28,7 @@ def hue(t, low, high, name="out.png"):
     return hues[len(hues) // 2] - 60
 
 
+@pytest.mark.nightly
 def test_the_direction_of_motion(t):
     square(t, "if(lt(n,20),5+3*n,62-3*(n-20))")
     t.render("clip.mkv", *STRAIGHT, "--color", "direction").expect(0)

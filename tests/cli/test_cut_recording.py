@@ -141,6 +141,7 @@ def test_cut_takes_an_event_of_a_recordings_report(t):
     check(not t.path("d.mp4").exists(), "something was written")
 
 
+@pytest.mark.nightly
 def test_cut_of_one_file_by_a_recordings_report_is_at_the_right_place(t):
     """Times of a report are those of the recording; of a file they are others."""
     names = segments(t)
@@ -264,6 +265,7 @@ def test_cut_never_writes_what_shows_something_else(t):
         t.vvr("cut", clip, "--start", "0.7s", "--end", "1.6s", "--exact", "-o", "exact.mp4").expect(0, "9 frames encoded")
 
 
+@pytest.mark.nightly
 def test_cut_exactly_where_each_packet_says_that_it_is_a_key_frame(t):
     t.clip("flags.avi", seconds=6, size="176x144", codec=("-c:v", "h263", "-g", "60"))
     check({packet[1] for packet in packets(t, "flags.avi")} == {"K"}, "the flags are right, so this shows nothing")

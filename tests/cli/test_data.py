@@ -29,6 +29,7 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
     check(not t.path("none").exists(), "a folder was made")
 
 
+@pytest.mark.nightly
 def test_the_cameras_clock_is_in_no_field(t):
     t.scene("clock", "clock.y4m", "--size", "192x144", "--frames", "750")
     t.vvr("extract", "clock.y4m", "-o", "data", "--flow", "none").expect(0, "clock")
@@ -67,7 +68,8 @@ def test_colour_of_the_video_needs_extracted_frames(t):
 @pytest.mark.parametrize("extracted, drawn", [
     (("--threshold", "30", "--grid", "8"), ("--show", "volume,arrows,tracelines,frames", "--window", "4")),
     ((), ("--color", "video")), pytest.param((), ("--color", "direction", "--show", "volume"), marks=pytest.mark.nightly),
-    pytest.param(("--start", "17f"), (), marks=pytest.mark.nightly), (("--start", "1.5s", "--end", "2.05s"), ())])
+    pytest.param(("--start", "17f"), (), marks=pytest.mark.nightly),
+    pytest.param(("--start", "1.5s", "--end", "2.05s"), (), marks=pytest.mark.nightly)])
 def test_extracted_data_give_the_picture_of_the_clip(t, extracted, drawn):
     t.vvr("extract", moving_clip(t), "-o", "data", *extracted).expect(0)
     t.render("clip.mkv", *extracted, *drawn, output="clip.png").expect(0)

@@ -47,6 +47,7 @@ def test_room_goes_where_something_moves(t):
     check(pixels[0] == pixels[1] != pixels[2], "a clip of more than two minutes has even time by default")
 
 
+@pytest.mark.nightly
 def test_pixels_of_busy_time_tell_their_frames(t):
     recording(t)
     t.render("day.mkv", "--time", "busy", "--filter", "difference", "--report", "r.json", output="busy.html").expect(0)

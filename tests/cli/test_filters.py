@@ -13,6 +13,7 @@ def columns(t):
     return t.columns("out.png", lambda red, green, blue: red > green + 40)
 
 
+@pytest.mark.nightly
 def test_no_shells_between_bands(t):
     # A square that is there from frame 30 of 60 on.
     t.ffmpeg("-f", "lavfi", "-i", "color=0x404040:size=96x64:rate=10:duration=6", "-vf",

@@ -188,6 +188,7 @@ def test_frames_in_memory_give_the_picture_of_the_same_file(t, prefix):
     t.vvr("compare", "memory.png", "file.png", "--tolerance", "0").expect(0, out=None)
 
 
+@pytest.mark.nightly
 def test_what_callers_do_wrong_or_throw(t, prefix):
     main = compile_against(t, prefix, """
         #include <cstdio>

@@ -50,6 +50,7 @@ def test_reading_flicker(t):
     check(kinds(t, clip, "--illumination", "none") == [], "it makes no difference")
 
 
+@pytest.mark.nightly
 def test_reading_somebody_who_was_always_there(t):
     clip = scene(t, "stands", *SMALL)
     t.ffmpeg("-i", clip, "-frames:v", "1", "empty.png")

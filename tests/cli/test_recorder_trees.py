@@ -81,6 +81,7 @@ def test_cameras_of_one_folder_are_several_days(t):
         6, "1 file", "'in/front-door_2026-11-21_20-00-00.avi'", "10 frames", "2.0 s", code="partial")
 
 
+@pytest.mark.nightly
 def test_numbered_cameras(t):
     """Cameras that are named by a number or an address are several, and a count of files is none."""
     t.zone("UTC")

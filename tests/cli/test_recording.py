@@ -121,6 +121,7 @@ def test_recording_of_copies_leaves_nothing_out(t):
     t.render("copies", *LOOK, "--join").expect(0, "300 frames", "vvr orders them by their names")
 
 
+@pytest.mark.nightly
 def test_recording_reads_a_repeated_file_once(t):
     whole_clip(t)
     names = cut(t)

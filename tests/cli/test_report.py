@@ -161,6 +161,7 @@ def test_report_of_one_frame(t):
     check(report["events"] == [], str(report["events"]))
 
 
+@pytest.mark.nightly
 def test_report_of_a_series(t):
     t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
     t.vvr("render", "cross.y4m", "--report", "whole.json").expect(0, "2 events")

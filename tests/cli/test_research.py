@@ -78,6 +78,7 @@ def test_deeper_pictures_are_rounded(t, ending, pixels):
     same_files(t, "data/scalar", "given/scalar", 40)
 
 
+@pytest.mark.nightly
 def test_fields_have_the_numbers_of_the_clips_frames(t):
     data(t)
     t.vvr("extract", "clip.mkv", "-o", "part", "--start", "10f", "--end", "20f").expect(0)

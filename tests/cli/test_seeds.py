@@ -36,6 +36,7 @@ def set_flags(t, folder, flag):
         file.write_text("".join(head) + points)
 
 
+@pytest.mark.nightly
 def test_a_seed_whose_flag_is_0_draws_nothing(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     lists = ("--seeds", "data/seeds")
@@ -109,6 +110,7 @@ def test_lists_and_flags_that_do_not_fit(t):
     t.expect_files("big.txt", "clip.mkv", "flag.txt", "good.txt")
 
 
+@pytest.mark.nightly
 def test_seeds_on_the_object_or_all_over_the_field(t):
     # The whole picture moves, and differs from the empty scene on the right half alone.
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=192x64:rate=10:duration=2", "-vf", "crop=96:64:x=n:y=0", "-c:v", "ffv1",

@@ -29,7 +29,7 @@ Bgr level_at(const Plane<Bgr>& picture, double x, double y) {
     for (std::size_t c = 0; c < 3; ++c) {
         const double above = pixel(i, j)[c] * (1 - s) + pixel(i + 1, j)[c] * s;
         const double below = pixel(i, j + 1)[c] * (1 - s) + pixel(i + 1, j + 1)[c] * s;
-        result[c] = static_cast<std::uint8_t>(std::lround(above * (1 - t) + below * t));
+        result[c] = to_level(above * (1 - t) + below * t);
     }
     return result;
 }

@@ -29,8 +29,18 @@ struct Colour {
     }
 };
 
+/// A level of a pixel, rounded. std::lround would be a call for each.
+inline std::uint8_t to_level(double value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+}
+
 inline std::uint8_t to_byte(double fraction) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * 255));
+    return to_level(fraction * 255);
+}
+
+/// The length of a vector. std::hypot minds overflow, which no picture has, and takes ten times as long.
+inline double length_of(double x, double y) {
+    return std::sqrt(x * x + y * y);
 }
 
 inline Bgr to_bgr(Colour colour) {
@@ -43,14 +53,14 @@ inline double limb(Point p, Point a, Point b, double ra, double rb) {
     const double dy = b.y - a.y;
     const double length2 = dx * dx + dy * dy;
     const double t = length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0;
-    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy) - (ra + t * (rb - ra));
+    return length_of(p.x - a.x - t * dx, p.y - a.y - t * dy) - (ra + t * (rb - ra));
 }
 
 /// The distance from `p` to a box with round corners; negative inside.
 inline double round_box(Point p, Point middle, Point half, double corner) {
     const double dx = std::abs(p.x - middle.x) - half.x + corner;
     const double dy = std::abs(p.y - middle.y) - half.y + corner;
-    return std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) + std::min(std::max(dx, dy), 0.0) - corner;
+    return length_of(std::max(dx, 0.0), std::max(dy, 0.0)) + std::min(std::max(dx, dy), 0.0) - corner;
 }
 
 /// A picture to paint shapes on, and optionally a mask of where they are.
@@ -94,8 +104,7 @@ class Canvas {
   private:
     static void blend(Bgr& under, Colour over, double cover) {
         const Bgr colour = to_bgr(over);
-        for (std::size_t c = 0; c < under.size(); ++c)
-            under[c] = static_cast<std::uint8_t>(std::lround(under[c] + (colour[c] - under[c]) * cover));
+        for (std::size_t c = 0; c < under.size(); ++c) under[c] = to_level(under[c] + (colour[c] - under[c]) * cover);
     }
 
     Plane<Bgr>* picture_;

@@ -74,7 +74,7 @@ Point hand_of(const Figure& figure) {
 
 void paint_shadow(Canvas& canvas, Point feet, double width) {
     const auto distance = [&](Point p) {
-        return (std::hypot((p.x - feet.x) / width, (p.y - feet.y) / (0.22 * width)) - 1) * 0.22 * width;
+        return (length_of((p.x - feet.x) / width, (p.y - feet.y) / (0.22 * width)) - 1) * 0.22 * width;
     };
     canvas.paint(feet, width, distance, Colour{0.08, 0.08, 0.08}, 0.35);
 }
@@ -96,7 +96,7 @@ void paint_figure(Canvas& canvas, const Figure& figure) {
 
     const auto part = [&](Point a, Point b, double ra, double rb, Colour colour) {
         const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-        const double reach = std::hypot(b.x - a.x, b.y - a.y) / 2 + std::max(ra, rb) * h + 1;
+        const double reach = length_of(b.x - a.x, b.y - a.y) / 2 + std::max(ra, rb) * h + 1;
         canvas.paint(
             middle, reach, [&](Point p) { return limb(p, a, b, ra * h, rb * h); },
             // The cloth moves with the body.
@@ -139,7 +139,7 @@ void paint_bag(Canvas& canvas, Point handle, double height) {
     const Colour red{0.10, 0.14, 0.62};
     const Point top{handle.x, middle.y - half.y};
     const auto ring = [&](Point p) {
-        return std::abs(std::hypot(p.x - top.x, (p.y - top.y) * 1.2) - 0.06 * height) - 0.011 * height;
+        return std::abs(length_of(p.x - top.x, (p.y - top.y) * 1.2) - 0.06 * height) - 0.011 * height;
     };
     canvas.paint(top, 0.1 * height, ring, Colour{0.05, 0.05, 0.08});
     canvas.paint(

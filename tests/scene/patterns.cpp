@@ -55,7 +55,7 @@ Scene make_spinning_sphere(const Options& options) {
         for (int j = 0; j < all.size.height; ++j) {
             for (int i = 0; i < all.size.width; ++i) {
                 const Point at = Point{1.0 * i, 1.0 * j} - middle;
-                if (std::hypot(at.x, at.y) > radius) continue;
+                if (length_of(at.x, at.y) > radius) continue;
                 disc.mask.at(i, j) = 255;
                 truth.u.at(i, j) = static_cast<float>(-all.omega * at.y);
                 truth.v.at(i, j) = static_cast<float>(all.omega * at.x);

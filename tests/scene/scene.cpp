@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/scene/camera.h"
+#include "tests/scene/canvas.h"
 #include "tests/scene/happenings.h"
 #include "tests/scene/texture.h"
 
@@ -69,8 +70,7 @@ Plane<Bgr> Scene::frame(int i) const {
     std::uint64_t pixel = hash(options_.seed * 0x10001 + static_cast<std::uint64_t>(i));
     for (Bgr& colour : picture.pixels()) {
         const double add = light + (options_.noise > 0 ? options_.noise * normal(pixel++) : 0);
-        for (auto& channel : colour)
-            channel = static_cast<std::uint8_t>(std::clamp(std::lround(channel + add), 0L, 255L));
+        for (auto& channel : colour) channel = to_level(channel + add);
     }
     return picture;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace vvr::generator {
 
@@ -22,12 +23,10 @@ class Texture {
     double operator()(double x, double y) const;
 
   private:
-    struct Wave {
-        double kx;
-        double ky;
-        double phase;
-    };
-    std::vector<Wave> waves_;
+    static constexpr std::size_t count = 16;
+    std::array<double, count> kx_{};  // radians per pixel
+    std::array<double, count> ky_{};
+    std::array<double, count> phase_{};
 };
 
 }  // namespace vvr::generator
