@@ -1,10 +1,14 @@
 #include "core/events/overlay.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
+#include <cstring>
 #include <memory>
 #include <numbers>
+#include <span>
 
 #include <opencv2/imgproc.hpp>
 
@@ -17,6 +21,27 @@ namespace vvr::events {
 namespace {
 
 constexpr auto& limit = thresholds.overlay;
+
+/// Calls `use` with the index of each pixel that changed. Few do, so pixels are compared 64 at a time, which the
+/// compiler does in a few instructions, and only the marks of those that changed are visited.
+template <class Use>
+void for_each_change(std::span<const std::uint8_t> values, std::span<const std::uint8_t> before, const Use& use) {
+    constexpr std::size_t run = 64;
+    for (std::size_t begin = 0; begin < values.size(); begin += run) {
+        const std::size_t count = std::min(values.size() - begin, run);
+        std::array<std::uint8_t, run> changed{};
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint8_t larger = std::max(values[begin + k], before[begin + k]);
+            const std::uint8_t smaller = std::min(values[begin + k], before[begin + k]);
+            changed[k] = larger - smaller >= limit.level ? 1 : 0;
+        }
+        for (std::size_t k = 0; k < run; k += 8) {
+            std::uint64_t eight = 0;
+            std::memcpy(&eight, &changed[k], 8);
+            for (; eight != 0; eight &= eight - 1) use(begin + k + static_cast<std::size_t>(std::countr_zero(eight)) / 8);
+        }
+    }
+}
 
 }  // namespace
 
@@ -32,31 +57,15 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
         next_look_ = begin_ + limit.every;
     }
     if (follows) {
-        const auto values = grey.pixels();
-        const auto before = before_.pixels();
         const auto second = static_cast<std::int32_t>(std::floor(now.seconds - begin_));
         const std::complex<float> phase(std::polar(1.0, 2 * std::numbers::pi * now.seconds));
-        const auto count = [&](std::size_t k) {
-            if (std::abs(int{values[k]} - int{before[k]}) < limit.level) return;
+        for_each_change(grey.pixels(), before_.pixels(), [&](std::size_t k) {
             Changes& changes = changes_.pixels()[k];
             changes.phases += phase;
             ++changes.count;
             if (changes.last != second) ++changes.seconds;
             changes.last = second;
-        };
-        // Few pixels change: a run is skipped where none does, which the compiler finds out for all of it at once.
-        constexpr std::size_t run = 64;
-        for (std::size_t begin = 0; begin < values.size(); begin += run) {
-            const std::size_t end = std::min(values.size(), begin + run);
-            std::uint8_t most = 0;  // of bytes alone, so that a vector holds many
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::uint8_t larger = std::max(values[k], before[k]);
-                const std::uint8_t smaller = std::min(values[k], before[k]);
-                most = std::max(most, static_cast<std::uint8_t>(larger - smaller));
-            }
-            if (most < limit.level) continue;
-            for (std::size_t k = begin; k < end; ++k) count(k);
-        }
+        });
     }
     last_ = now.seconds;
     if (first)
