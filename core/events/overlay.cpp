@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <cstdlib>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -22,24 +21,35 @@ namespace {
 
 constexpr auto& limit = thresholds.overlay;
 
-/// Calls `use` with the index of each pixel that changed. Few do, so pixels are compared 64 at a time, which the
-/// compiler does in a few instructions, and only the marks of those that changed are visited.
+constexpr std::size_t run = 64;
+
+/// The difference of each of 64 pixels. Bytes alone and a fixed count, so that the compiler takes many at once.
+std::array<std::uint8_t, run> differences_of(std::span<const std::uint8_t, run> a,
+                                             std::span<const std::uint8_t, run> b) {
+    std::array<std::uint8_t, run> differences;
+    for (std::size_t k = 0; k < run; ++k) {
+        const std::uint8_t larger = std::max(a[k], b[k]);
+        const std::uint8_t smaller = std::min(a[k], b[k]);
+        differences[k] = static_cast<std::uint8_t>(larger - smaller);
+    }
+    return differences;
+}
+
+/// Calls `use` with the index of each pixel that changed. Few do: runs in which none does are skipped.
 template <class Use>
 void for_each_change(std::span<const std::uint8_t> values, std::span<const std::uint8_t> before, const Use& use) {
-    constexpr std::size_t run = 64;
-    for (std::size_t begin = 0; begin < values.size(); begin += run) {
-        const std::size_t count = std::min(values.size() - begin, run);
-        std::array<std::uint8_t, run> changed{};
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::uint8_t larger = std::max(values[begin + k], before[begin + k]);
-            const std::uint8_t smaller = std::min(values[begin + k], before[begin + k]);
-            changed[k] = larger - smaller >= limit.level ? 1 : 0;
+    std::size_t begin = 0;
+    for (; begin + run <= values.size(); begin += run) {
+        const auto differences = differences_of(values.subspan(begin).first<run>(), before.subspan(begin).first<run>());
+        std::uint8_t most = 0;
+        for (const std::uint8_t difference : differences) most = std::max(most, difference);
+        if (most < limit.level) continue;
+        for (std::size_t k = 0; k < run; ++k) {
+            if (differences[k] >= limit.level) use(begin + k);
         }
-        for (std::size_t k = 0; k < run; k += 8) {
-            std::uint64_t eight = 0;
-            std::memcpy(&eight, &changed[k], 8);
-            for (; eight != 0; eight &= eight - 1) use(begin + k + static_cast<std::size_t>(std::countr_zero(eight)) / 8);
-        }
+    }
+    for (std::size_t k = begin; k < values.size(); ++k) {
+        if (std::abs(int{values[k]} - int{before[k]}) >= limit.level) use(k);
     }
 }
 

@@ -1,7 +1,7 @@
-// Three kernels on input that is always the same, for valgrind to count the instructions of: unlike times these don't
+// Four kernels on input that is always the same, for valgrind to count the instructions of: unlike times these don't
 // depend on what else the machine does. See bench/check.py.
 //
-//     counted_kernels jacobi|flow|fields
+//     counted_kernels jacobi|flow|fields|events
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -11,13 +11,14 @@
 
 #include <hwy/targets.h>
 
+#include "core/events/event_finder.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 
 /// What valgrind counts is what happens in here.
-extern "C" __attribute__((noinline)) void vvr_counted(const std::function<void()>& work) {
+extern "C" __attribute__((noipa)) void vvr_counted(const std::function<void()>& work) {
     work();
     asm volatile("");  // else this would be left before the work begins
 }
@@ -84,11 +85,29 @@ void fields() {
     });
 }
 
+void events() {
+    events::EventFinder finder(size, {});
+    std::vector<video::Frame> clip;
+    std::vector<Plane<std::uint8_t>> fields;
+    for (int f = 0; f < 20; ++f) {
+        clip.push_back(frame_of(f));
+        Plane<std::uint8_t>& field = fields.emplace_back(size);
+        for (int j = 100; j < 180; ++j) {
+            for (int i = 60 + 2 * f; i < 110 + 2 * f; ++i) field.at(i, j) = 120;
+        }
+    }
+    vvr_counted([&] {
+        for (std::size_t f = 0; f < clip.size(); ++f) {
+            finder.add({fields[f], clip[f].grey, clip[f].colour}, {clip[f].index, clip[f].pts});
+        }
+    });
+}
+
 struct Kernel {
     const char* name;
     void (*run)();
 };
-constexpr Kernel counted[] = {{"jacobi", jacobi}, {"flow", flow}, {"fields", fields}};
+constexpr Kernel counted[] = {{"jacobi", jacobi}, {"flow", flow}, {"fields", fields}, {"events", events}};
 
 }  // namespace
 
@@ -100,6 +119,6 @@ int main(int argc, char** argv) {
         kernel.run();
         return 0;
     }
-    std::fputs("usage: counted_kernels jacobi|flow|fields\n", stderr);
+    std::fputs("usage: counted_kernels jacobi|flow|fields|events\n", stderr);
     return 1;
 }

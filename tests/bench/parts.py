@@ -6,7 +6,10 @@ import whole_runs
 
 PARTS = {
     "pipeline": whole_runs.pipeline,
+    "cameras": whole_runs.cameras,
+    "page": whole_runs.page,
     "archive": whole_runs.archive,
+    "many": whole_runs.many,
     "length": whole_runs.length,
     "options": whole_runs.options,
     "startup": whole_runs.startup,

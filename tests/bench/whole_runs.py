@@ -31,14 +31,62 @@ def stages(setting, clip):
 FIELDS = "384:384:force_original_aspect_ratio=decrease"  # the size of vvr's fields
 
 
+def floor_of(clip):
+    """FFmpeg decoding and scaling a clip on as many threads as vvr uses."""
+    return ["ffmpeg", "-v", "error", "-threads", str(os.cpu_count()), "-i", clip, "-vf", f"scale={FIELDS},format=gray", "-f", "null", "-"]
+
+
+FLOOR = f"`ffmpeg -threads {os.cpu_count()} -i CLIP -vf scale={FIELDS},format=gray -f null -`"
+
+
+def seconds_over(results, others):
+    return ratios([r.seconds for r in results], [r.seconds for r in others])
+
+
+def processor_over(results, others):
+    return ratios([r.processor for r in results], [r.processor for r in others])
+
+
+def cameras(setting):
+    """Large pictures as cameras and recorders write them, with all frames decoded and with fewer."""
+    rows, numbers = [], {}
+    for name in ("camera.mp4", "camera_h265.mp4", "recorder.mp4", "camera_4k.mp4", "camera_4k_h265.mp4"):
+        clip = setting.made(name)
+        results = in_turn({"ffmpeg": floor_of(clip)} | {choice: setting.render(clip, "--decode", choice) for choice in
+                                                        ("all", "auto", "key")}, setting.runs)
+        frames = frames_of(clip)
+        floor = results.pop("ffmpeg")
+        rows.append([f"`{name}`", frames, f"{frames / seconds_of(floor):.0f}", *[spread(seconds_over(floor, of)) for of in results.values()],
+                     *[spread(processor_over(of, floor)) for of in results.values()], f"{megabytes_of(results['all']):.0f}"])
+        numbers[name] = {"frames": frames, "ffmpeg": numbers_of(floor)} | {key: numbers_of(of) for key, of in results.items()}
+    measured = (f"`vvr render CLIP -o out.png --decode all`, `auto` and `key` beside {FLOOR}. A generated hall at 25 frames/s: 1920×1080 for "
+                "60 s, 3840×2160 for 20 s; a camera's have no B-frames. Rate: frames per second over FFmpeg's; time: processor "
+                "time over FFmpeg's.")
+    head = ["clip", "frames", "FFmpeg, frames/s", "rate, all", "rate, auto", "rate, key", "time, all", "time, auto", "time, key", "MB, all"]
+    return section("Large pictures", measured, table(head, rows)), numbers
+
+
+def page(setting):
+    """A page over a picture."""
+    rows, numbers = [], {}
+    for clip in (setting.clip, setting.made("vtest_h264.mp4"), setting.made("camera.mp4")):
+        page_of = setting.render(clip)
+        page_of[page_of.index("-o") + 1] = str(setting.scratch / "out.html")
+        results = in_turn({"picture": setting.render(clip), "page": page_of}, setting.runs)
+        rows.append([f"`{pathlib.Path(clip).name}`", *[f"{median([r.processor for r in of]):.2f}" for of in results.values()],
+                     spread(processor_over(results["page"], results["picture"])), f"{megabytes_of(results['page']):.0f}"])
+        numbers[clip] = {key: numbers_of(of) for key, of in results.items()}
+    measured = "Processor time of `vvr render CLIP -o out.html` over that of `-o out.png`, all defaults."
+    return section("A page", measured, table(["clip", "picture, s", "page, s", "ratio", "MB"], rows)), numbers
+
+
 def pipeline(setting):
     """Whole runs against FFmpeg decoding and scaling the same clip on as many threads."""
-    threads = os.cpu_count()
     rows, numbers = [], {}
-    for clip in (setting.clip, setting.made("left_bag.mp4"), setting.made("camera.mp4")):
+    for clip in (setting.clip, setting.made("vtest_h264.mp4"), setting.made("left_bag.mp4")):
         data = setting.scratch / "data"
         shutil.rmtree(data, ignore_errors=True)
-        floor = ["ffmpeg", "-v", "error", "-threads", str(threads), "-i", clip, "-vf", f"scale={FIELDS},format=gray", "-f", "null", "-"]
+        floor = floor_of(clip)
         results = in_turn({"ffmpeg": floor, "render": setting.render(clip)}, setting.runs)
         # By themselves: the system still writes their gigabytes to the disk while the next program runs.
         writing = in_turn({"ffmpeg": floor, "extract": [setting.vvr, "extract", clip, "-o", str(data), "--quiet"]}, setting.runs)
@@ -46,19 +94,19 @@ def pipeline(setting):
         results["extract"] = writing["extract"]
         frames = frames_of(clip)
         rate = {name: frames / seconds_of(of) for name, of in results.items()}
-        shares = {name: ratios([r.seconds for r in of], [r.seconds for r in results[name]]) for name, of in floors.items()}
-        processor = {name: median([r.processor for r in results[name]]) for name in ("ffmpeg", "render")}
+        shares = {name: seconds_over(of, results[name]) for name, of in floors.items()}
+        processor = processor_over(results["render"], results["ffmpeg"])
         took = stages(setting, clip)
         rows.append([f"`{pathlib.Path(clip).name}`", frames, *[f"{rate[of]:.0f}" for of in ("ffmpeg", "render", "extract")],
                      spread(shares["render"]), spread(shares["extract"]), spread([r.seconds for r in results["render"]]),
-                     f"{megabytes_of(results['render']):.0f}", f"{processor['ffmpeg']:.2f}", f"{processor['render']:.2f}",
+                     f"{megabytes_of(results['render']):.0f}", f"{median([r.processor for r in results['ffmpeg']]):.2f}", spread(processor),
                      ", ".join(f"{stage} {seconds:.2f}" for stage, seconds in took.items())])
         numbers[clip] = {"frames": frames, "rates": rate, "shares": shares, "stages": took, "processor": processor} | {
             key: numbers_of(of) for key, of in results.items()}
-    measured = ("`vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
-                f"-threads {threads} -i CLIP -vf scale={FIELDS},format=gray -f null -`. A relative rate is a rate over FFmpeg's.")
+    measured = (f"`vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside {FLOOR}. A relative rate is a rate "
+                "over FFmpeg's.")
     head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render, relative", "extract, relative",
-            "render, s", "MB", "FFmpeg, processor s", "render, processor s", "stages of one run, s"]
+            "render, s", "MB", "FFmpeg, processor s", "render, processor time over FFmpeg's", "stages of one run, s"]
     return section("A whole run against decoding alone", measured, table(head, rows)), numbers
 
 
@@ -160,3 +208,23 @@ def archive(setting):
     head = ["clips", "number", "frames", "FFmpeg, frames/s", "pictures, frames/s", "pages, frames/s", "pictures to FFmpeg",
             "pages to FFmpeg", "pictures, by CPU time", "pages, by CPU time", "an hour of video with pages, s", "nothing new, ms", "MB a clip"]
     return section("An archive", measured, table(head, rows)), numbers
+
+
+def many(setting):
+    """Many small clips: each costs a start of the program. Run once, as that is an average over all of them."""
+    clips, out = pathlib.Path(setting.made("many")), setting.scratch / "many"
+    files = sorted(str(path) for path in clips.iterdir())
+    frames = sum(frames_of(file) for file in files[:10]) * len(files) // 10
+    floor = run(["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'])
+    archive_command = [setting.vvr, "archive", str(clips), "-o", str(out), "--backend", setting.backend, "--quiet"]
+    first = run(archive_command)
+    again = [run(archive_command) for _ in range(setting.runs)]
+    measured = ("`vvr archive CLIPS -o OUT`, all defaults, with pages, beside `ffmpeg -i CLIP -f null -` for one clip after another. Parts of "
+                "vtest.avi of 6 s, 320×240, 10 frames/s, H.264. Again: a second run, which finds nothing new.")
+    rows = [[len(files), frames, f"{frames / floor.seconds:.0f}", f"{frames / first.seconds:.0f}", f"{floor.seconds / first.seconds:.2f}",
+             f"{first.processor / floor.processor:.2f}", f"{first.processor / len(files):.2f}",
+             spread([1000 * r.seconds for r in again], 0), f"{first.megabytes:.0f}"]]
+    head = ["clips", "frames", "FFmpeg, frames/s", "pages, frames/s", "pages to FFmpeg", "processor time over FFmpeg's",
+            "processor time per clip, s", "again, ms", "MB"]
+    return section("Many small clips", measured, table(head, rows)), {
+        "clips": len(files), "frames": frames, "ffmpeg": numbers_of([floor]), "first": numbers_of([first]), "again": numbers_of(again)}

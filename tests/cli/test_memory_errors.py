@@ -1,5 +1,6 @@
 """Each command under valgrind: no read or write of memory that isn't its own, no decision by what was never written."""
 
+import pathlib
 import shutil
 
 import pytest
@@ -28,6 +29,8 @@ COMMANDS = {
 def test_valgrind_finds_nothing_in(t, name):
     if not shutil.which("valgrind"):
         pytest.skip("there is no valgrind")
+    if "rdtscp" not in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").split():
+        pytest.skip("valgrind ends libhwy, which reads the time by RDTSCP, where the processor doesn't have that")
     t.clip(seconds=1)
     if name == "seeds":
         t.vvr("extract", "clip.avi", "-o", "data").expect(0)
