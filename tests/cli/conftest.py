@@ -43,8 +43,9 @@ def t(request, tmp_path, monkeypatch, made):
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        if item.get_closest_marker("slow") and not item.get_closest_marker("timeout"):
-            item.add_marker(pytest.mark.timeout(1800))
+        for marker, seconds in (("slow", 1800), ("browser", 600)):
+            if item.get_closest_marker(marker) and not item.get_closest_marker("timeout"):
+                item.add_marker(pytest.mark.timeout(seconds))
 
 
 @pytest.hookimpl(hookwrapper=True)
