@@ -275,6 +275,9 @@ class Walk:
             return is_whole_png(data)
         if name.endswith(".avi"):  # as long as its header says
             return data[:4] == b"RIFF" and int.from_bytes(data[4:8], "little") + 8 == len(data)
+        if name.endswith(".flo"):  # the same; the last flow of fewer frames is another one
+            width, height = (int.from_bytes(data[at:at + 4], "little") for at in (4, 8))
+            return data[:4] == b"PIEH" and len(data) == 12 + 8 * width * height
         return data.rstrip().endswith(b"</html>") if name.endswith(".html") else False
 
     def check(self, scene, fault, run, killed=False):
