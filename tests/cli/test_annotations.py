@@ -171,7 +171,6 @@ def test_keyframes_need_the_clips_length(t):
     t.render("unfinished.mkv", "--keyframes", "3", "--show", "frames").expect(0, "only 0 of 3 key frames are shown")
 
 
-@pytest.mark.nightly
 def test_keyframes_of_a_series_stand_in_each_brick(t):
     # A grey scene that gets lighter: each frame has a level of its own.
     t.ffmpeg("-f", "lavfi", "-i", "color=black:size=64x48:rate=10:duration=4", "-vf", "geq=lum='80+4*N':cb=128:cr=128",

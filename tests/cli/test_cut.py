@@ -83,7 +83,6 @@ def test_cut_follows_the_ending(t):
     check("matroska" in t.probe("piece.mkv", "format=format_name"), "an ending of another format")
 
 
-@pytest.mark.nightly
 def test_cut_of_groups_that_lean_on_the_one_before(t):
     """Frames that follow a key frame and are shown before it can't be decoded from there: they stay out, or it begins earlier."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=160x120:rate=25:duration=8", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-x264-params",

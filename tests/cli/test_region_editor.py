@@ -229,7 +229,6 @@ def test_areas_come_from_a_text_file(t):
     t.render("clip.mkv", "--mask", "none.txt").expect(2, "--mask", "none.txt", "No such file or directory", code="file-not-found")
 
 
-@pytest.mark.nightly
 def test_a_picture_is_an_area_where_it_is_128_or_brighter(t):
     moving_clip(t)
     t.ffmpeg("-f", "lavfi", "-i", "color=0x808080:size=10x10", "-frames:v", "1", "grey128.png")

@@ -1,6 +1,7 @@
 """The sources obey the rules of includes.py, meanings.py and tables.py, and what breaks one is found."""
 
 import pathlib
+import re
 import sys
 
 import includes
@@ -163,3 +164,13 @@ def test_what_repeats_a_table_is_found(tmp_path, name, text, complaint):
 def test_each_deliberate_bug_has_its_place():
     stale = [bug for bug in BREAKS if (SOURCE / bug.file).read_text(encoding="utf-8").count(bug.old) != 1]
     assert len(BREAKS) >= 40 and stale == []
+
+
+def test_the_default_set_has_the_test_of_each_deliberate_bug():
+    left_out = []
+    for name in {bug.test for bug in BREAKS if "::" in bug.test}:
+        file, function = name.split("[")[0].split("::")
+        marks = re.search(rf"((?:^@.*\n(?:^[ )].*\n)*)*)^def {function}\(", (SOURCE / "tests" / file).read_text(encoding="utf-8"), re.MULTILINE)
+        if re.search(r"^@pytest\.mark\.(nightly|slow|browser)\b", marks[1], re.MULTILINE):
+            left_out.append(name)
+    assert left_out == []
