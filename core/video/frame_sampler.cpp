@@ -13,6 +13,7 @@ namespace vvr::video {
 
 double KeyFrames::scan(const Input& input, double rate, double begin) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
+    if (files_.empty()) begin_ = begin;
     files_.push_back(input);
     const auto packet = av::make_packet();
     double first = std::numeric_limits<double>::infinity();
@@ -32,12 +33,25 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
         if (!copy) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
         sampler_.keep(at, {files_.size() - 1, at, std::move(copy)});
     }
-    return last < first ? begin : begin + last - first + demuxer.frame_duration();
+    end_ = last < first ? begin : begin + last - first + demuxer.frame_duration();
+    return end_;
+}
+
+/// Of many key frames, the sampler leaves at least about half as many as requested, so that many are enough if they are
+/// as evenly spread. An encoder that adds a key frame where something happens has most of them there.
+bool KeyFrames::are_enough(std::span<const KeyPacket> keys) const {
+    if (seen_ >= count_) return true;
+    constexpr double most_apart = 1.0 / 8;  // of the whole
+    if (2 * std::ssize(keys) < count_) return false;
+    double widest = end_ - keys.back().time;
+    double before = begin_;
+    for (const KeyPacket& key : keys) widest = std::max(widest, key.time - std::exchange(before, key.time));
+    return widest <= most_apart * (end_ - begin_);
 }
 
 std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
-    if (seen_ < count_) return {};
     const std::vector<KeyPacket> keys = sampler_.take();
+    if (!are_enough(keys)) return {};
     std::vector<Frame> frames;
     for (auto key = keys.begin(); key != keys.end();) {
         const Input& input = files_[key->file];

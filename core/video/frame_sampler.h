@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -71,8 +72,8 @@ class KeyFrames {
     /// \returns the time of its end, seconds; `begin` if no packet has a timestamp
     double scan(const Input& input, double rate, double begin);
 
-    /// Decodes the frames, in order. Empty if there are fewer key frames than requested, or if they don't decode on
-    /// their own. Call it only once.
+    /// Decodes the frames, in order. Empty if there are too few key frames, if they are unevenly spread, or if they
+    /// don't decode on their own. Call it only once.
     std::vector<Frame> decode(double rate, Scaler& scale);
 
   private:
@@ -82,10 +83,14 @@ class KeyFrames {
         av::Ptr<AVPacket> packet;
     };
 
+    bool are_enough(std::span<const KeyPacket> keys) const;
+
     int count_;
     TimeSampler<KeyPacket> sampler_;
     std::vector<Input> files_;
     std::int64_t seen_ = 0;
+    double begin_ = 0;  ///< of the first file, seconds
+    double end_ = 0;    ///< of the last file, seconds
 };
 
 /// Samples the same frames as FrameSource::sample. Decodes only these and frames to which others refer: of a usual clip

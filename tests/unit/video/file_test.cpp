@@ -260,6 +260,19 @@ TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
     EXPECT_EQ(read_all(*source).front().index, 0);
 }
 
+TEST(Sample, TakesFewerKeyFramesIfTheyAreEvenlySpread) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -sc_threshold 0");
+    const auto frames = video::open_source(name)->sample(39);
+    EXPECT_EQ(frames.size(), 20u);
+    for (const auto& frame : frames) EXPECT_EQ(std::lround(frame.pts * 25) % 5, 0);
+    EXPECT_GT(video::open_source(name)->sample(41).size(), 20u) << "20 are less than half";
+
+    const auto uneven = counting_clip(folder, "uneven.mkv",
+                                      "-c:v libx264 -qp 4 -g 1000 -sc_threshold 0 -force_key_frames 'expr:lt(n,20)'");
+    EXPECT_GT(video::open_source(uneven)->sample(39).back().pts, 3.4);
+}
+
 /// Lets libav allocate no larger block while it exists.
 class LibavLimit {
   public:
