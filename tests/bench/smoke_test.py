@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,6 +23,9 @@ def make_clips(build, folder):
     subprocess.run([build / "tests/scene/vvr-scene", "left_bag", clip, "--frames", "40", "--size", "96x72"], check=True)
     for name in CLIPS:
         subprocess.run(["ffmpeg", "-v", "error", "-i", clip, "-c:v", "mpeg4", folder / name], check=True)
+    (folder / "many").mkdir()
+    for number in range(10):
+        shutil.copyfile(folder / CLIPS[0], folder / f"many/{number}.mp4")
     return clip
 
 
