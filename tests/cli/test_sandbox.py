@@ -1,5 +1,6 @@
 """What keeps an archive's workers from all but their clip and their pictures, and that they draw all the same."""
 
+import contextlib
 import ctypes
 import errno
 import os
@@ -168,25 +169,37 @@ def test_a_hijacked_worker_does_not_outlive_the_run(t, walls, number):
     archive(t).expect(0, "1 clip drawn")  # the lock is free
 
 
-def test_a_worker_lives_within_its_walls(t, walls):
+def of_a_worker(t, name, *options):
+    """The file /proc/PID/NAME of a worker, once it runs."""
     t.clip("in/long.avi", seconds=60, size="320x240")
     t.age("in")
-    run = t.start("archive", "in", "-o", "out", "--backend", "software", "--sandbox", "required")
-    status = {}
-    for _ in range(400):
+    run = t.start("archive", "in", "-o", "out", "--backend", "software", *options)
+    found = b""
+    while not found and run.poll() is None:
         for child in pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split():
             folder = pathlib.Path(f"/proc/{child}")
-            try:
+            with contextlib.suppress(OSError):
                 if b"render" in (folder / "cmdline").read_bytes():
-                    status = dict(line.split(":\t", 1) for line in (folder / "status").read_text().splitlines() if ":\t" in line)
-            except OSError:
-                continue
-        if status or run.poll() is not None:
-            break
+                    found = (folder / name).read_bytes()
         time.sleep(0.01)
     run.kill()
     run.wait()
+    return found.decode()
+
+
+def test_a_worker_lives_within_its_walls(t, walls):
+    lines = of_a_worker(t, "status", "--sandbox", "required").splitlines()
+    status = dict(line.split(":\t", 1) for line in lines if ":\t" in line)
     check(status.get("NoNewPrivs") == "1" and status.get("Seccomp") == "2", f"{status}")
+
+
+@pytest.mark.parametrize("own", [None, "glibc.malloc.check=0"])
+def test_a_worker_asks_for_huge_pages_unless_the_user_sets_malloc(t, monkeypatch, own):
+    monkeypatch.delenv("GLIBC_TUNABLES", raising=False)
+    if own:
+        monkeypatch.setenv("GLIBC_TUNABLES", own)
+    tunables = [word for word in of_a_worker(t, "environ").split("\0") if word.startswith("GLIBC_TUNABLES=")]
+    check(tunables == [f"GLIBC_TUNABLES={own or 'glibc.malloc.hugetlb=1'}"], f"{tunables}")
 
 
 def test_the_sandbox_changes_no_byte(t, walls):
