@@ -39,8 +39,10 @@ std::span<const StatusHelp> exit_statuses() {
         StatusHelp{1, "an error in the command line or the config file"},
         StatusHelp{2, "a file can't be read or written"},
         StatusHelp{3, "the input is not usable video"},
-        StatusHelp{4,
-                   "no OpenGL backend, or OpenGL failed; `archive --sandbox required`: the kernel has no such sandbox"},
+        StatusHelp{
+            4,
+            "no OpenGL backend, or OpenGL failed; no such hardware for `--hwaccel`; `archive --sandbox required`: "
+            "the kernel has no such sandbox"},
         StatusHelp{5, "out of memory, or over a given limit"},
         StatusHelp{
             6,

@@ -201,6 +201,7 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.rate = options.rate;
     source.join = options.join;
     source.decode = options.decode;
+    source.hwaccel = options.hwaccel;
     source.layers = layers;
     if (options.open) return options.open(source);
     return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);

@@ -126,6 +126,7 @@ struct InputOptions {
     bool join = false;                       ///< treat files as one recording even if they look unrelated
     Size field_size{0, 0};                   ///< as in SourceOptions
     Choice<video::FrameChoiceRow> decode{video::frame_choices().front()};
+    Choice<video::HwaccelRow> hwaccel{video::hwaccels().front()};
     double rate = 25;  ///< frames per second if the input has none
     std::function<std::unique_ptr<video::FrameSource>(const video::SourceOptions&)> open{};  ///< replaces the files
     std::string camera{};                 ///< named by the user; empty = from the names of files and folders

@@ -145,8 +145,8 @@ void check(const workers::ArchiveOptions& options) {
     }
 }
 
-/// What selects OpenGL. Workers get it, but it changes no picture.
-constexpr std::array drawn_with{setting::backend.name};
+/// What selects OpenGL and the decoder. Workers get it, but it changes no picture.
+constexpr std::array drawn_with{setting::backend.name, setting::hwaccel.name};
 
 /// A digest of all settings that change the files. Without vvr's version: a new version must not redraw years of clips.
 std::string digest_of(const options::CommandLine& line, const workers::ArchiveOptions& options) {
@@ -224,7 +224,8 @@ class Archive final : public Command {
             pass_on(value, options_.pictures);
             options_.drawn_with.emplace_back(value.name, value.value);
         }
-        options_.needs.gpu = gl::may_use_gpu(*job_.backend.row);
+        const bool decodes_on_gpu = job_.input.hwaccel->device != AV_HWDEVICE_TYPE_NONE;
+        options_.needs.gpu = gl::may_use_gpu(*job_.backend.row) || decodes_on_gpu;
         options_.threads = job_.fields.threads;
         return workers::run_archive(options_, environment);
     }

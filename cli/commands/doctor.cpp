@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <OpenImageIO/oiioversion.h>
@@ -25,6 +27,7 @@ extern "C" {
 #include "core/base/wall_clock.h"
 #include "core/image/text.h"
 #include "core/page/preview.h"
+#include "core/video/hwaccel.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
@@ -109,21 +112,41 @@ nlohmann::ordered_json json_of(const DetectorReport& report) {
             {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(report.error->what())}};
 }
 
+/// Why each row of hardware decoders can't be opened; empty = it can.
+std::vector<std::pair<std::string_view, std::string>> look_for_decoders() {
+    std::vector<std::pair<std::string_view, std::string>> found;
+    for (const video::HwaccelRow& row : video::hwaccels()) {
+        if (row.device == AV_HWDEVICE_TYPE_NONE) continue;
+        found.emplace_back(row.name, "");
+        try {
+            video::open_device(row);
+        } catch (const Error& error) {
+            found.back().second = error.what();
+        }
+    }
+    return found;
+}
+
 /// What this machine lends to pictures and archives.
 struct Surroundings {
     std::string font = image::font_name();  ///< empty = none
     std::string zone = zone_text(std::time(nullptr));
     std::string encoder = std::string(page::preview_encoder());  ///< of the preview in pages; empty = none
     std::string sandbox = workers::Sandbox(workers::SandboxMode::automatic, {}).summary();
+    std::vector<std::pair<std::string_view, std::string>> decoders = look_for_decoders();
 };
 
 std::string describe(const Surroundings& here) {
+    std::string decoders;
+    for (const auto& [name, reason] : here.decoders)
+        decoders += fmt::format("{}{}: {}", decoders.empty() ? "" : "; ", name, reason.empty() ? "works" : "not found");
     return fmt::format("font           {}\n",
                        here.font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : here.font) +
            fmt::format("page video     {}\n",
                        here.encoder.empty() ? "none: pages have no video; install a libavcodec with libx264 or libvpx"
                                             : here.encoder) +
-           fmt::format("time zone      {}\n", here.zone) + fmt::format("sandbox        {}\n", here.sandbox);
+           fmt::format("time zone      {}\n", here.zone) + fmt::format("sandbox        {}\n", here.sandbox) +
+           fmt::format("hwaccel        {}\n", decoders);
 }
 
 /// The backend that `--backend auto` uses: the first that works.
@@ -137,6 +160,13 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
     for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
+    nlohmann::ordered_json decoders = nlohmann::ordered_json::array();
+    for (const auto& [name, reason] : here.decoders) {
+        const bool works = reason.empty();
+        decoders.push_back({{"name", name},
+                            {"works", works},
+                            {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(reason)}});
+    }
     const auto drawn = drawn_with(reports);
     return json_text(
                {{"vvr", version()},
@@ -145,6 +175,7 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
                 {"page_video", here.encoder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.encoder)},
                 {"time_zone", here.zone},
                 {"sandbox", here.sandbox},
+                {"hwaccel", decoders},
                 {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
                 {"detector", json_of(detector)},
                 {"backends", backends}},
@@ -172,6 +203,7 @@ class Doctor final : public Command {
     void add_options(options::CommandLine& line) override {
         options::AddOptions(line, options::Group::output)(json_option, json_);
         options::add_thread_options(line, threads_);
+        options::add_hwaccel_option(line, hwaccel_);
         options::add_backend_options(line, backend_);
         options::add_detector_option(line, detector_);
         line.examples({{"vvr doctor", "which OpenGL works here, and what to install for the rest"},
@@ -185,6 +217,7 @@ class Doctor final : public Command {
         const Surroundings here;
         cli::print(json_ ? as_json(reports, detector, here) : as_text(reports, detector, here));
         if (detector.error) throw Error(*detector.error);
+        if (hwaccel_->device != AV_HWDEVICE_TYPE_NONE) video::open_device(*hwaccel_);
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
             const bool asked = backend_.row != app::BackendOptions().row || backend_.device >= 0;
             if (asked) gl::open_context(backend_.row, backend_.device);
@@ -197,6 +230,7 @@ class Doctor final : public Command {
   private:
     bool json_ = false;
     app::BackendOptions backend_;
+    Choice<video::HwaccelRow> hwaccel_{video::hwaccels().front()};
     app::DetectorOptions detector_;
     int threads_ = 0;  // unused; accepted because config files may set it for all commands
 };

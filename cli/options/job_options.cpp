@@ -21,6 +21,7 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
                        const std::string& help) {
     line.arguments(options.names, name, help);
     app::each_input_setting(options, AddOptions(line, Group::input));
+    add_hwaccel_option(line, options.hwaccel);
 }
 
 void add_name_options(CommandLine& line, app::InputOptions& options) {
@@ -68,6 +69,10 @@ void add_preset_option(CommandLine& line, Group group) {
 
 void add_thread_options(CommandLine& line, int& threads) {
     AddOptions(line, Group::run)(setting::threads, threads);
+}
+
+void add_hwaccel_option(CommandLine& line, Choice<video::HwaccelRow>& hwaccel) {
+    AddOptions(line, Group::run)(setting::hwaccel, hwaccel, video::hwaccels());
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {

@@ -22,7 +22,7 @@ inline constexpr const char* clip_or_extraction_input =
     "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
     "or pattern of pictures (frames/%05d.png); folders that `vvr extract` wrote; a URL; - for stdin";
 
-/// INPUT, and how it is read.
+/// INPUT, and how it is read and decoded.
 /// \param name as usage shows it
 void add_input_options(CommandLine& line, app::InputOptions& options, const std::string& name, const std::string& help);
 
@@ -55,6 +55,9 @@ void add_detector_option(CommandLine& line, app::DetectorOptions& detector);
 void add_preset_option(CommandLine& line, Group group);
 
 void add_thread_options(CommandLine& line, int& threads);
+
+/// What decodes video.
+void add_hwaccel_option(CommandLine& line, Choice<video::HwaccelRow>& hwaccel);
 
 /// The OpenGL backend and its device.
 void add_backend_options(CommandLine& line, app::BackendOptions& backend);

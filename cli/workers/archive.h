@@ -81,7 +81,7 @@ struct ArchiveOptions {
 
     PictureSettings pictures;
     std::map<std::string, PictureSettings> of_cameras;  ///< for cameras with settings of their own (`name_of_camera`)
-    Settings drawn_with;                                ///< the options that select OpenGL, for `vvr doctor`
+    Settings drawn_with;  ///< the options that select OpenGL and the decoder, for `vvr doctor`
     SandboxMode sandbox = SandboxMode::automatic;
     SandboxNeeds needs;  ///< files and devices that options need
 

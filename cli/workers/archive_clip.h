@@ -32,7 +32,7 @@ struct ArchiveJob {
     archive::ArchiveRules rules;
     PictureSettings pictures;
     std::map<std::string, PictureSettings> of_cameras{};  ///< for cameras with settings of their own
-    Settings drawn_with;                                  ///< the options that select OpenGL
+    Settings drawn_with;                                  ///< the options that select OpenGL and the decoder
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     std::optional<double> pieces_margin{};             ///< seconds around each kept event; none = events aren't kept

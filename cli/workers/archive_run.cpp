@@ -248,8 +248,9 @@ class Drawing {
         const std::vector<Drawn> undecided = std::exchange(undecided_, {});
         if (end.status != 0) {
             const std::string words = error_text_of(end);
-            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip can be drawn, so this run ends: {}",
-                                                                   words.empty() ? "OpenGL does not start" : words));
+            const ErrorCode code = opengl_failed(end) ? code_of(end) : ErrorCode::opengl_unavailable;
+            throw Error(code, fmt::format("no clip can be drawn, so this run ends: {}",
+                                          words.empty() ? "OpenGL does not start" : words));
         }
         can_draw_ = true;
         for (const Drawn& drawn : undecided) finish(drawn);

@@ -89,6 +89,8 @@ constexpr std::array rows{
     ErrorRow{ErrorCode::opengl_unavailable, "opengl-unavailable", ErrorKind::backend,
              "the backend cannot create an OpenGL context"},
     ErrorRow{ErrorCode::opengl_lost, "opengl-lost", ErrorKind::backend, "the GPU or its driver was reset"},
+    ErrorRow{ErrorCode::hwaccel_unavailable, "hwaccel-unavailable", ErrorKind::backend,
+             "the hardware that is to decode can't be opened, or failed"},
     ErrorRow{ErrorCode::sandbox_unavailable, "sandbox-unavailable", ErrorKind::backend,
              "the kernel does not support the required sandbox"},
     ErrorRow{ErrorCode::limit, "limit", ErrorKind::limit, "a limit is reached, for another reason than those below"},

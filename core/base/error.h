@@ -16,7 +16,7 @@ enum class ErrorKind {
     usage,      ///< a setting has an invalid value
     io,         ///< a file can't be read or written
     not_video,  ///< the input is not usable video
-    backend,    ///< OpenGL is missing or failed, or a required sandbox is missing
+    backend,    ///< OpenGL or a hardware decoder is missing or failed, or a required sandbox is missing
     limit,      ///< out of memory, or over a stated limit
     partial,    ///< some of several inputs failed
     differs,    ///< a picture differs from its reference
@@ -70,6 +70,7 @@ enum class ErrorCode {
     backend,
     opengl_unavailable,
     opengl_lost,
+    hwaccel_unavailable,
     sandbox_unavailable,
     limit,
     out_of_memory,

@@ -87,6 +87,11 @@ int Log::get_buffer(AVCodecContext* context, AVFrame* frame, int flags) {
     return code;
 }
 
+void Log::excuse(AVCodecContext& context) {
+    Log& log = *static_cast<Log*>(context.opaque);
+    log.excused_ = log.errors();
+}
+
 void Log::receive(void* context, int level, const char* format, va_list arguments) {
     // libav logs error concealment below the error level, and with threads loses the frame's own error flag.
     const bool is_concealment = std::string_view(format).starts_with("concealing");

@@ -52,6 +52,7 @@ namespace vvr::video::av {
 struct Free : AvFree {
     using AvFree::operator();
     void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+    void operator()(AVBufferRef* buffer) const { av_buffer_unref(&buffer); }
 };
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;
@@ -96,6 +97,12 @@ class Log {
     /// Records when an attached decoder with one thread can't allocate a frame: some decoders report that as damage.
     static void record_memory(AVCodecContext& context) { context.get_buffer2 = &Log::get_buffer; }
 
+    /// Keeps libav off stderr where nothing is attached.
+    static void keep_off_stderr() { av_log_set_callback(&Log::receive); }
+
+    /// Errors that an attached decoder has logged so far are not damage: hardware refused the video.
+    static void excuse(AVCodecContext& context);
+
     /// The last logged error, or else libav's message for `code`.
     std::string text(int code) const;
 
@@ -108,6 +115,9 @@ class Log {
     /// Errors logged so far.
     std::int64_t errors() const;
 
+    /// Errors logged until the last call of `excuse`.
+    std::int64_t excused() const { return excused_; }
+
   private:
     static int interrupted(void* self);
     static int get_buffer(AVCodecContext* context, AVFrame* frame, int flags);
@@ -116,6 +126,7 @@ class Log {
 
     const Watchdog* watchdog_ = nullptr;
     bool out_of_memory_ = false;
+    std::int64_t excused_ = 0;
     mutable std::mutex mutex_;
     std::string last_;
     std::int64_t errors_ = 0;

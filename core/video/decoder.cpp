@@ -63,8 +63,9 @@ bool is_damaged(const AVFrame& frame) {
 
 }  // namespace
 
-Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes)
-    : demuxer_(&demuxer), decodes_(std::move(decodes)) {
+Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes,
+                 const HwaccelRow& hwaccel)
+    : demuxer_(&demuxer), decodes_(std::move(decodes)), wants_hardware_(hwaccel.device != AV_HWDEVICE_TYPE_NONE) {
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec) {
@@ -82,6 +83,8 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
     codec_->max_pixels = av::max_pixels;
     codec_->thread_count = thread_count(threads, std::int64_t{parameters.width} * parameters.height);
     if (!stops_cleanly(parameters.codec_id)) codec_->thread_count = 1;
+    if (wants_hardware_ && hardware_format(*codec, hwaccel.device) != AV_PIX_FMT_NONE)
+        use_device(*codec_, open_device(hwaccel));
     threaded_ = codec_->thread_count > 1;
     if (threaded_) {
         codec_->err_recognition = AV_EF_EXPLODE;
@@ -97,6 +100,12 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
             fmt::format("cannot decode '{}': the {} decoder failed to start: {}; convert the video to H.264 first",
                         name, codec->name, demuxer.log().text(code)));
     }
+}
+
+/// Takes frames out of the hardware at once, as it has room for only a few.
+AvFrame Decoder::given(AvFrame frame) {
+    fell_back_ = fell_back_ || (wants_hardware_ && frame->hw_frames_ctx == nullptr);
+    return downloaded(std::move(frame));
 }
 
 /// Reads the next packet that is decoded.
@@ -132,13 +141,14 @@ AvFrame Decoder::next() {
         require_memory(code, demuxer_->log());
 
         // Some decoders report damage only in the log. Threads may log early; stopping too early is harmless.
-        bad_packet = bad_packet || code < 0 || demuxer_->log().errors() > (threaded_ ? errors_at_start_ : errors);
+        const std::int64_t harmless = threaded_ ? errors_at_start_ : std::max(errors, demuxer_->log().excused());
+        bad_packet = bad_packet || code < 0 || demuxer_->log().errors() > harmless;
         const bool bad_frame = has_frame && is_damaged(*frame);
         bad_packets_ += bad_packet;
         bad_frames_ += bad_frame;
         stopped_ = threaded_ && (bad_packet || bad_frame);
         if (stopped_) return nullptr;
-        if (has_frame) return frame;
+        if (has_frame) return given(std::move(frame));
         failures += code < 0;
     }
     return nullptr;
@@ -159,7 +169,7 @@ AvFrame Decoder::decode_alone(const AVPacket& packet) {
         require_memory(avcodec_send_packet(codec_.get(), nullptr), demuxer_->log());
         const int received = avcodec_receive_frame(codec_.get(), frame.get());
         require_memory(received, demuxer_->log());
-        if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return frame;
+        if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return given(std::move(frame));
     }
     return nullptr;
 }
@@ -180,8 +190,8 @@ double StampClock::next() const {
     return last_ ? *last_ + duration_ : 0;
 }
 
-VideoReader::VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice)
-    : input_(std::move(input)), rate_(rate), threads_(threads), choice_(&choice) {
+VideoReader::VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice, const HwaccelRow& hwaccel)
+    : input_(std::move(input)), rate_(rate), threads_(threads), choice_(&choice), hwaccel_(&hwaccel) {
     open({});
 }
 
@@ -189,9 +199,9 @@ void VideoReader::open(const SeekPoint& start) {
     close();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
     const AVCodecParameters& stream = *demuxer_->stream().codecpar;
-    decoder_ =
-        std::make_unique<Decoder>(*demuxer_, input_.name, choice_->alone ? 1 : threads_,
-                                  [this, &stream](const AVPacket& packet) { return choice_->decodes(packet, stream); });
+    decoder_ = std::make_unique<Decoder>(
+        *demuxer_, input_.name, choice_->alone ? 1 : threads_,
+        [this, &stream](const AVPacket& packet) { return choice_->decodes(packet, stream); }, *hwaccel_);
     forgotten_ = 0;
     pass_frames_ = 0;
     pass_until_.reset();
@@ -205,6 +215,7 @@ void VideoReader::open(const SeekPoint& start) {
 
 void VideoReader::close() {
     if (decoder_) damaged_ = decoder_->damaged();
+    fell_back_ = fell_back();
     decoder_.reset();
     demuxer_.reset();
 }

@@ -7,6 +7,7 @@
 
 #include "core/video/demuxer.h"
 #include "core/video/frame_choice.h"
+#include "core/video/hwaccel.h"
 #include "core/video/input.h"
 
 namespace vvr::video {
@@ -19,8 +20,10 @@ class Decoder {
     ///
     /// \param threads 0 = one per core, or a single one for small pictures
     /// \param decodes the packets that are decoded; empty = all
-    /// \throws Error not_video if FFmpeg has no decoder for the stream
-    Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes = {});
+    /// \param hwaccel what decodes; if it can't decode this video, the processor does
+    /// \throws Error not_video if FFmpeg has no decoder for the stream, hwaccel_unavailable
+    Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes = {},
+            const HwaccelRow& hwaccel = hwaccels().front());
 
     /// The next frame that decodes. Null at the end, after too many consecutive failures, and once stopped.
     AvFrame next();
@@ -38,8 +41,12 @@ class Decoder {
     /// Packets that could not be read or decoded, or that gave a damaged frame.
     std::int64_t damaged() const;
 
+    /// Whether the processor has decoded frames that hardware was to decode.
+    bool fell_back() const { return fell_back_; }
+
   private:
     bool read();
+    AvFrame given(AvFrame frame);
 
     Demuxer* demuxer_;
     std::function<bool(const AVPacket&)> decodes_;
@@ -48,6 +55,8 @@ class Decoder {
     std::int64_t bad_packets_ = 0;
     std::int64_t bad_frames_ = 0;
     std::int64_t errors_at_start_ = 0;  ///< errors in the log when the decoder was opened
+    bool wants_hardware_ = false;
+    bool fell_back_ = false;
     bool threaded_ = false;
     bool stopped_ = false;
 };
@@ -93,7 +102,8 @@ class VideoReader {
     };
 
     /// \throws Error as Demuxer and Decoder
-    VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice = frame_choices().front());
+    VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice = frame_choices().front(),
+                const HwaccelRow& hwaccel = hwaccels().front());
 
     Timed next();
 
@@ -113,6 +123,9 @@ class VideoReader {
     std::int64_t damaged() const { return (decoder_ ? decoder_->damaged() : damaged_) - forgotten_; }
     void forget_damage() { forgotten_ = decoder_->damaged(); }
 
+    /// Whether the processor has ever decoded frames that hardware was to decode.
+    bool fell_back() const { return fell_back_ || (decoder_ && decoder_->fell_back()); }
+
     Demuxer& demuxer() const { return *demuxer_; }  ///< not after `close`
     const Input& input() const { return input_; }
 
@@ -127,11 +140,13 @@ class VideoReader {
     double rate_;
     int threads_;
     const FrameChoiceRow* choice_;
+    const HwaccelRow* hwaccel_;
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
     StampClock clock_{0};
     std::optional<double> origin_;
     std::int64_t damaged_ = 0;  ///< count of the closed decoder
+    bool fell_back_ = false;    ///< whether a closed decoder has
 
     SeekPoint start_;
     std::int64_t given_ = 0;  ///< frames returned since the last rewind

@@ -38,7 +38,7 @@ double share_of(const FrameChoiceRow& choice, const Input& input, double rate) {
 }  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
-    : options_(options), reader_(std::move(input), options.rate, options.threads, *options.decode) {
+    : options_(options), reader_(std::move(input), options.rate, options.threads, *options.decode, *options.hwaccel) {
     auto first = reader_.next();
     const auto& name = reader_.input().name;
     if (!first.image) {
@@ -52,6 +52,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
+    if (!reader_.fell_back()) info_.hwaccel = options.hwaccel;
     implausible_length_ = header_of(demuxer).implausible_length;
     if (options.begin) {
         info_.began = options.begin;
@@ -87,6 +88,7 @@ std::vector<std::string> FileSource::problems() const {
             fmt::format("'{}': timestamps jump by {:.0f} years between two frames; later times are unreliable",
                         info_.name, years(jump_)));
     }
+    if (reader_.fell_back()) problems.push_back(text_of_fallback(*options_.hwaccel, info_.codec));
     return problems;
 }
 

@@ -56,6 +56,7 @@ std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
     for (auto key = keys.begin(); key != keys.end();) {
         const Input& input = files_[key->file];
         Demuxer demuxer(input, Demuxer::Kind::video, rate);
+        // In software: for these few frames, opening hardware would take longer.
         Decoder decoder(demuxer, input.name, 1);
         const auto end = std::find_if(key, keys.end(), [&](const KeyPacket& k) { return k.file != key->file; });
         for (; key != end; ++key) {
@@ -97,8 +98,10 @@ std::vector<Frame> sample_needed(const Input& input, const SourceOptions& option
     const auto is_sampled = [&](std::int64_t stamp) { return std::ranges::binary_search(stamps, stamp); };
     Demuxer demuxer(input, Demuxer::Kind::video, options.rate);
     const AVCodecParameters& stream = *demuxer.stream().codecpar;
-    Decoder decoder(demuxer, input.name, options.threads,
-                    [&](const AVPacket& packet) { return is_sampled(packet.pts) || is_referenced(packet, stream); });
+    Decoder decoder(
+        demuxer, input.name, options.threads,
+        [&](const AVPacket& packet) { return is_sampled(packet.pts) || is_referenced(packet, stream); },
+        *options.hwaccel);
     std::vector<Frame> frames;
     while (auto image = decoder.next()) {
         if (!is_sampled(image->best_effort_timestamp)) continue;

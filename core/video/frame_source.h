@@ -9,6 +9,7 @@
 #include "core/base/wall_clock.h"
 #include "core/video/frame.h"
 #include "core/video/frame_choice.h"
+#include "core/video/hwaccel.h"
 
 namespace vvr::video {
 
@@ -54,7 +55,8 @@ struct VideoInfo {
     OmittedFrames left_out{};                      ///< of a recording: its omitted files
     /// The frames that are decoded. `rate`, `frames` and every frame's index count only these.
     Choice<FrameChoiceRow> decodes{frame_choices().front()};
-    double decoded_share = 1;  ///< of all frames
+    double decoded_share = 1;                        ///< of all frames
+    Choice<HwaccelRow> hwaccel{hwaccels().front()};  ///< what decoded the first frame
 };
 
 /// Whether the time at which the clip was recorded is known, not only that of a copy.
@@ -68,6 +70,7 @@ struct SourceOptions {
     int threads = 0;        ///< decoder threads; 0 = one per core, or a single one for small pictures
     double rate = 25;       ///< frames per second of inputs without timestamps: image sequences, raw streams
     Choice<FrameChoiceRow> decode{frame_choices().front()};  ///< frames of files; other inputs have all
+    Choice<HwaccelRow> hwaccel{hwaccels().front()};  ///< what decodes files and streams; pictures: the processor
     std::int64_t layers = 0;              ///< for `auto`: of the volume; 0 = unknown, and all frames are decoded
     bool join = false;                    ///< as in `find_recording`
     std::optional<std::int64_t> begin{};  ///< recording time from the file name, seconds since 1970 (UTC)

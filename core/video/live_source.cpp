@@ -74,6 +74,8 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
         waits_ = true;
     }
     info_ = describe(*demuxer_, input_.name, *first_);
+    if (!decoder_->fell_back()) info_.hwaccel = options_.source.hwaccel;
+    if (decoder_->fell_back()) options_.report(text_of_fallback(*options_.source.hwaccel, info_.codec));
     info_.rate = plausible_rate(*demuxer_, info_.rate);
     info_.frames = 0;
     info_.duration = 0;
@@ -88,7 +90,8 @@ void LiveSource::connect() {
     watchdog_->feed();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.source.rate);
     // A single thread returns a frame as soon as its packet arrives. Each further thread would delay it by one frame.
-    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1);
+    const HwaccelRow& hwaccel = *options_.source.hwaccel;
+    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1, std::function<bool(const AVPacket&)>(), hwaccel);
     first_ = decoder_->next();
     if (!first_) {
         throw Error(

@@ -168,7 +168,10 @@ void RecordingSource::close() {
             fmt::format("'{}' ends after {:.1f} s, but its header says {:.1f} s; the file is incomplete", info.name,
                         segment_end_, info.duration));
     }
-    for (std::string& problem : segment_->problems()) problems_.push_back(std::move(problem));
+    for (std::string& problem : segment_->problems()) {
+        // That the processor decodes holds for many files, and is told once.
+        if (std::ranges::find(problems_, problem) == problems_.end()) problems_.push_back(std::move(problem));
+    }
     segment_.reset();
 }
 

@@ -16,6 +16,9 @@ inline constexpr Setting decode{
     .unit = "NAME",
     .help = "the frames of a video file that are decoded; fewer take less time. Numbers of frames count only these",
     .not_live_reason = "every frame of a stream is decoded"};
+inline constexpr Setting hwaccel{
+    "hwaccel", "NAME",
+    "what decodes the video; a video that the hardware can't decode is decoded by the processor, and the log says so"};
 inline constexpr Setting names{"names", "PATTERN",
                                "pattern of file names that give camera and time, such as "
                                "'%Y-%m-%d/%H/{camera}/%M.%S'; can be given several times; built in: "};

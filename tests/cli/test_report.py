@@ -28,7 +28,7 @@ def test_report_of_the_left_bag(t):
     check(report["input"] == {"name": "bag.y4m", "camera": None, "container": "yuv4mpegpipe", "codec": "rawvideo", "width": 384,
                               "height": 288, "rate": 25, "recorded": None, "recorded_by": None, "written": None,
                               "bytes": t.path("bag.y4m").stat().st_size, "digest": report["input"]["digest"]}, str(report["input"]))
-    check(report["frames"] == {"used": 400, "damaged": 0, "decoded": "all"}, str(report["frames"]))
+    check(report["frames"] == {"used": 400, "damaged": 0, "decoded": "all", "hwaccel": "none"}, str(report["frames"]))
     check(report["span"] == {"first": 0, "last": 15.96, "seconds": 15.96}, str(report["span"]))
     check(report["field"] == {"width": 192, "height": 144}, str(report["field"]))
     check(report["settings"]["field-size"] == "192x144" and report["settings"]["filter"] == "difference", str(report["settings"]))
