@@ -131,6 +131,10 @@ EGLBoolean eglTerminate(EGLDisplay display) {
     return real<decltype(&eglTerminate)>("eglTerminate")(display);
 }
 
+EGLBoolean eglReleaseThread() {
+    return real<decltype(&eglReleaseThread)>("eglReleaseThread")();
+}
+
 EGLBoolean eglBindAPI(EGLenum api) {
     return fails("eglBindAPI") ? EGL_FALSE : real<decltype(&eglBindAPI)>("eglBindAPI")(api);
 }
