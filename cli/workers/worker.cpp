@@ -50,17 +50,16 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
 
 /// The child's environment: worker_variable tells vvr that it is a worker. The user's own variables win over ours.
 std::vector<std::string> environment_for(int threads, const std::string& worker) {
-    std::map<std::string, std::string> variables = {
-        // Threads of Mesa's software rasteriser; 0 = the calling thread does all the work.
-        {"LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0)},
-        // Huge pages for malloc. Where the kernel gives them only on request, a worker has a third of the page faults.
-        {"GLIBC_TUNABLES", "glibc.malloc.hugetlb=1"},
-    };
+    std::map<std::string, std::string> variables;
     for (char** variable = environ; *variable != nullptr; ++variable) {
         const std::string_view text = *variable;
         const std::size_t end = text.find('=');
-        if (end != std::string_view::npos) variables[std::string(text.substr(0, end))] = text.substr(end + 1);
+        if (end != std::string_view::npos) variables.emplace(text.substr(0, end), text.substr(end + 1));
     }
+    // Threads of Mesa's software rasteriser; 0 = the calling thread does all the work.
+    variables.emplace("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0));
+    // Huge pages for malloc. Where the kernel gives them only on request, a worker has a third of the page faults.
+    variables.emplace("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
     variables[std::string(worker_variable)] = worker;
     std::vector<std::string> texts;
     for (const auto& [name, value] : variables) texts.push_back(fmt::format("{}={}", name, value));

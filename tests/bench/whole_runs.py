@@ -181,13 +181,22 @@ def context(setting):
                    table(["a picture with", "s", "ratio"], rows)), seconds
 
 
+def decode_each(clips):
+    """FFmpeg decoding the clips of a folder one after another."""
+    return ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done']
+
+
+def archive_of(setting, clips, out):
+    return [setting.vvr, "archive", str(clips), "-o", str(out), "--backend", setting.backend, "--quiet"]
+
+
 def archive(setting):
     """A folder of clips against FFmpeg decoding one after another."""
     rows, numbers = [], {}
     for name, rate in (("camera", 25), ("sd", 10)):
         clips, out = setting.made(f"archive/{name}"), setting.scratch / "archive"
         drawn = f"rm -rf {out}; {setting.vvr} archive {clips} -o {out} --backend {setting.backend} --quiet"
-        results = in_turn({"ffmpeg": ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'],
+        results = in_turn({"ffmpeg": decode_each(clips),
                            "pictures": ["bash", "-ec", f"{drawn} --write pictures,index"], "pages": ["bash", "-ec", drawn]}, setting.runs)
         again = in_turn({"again": ["bash", "-ec", drawn.split("; ")[1]]}, setting.runs)["again"]
         files = sorted(pathlib.Path(clips).iterdir())
@@ -227,11 +236,11 @@ def grow(clips, out, first, end):
                     os.link(file, out / name / file.name)
 
 
-def again_as_it_grows(setting, source, out, archive_command):
+def again_as_it_grows(setting, source, out):
     """Runs that find nothing new, of a drawn archive and of copies of it."""
     clips = setting.scratch / "grown"
     shutil.copytree(source, clips, copy_function=shutil.copy2)
-    command = [str(clips) if word == str(source) else word for word in archive_command]
+    command = archive_of(setting, clips, out)
     rows, numbers, copies = [], {}, 1
     for size in (1, 2, 20, 200) if setting.long else (1, 2, 20):
         grow(clips, out, copies, size)
@@ -251,9 +260,8 @@ def many(setting):
     clips, out = pathlib.Path(setting.made("many")), setting.scratch / "many"
     files = sorted(str(path) for path in clips.iterdir())
     frames = sum(frames_of(file) for file in files[:10]) * len(files) // 10
-    floor = run(["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'])
-    archive_command = [setting.vvr, "archive", str(clips), "-o", str(out), "--backend", setting.backend, "--quiet"]
-    first = run(archive_command)
+    floor = run(decode_each(clips))
+    first = run(archive_of(setting, clips, out))
     drawn = len(list(out.glob("*.html"))) - 1  # without the index
     if drawn != len(files):
         raise RuntimeError(f"{drawn} of {len(files)} clips were drawn; are they younger than a minute?")
@@ -263,7 +271,7 @@ def many(setting):
              f"{first.processor / floor.processor:.2f}", f"{first.processor / len(files):.2f}", f"{first.megabytes:.0f}"]]
     head = ["clips", "frames", "FFmpeg, frames/s", "pages, frames/s", "pages to FFmpeg", "processor time over FFmpeg's",
             "processor time per clip, s", "MB"]
-    again, numbers = again_as_it_grows(setting, clips, out, archive_command)
+    again, numbers = again_as_it_grows(setting, clips, out)
     body = (table(head, rows) + "\nA run that finds nothing new, as the archive grows by copies of itself in subfolders:\n\n" + again)
     return section("Many small clips", measured, body), {
         "clips": len(files), "frames": frames, "ffmpeg": numbers_of([floor]), "first": numbers_of([first]), "again": numbers}
