@@ -1,6 +1,7 @@
 #include "cli/app/window.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,15 @@ void Window::tell_ended(const std::vector<events::Event>& events, bool all) {
     told_ = std::move(told);  // the others have been forgotten
 }
 
+/// Removes the pictures of objects that were forgotten. In a stream of days, there would be no room for new ones.
+void Window::forget_crops_before(double seconds) {
+    std::set<std::size_t> found;
+    for (const events::Event& event : seen_.findings.events) found.insert(event.tracks.begin(), event.tracks.end());
+    seen_.crops.forget_before(seconds, [&](std::size_t track) {
+        return !found.contains(track) && !builder_.finder->follows(std::span(&track, 1));
+    });
+}
+
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
     constexpr double link_seconds = events::thresholds.memory;  // whoever returns within it may be the same object
@@ -142,6 +152,7 @@ void Window::look_at_events() {
     looked_ = seen_.last->pts;
     events::EventFinder until_now = *builder_.finder;
     builder_.set_findings(until_now.finish());
+    if (!plan_.products.events) forget_crops_before(kept - link_seconds);
     builder_.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);

@@ -41,6 +41,7 @@ class Window {
     void add_missing(std::int64_t index, double pts, Draw wanted);
     void complete_newest(Draw wanted);
     void look_at_events();
+    void forget_crops_before(double seconds);
     std::size_t number_of(const events::Event& event);
     void tell_ended(const std::vector<events::Event>& events, bool all);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "core/image/jpeg.h"
@@ -90,6 +91,14 @@ void Crops::keep(std::size_t track, const events::Portrait& portrait, const vide
     while (raw_bytes_ > max_raw_bytes) compress_oldest();
     while (crops_.size() > max_crops || bytes_ > max_bytes) {
         remove(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score(); }));
+    }
+}
+
+void Crops::forget_before(double seconds, const std::function<bool(std::size_t track)>& is_over) {
+    for (auto place = crops_.begin(); place != crops_.end();) {
+        const auto next = std::next(place);
+        if (place->second.at().seconds < seconds && is_over(place->first.first)) remove(place);
+        place = next;
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <span>
@@ -76,6 +77,9 @@ class Crops {
     /// \param portrait its time must be the frame's
     /// \throws Error io or out_of_memory, as `image::compress`
     void keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame);
+
+    /// Removes the crops of the tracks for which `is_over(track)` is true, if they were taken before a time.
+    void forget_before(double seconds, const std::function<bool(std::size_t track)>& is_over);
 
     /// The crop of an event: at its portrait's time if kept, else the best of its tracks. Null if none is kept.
     const Crop* find(const events::Event& event) const;

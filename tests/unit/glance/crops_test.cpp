@@ -51,6 +51,22 @@ TEST(Crops, AreOfTheFrameInWhichTheObjectIsSeenBest) {
     EXPECT_EQ(crops.find(event_of({3})), nullptr);
 }
 
+TEST(Crops, OfObjectsThatAreOverAreForgotten) {
+    glance::Crops crops(2);
+    for (const double seconds : {1.0, 5.0, 9.0}) {
+        const auto index = static_cast<std::int64_t>(seconds);
+        for (const std::size_t track : {std::size_t{1}, std::size_t{2}}) {
+            crops.keep(track, {{index, seconds}, {100, 90, 120, 130}, seconds}, frame_of(index, {200, 200}));
+        }
+    }
+    crops.forget_before(9, [](std::size_t track) { return track == 1; });
+    EXPECT_EQ(crops.all(event_of({1})).size(), 1U) << "only that of second 9";
+    EXPECT_EQ(crops.all(event_of({2})).size(), 2U);
+    crops.forget_before(10, [](std::size_t) { return true; });
+    EXPECT_EQ(crops.find(event_of({1, 2})), nullptr);
+    EXPECT_EQ(crops.bytes(), 0U);
+}
+
 TEST(Crops, ShowTheObjectWithLittleOrMuchAroundIt) {
     glance::Crops crops;
     crops.keep(7, {{1, 1}, {100, 90, 120, 130}, 5}, frame_of(1, {200, 200}));
