@@ -11,6 +11,7 @@
 
 #include "core/base/wall_clock.h"
 #include "core/video/camera_names.h"
+#include "core/video/pattern_set.h"
 
 namespace vvr::video {
 
@@ -197,19 +198,50 @@ std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const
     return name;
 }
 
-RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
-    // Compiled once per process.
-    static const std::vector<NamingScheme> layouts_of_recorders = [] {
-        std::vector<NamingScheme> layouts;
+/// The schemes of the known recorders. Most match no name, so all are tried in one pass.
+class KnownSchemes {
+  public:
+    /// Compiled once per process.
+    static const KnownSchemes& get() {
+        static const KnownSchemes schemes;
+        return schemes;
+    }
+
+    /// Adds those that may match a path, in the order of the table.
+    void add_candidates(std::string_view path, std::vector<const NamingScheme*>& to) const {
+        std::set<std::size_t> candidates;
+        for (const std::string_view text : {path, without_extension(path)}) {
+            const std::vector<std::size_t> found = set_.matching(text);
+            candidates.insert(found.begin(), found.end());
+        }
+        for (const std::size_t candidate : candidates) to.push_back(&schemes_[candidate]);
+    }
+
+  private:
+    KnownSchemes() : schemes_(compile()), set_(expressions_of(schemes_)) {}
+
+    static std::vector<NamingScheme> compile() {
+        std::vector<NamingScheme> schemes;
         for (const KnownRow& row : known) {
-            layouts.push_back(NamingScheme(row.recorder,
+            schemes.push_back(NamingScheme(row.recorder,
                                            RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
                                            row.zone == Zone::utc, row.doubt, row.camera));
         }
-        return layouts;
-    }();
-    for (const std::string& pattern : patterns) layouts_.emplace_back(given_by_user, pattern);
-    layouts_.insert(layouts_.end(), layouts_of_recorders.begin(), layouts_of_recorders.end());
+        return schemes;
+    }
+
+    static std::vector<const re2::RE2*> expressions_of(std::span<const NamingScheme> schemes) {
+        std::vector<const re2::RE2*> expressions;
+        for (const NamingScheme& scheme : schemes) expressions.push_back(&scheme.pattern_.expression());
+        return expressions;
+    }
+
+    std::vector<NamingScheme> schemes_;
+    PatternSet set_;
+};
+
+RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
+    for (const std::string& pattern : patterns) own_.emplace_back(given_by_user, pattern);
     if (base.empty()) return;
     std::error_code none;
     folder_ = std::filesystem::absolute(base, none).lexically_normal().string();
@@ -227,23 +259,33 @@ void RecorderNames::describe_camera(const std::string& camera, std::span<const s
 
 RecorderName RecorderNames::read(std::string_view path) const {
     const std::string all = whole(path);
-    RecorderName name = read_with(all, layouts_);
+    RecorderName name = read_whole(all);
     if (of_cameras_.empty()) return name;
     std::vector<std::string> cameras;
     for (const auto& [camera, schemes] : of_cameras_) cameras.push_back(camera);
     const auto own = of_cameras_.find(name_of_camera(camera_of(name, all, 0), cameras));
     if (own == of_cameras_.end()) return name;
-    RecorderName described = read_with(all, own->second);
+    std::vector<const NamingScheme*> schemes;
+    for (const NamingScheme& scheme : own->second) schemes.push_back(&scheme);
+    RecorderName described = read_with(all, schemes);
     if (!described.begin) return name;
     described.camera = std::move(name.camera);
     described.below = name.below;
     return described;
 }
 
-RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<const NamingScheme> schemes) const {
+/// The user's schemes come before those of known recorders.
+RecorderName RecorderNames::read_whole(std::string_view whole_path) const {
+    std::vector<const NamingScheme*> schemes;
+    for (const NamingScheme& scheme : own_) schemes.push_back(&scheme);
+    KnownSchemes::get().add_candidates(whole_path, schemes);
+    return read_with(whole_path, schemes);
+}
+
+RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<const NamingScheme* const> schemes) const {
     RecorderName name;
-    for (const NamingScheme& layout : schemes) {
-        std::optional<RecorderName> read = layout.read(whole_path);
+    for (const NamingScheme* const scheme : schemes) {
+        std::optional<RecorderName> read = scheme->read(whole_path);
         if (!read) continue;
         if (name.layout.empty()) name.layout = std::move(read->layout);
         if (name.camera.empty()) {
@@ -266,7 +308,7 @@ void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
     std::map<std::string, std::vector<NumberedFile>> files_by_key;
     for (const std::string& path : paths) {
         const std::string all = whole(path);
-        RecorderName name = read_with(all, layouts_);
+        RecorderName name = read_whole(all);
         if (name.numbered.empty() || !name.begin) continue;
         files_by_key[numbered_with(all, name.numbered)].push_back({name.begin->clock, std::move(name.numbered)});
     }
@@ -277,7 +319,7 @@ void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
 
 std::string RecorderNames::camera_of(std::string_view path, std::size_t skipped) const {
     const std::string all = whole(path);
-    return camera_of(read_with(all, layouts_), all, skipped);
+    return camera_of(read_whole(all), all, skipped);
 }
 
 std::string RecorderNames::camera_of(const RecorderName& name, std::string_view whole_path, std::size_t skipped) const {

@@ -78,6 +78,8 @@ class RecorderPattern {
     /// \param path matched by its last folders, as many as the pattern has
     std::optional<NameFields> read(std::string_view path) const;
 
+    const re2::RE2& expression() const { return *expression_; }
+
   private:
     std::shared_ptr<const re2::RE2> expression_;
     std::vector<NameField> captures_;
@@ -126,7 +128,7 @@ class NamingScheme {
     std::optional<RecorderName> read(std::string_view path) const;
 
   private:
-    friend class RecorderNames;
+    friend class KnownSchemes;
     NamingScheme(std::string_view name, RecorderPattern pattern, bool utc, Ambiguity doubt, NamedCamera camera);
 
     std::optional<RecorderName> read_stem(std::string_view stem) const;
@@ -166,10 +168,11 @@ class RecorderNames {
 
   private:
     std::string camera_of(const RecorderName& name, std::string_view whole_path, std::size_t skipped) const;
-    RecorderName read_with(std::string_view whole_path, std::span<const NamingScheme> schemes) const;
+    RecorderName read_whole(std::string_view whole_path) const;
+    RecorderName read_with(std::string_view whole_path, std::span<const NamingScheme* const> schemes) const;
     std::string whole(std::string_view path) const;
 
-    std::vector<NamingScheme> layouts_;
+    std::vector<NamingScheme> own_;  ///< the user's
     std::map<std::string, std::vector<NamingScheme>> of_cameras_;
     std::set<std::string> numbered_;  ///< keys of names whose number is a camera's
     std::string folder_;              ///< ends with `/`; empty = none

@@ -75,9 +75,9 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
 /// \returns how many were repeated
 std::ptrdiff_t sort_once(Files& files) {
     std::ranges::sort(files, natural_less);
-    const auto repeated = std::ranges::unique(files);
-    const auto repeats = std::ssize(repeated);
-    files.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(files.begin(), files.end());
+    const auto repeats = files.end() - repeated;
+    files.erase(repeated, files.end());
     return repeats;
 }
 

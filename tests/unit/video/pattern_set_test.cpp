@@ -1,0 +1,32 @@
+#include "core/video/pattern_set.h"
+
+#include <array>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace vvr {
+namespace {
+
+TEST(PatternSet, FindsAllThatMatchTheWholeText) {
+    const re2::RE2 word("[a-z]+");
+    const re2::RE2 number("[0-9]+");
+    const re2::RE2 short_one("[a-z]{1,4}");
+    const std::array all{&word, &number, &short_one};
+    const video::PatternSet set(all);
+    const auto matching = [&](const char* text) {
+        const std::vector<std::size_t> found = set.matching(text);
+        return std::set(found.begin(), found.end());
+    };
+    using Indices = std::set<std::size_t>;
+    EXPECT_EQ(matching("gate"), (Indices{0, 2}));
+    EXPECT_EQ(matching("garden"), (Indices{0}));
+    EXPECT_EQ(matching("42"), (Indices{1}));
+    EXPECT_EQ(matching("gate 42"), Indices{});
+    EXPECT_EQ(matching(""), Indices{});
+}
+
+}  // namespace
+}  // namespace vvr
