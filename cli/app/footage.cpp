@@ -161,7 +161,8 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
         if (!none && std::cmp_equal(size, reported.digest.bytes)) candidates.push_back(file.path);
     }
     const fs::path name = fs::path(reported.place.path).filename();
-    std::ranges::stable_partition(candidates, [&](const fs::path& path) { return path.filename() == name; });
+    std::stable_partition(candidates.begin(), candidates.end(),
+                          [&](const fs::path& path) { return path.filename() == name; });
     const auto found =
         std::ranges::find_if(candidates, [&](const std::string& path) { return digest_of(path) == reported.digest; });
     return found == candidates.end() ? std::nullopt : std::optional(*found);

@@ -103,7 +103,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     seen.info = source.info();
     seen.scene = scene_of(seen);
     if (builder.finder) conclude(plan, builder);
-    return std::move(seen);
+    return std::move(builder.seen);
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ std::string as_text(const std::vector<gl::BackendReport>& reports, const Detecto
     text += fmt::format("detector       {}\n", describe(detector));
     // List working backends first: without a GPU, a failing GPU backend is not a problem.
     std::vector<gl::BackendReport> sorted = reports;
-    std::ranges::stable_partition(sorted, &gl::BackendReport::works);
+    std::stable_partition(sorted.begin(), sorted.end(), [](const gl::BackendReport& report) { return report.works; });
     for (const gl::BackendReport& report : sorted) text += fmt::format("\n{}", describe(report));
     return text;
 }

@@ -378,12 +378,13 @@ void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pai
 void CommandLine::refuse_two_outputs() const {
     for (const auto& [option, use] : impl_->uses) {
         if (use != FileUse::written && use != FileUse::filled) continue;
-        const auto other = std::ranges::find_if(
-            option->results(), [&](const std::string& value) { return value != option->results().front(); });
-        if (other == option->results().end()) continue;
+        const std::vector<std::string>& values = option->results();
+        const auto other =
+            std::ranges::find_if(values, [&](const std::string& value) { return value != values.front(); });
+        if (other == values.end()) continue;
         throw Error(ErrorCode::options_conflict,
                     fmt::format("--{} is given twice, as '{}' and as '{}'; drop one of them",
-                                option->get_lnames().front(), option->results().front(), *other));
+                                option->get_lnames().front(), values.front(), *other));
     }
 }
 

@@ -285,7 +285,7 @@ std::vector<Section> read_sections(const std::filesystem::path& file) {
     const auto section = [&](const std::vector<std::string>& parents) -> Section& {
         const std::string name = unquoted(fmt::format("{}", fmt::join(parents, ".")));
         const auto known = std::ranges::find(sections, name, &Section::name);
-        return known == sections.end() ? sections.emplace_back(name) : *known;
+        return known == sections.end() ? sections.emplace_back(Section{name}) : *known;
     };
     try {
         std::istringstream plain = without_comments(text);

@@ -126,12 +126,22 @@ std::string value_text(const Setting& setting, const app::NumberOrWord<Number>& 
     return value.value == 0 ? std::string(value.zero) : value_text(setting, value.value);
 }
 
+template <class Value>
+concept PointsToRow = requires(const Value& value) {
+    value->name;
+};
+
+template <class Value>
+concept KnowsItsName = requires(const Value& value) {
+    value.name();
+};
+
 /// The name of a table's row, however the value refers to it.
 template <class Value>
 std::string name_of(const Value& value) {
-    if constexpr (requires { value->name; }) {
+    if constexpr (PointsToRow<Value>) {
         return std::string(value->name);
-    } else if constexpr (requires { value.name(); }) {
+    } else if constexpr (KnowsItsName<Value>) {
         return value.name();
     } else {
         return std::string(value.name);

@@ -104,16 +104,15 @@ inline constexpr std::array event_kinds{
                  .choice = &choice_of_things},
 };
 
-static_assert(
-    [] {
-        std::array<bool, event_kinds.size()> ranks{};
-        for (std::size_t k = 0; k < event_kinds.size(); ++k) {
-            if (event_kinds[k].kind != static_cast<EventKind>(k)) return false;
-            ranks.at(static_cast<std::size_t>(event_kinds[k].rank)) = true;
-        }
-        return std::ranges::all_of(ranks, [](bool taken) { return taken; });
-    }(),
-    "the rows are in the order of EventKind, and each has a rank of its own");
+constexpr bool kinds_are_in_order() {
+    std::array<bool, event_kinds.size()> ranks{};
+    for (std::size_t k = 0; k < event_kinds.size(); ++k) {
+        if (event_kinds[k].kind != static_cast<EventKind>(k)) return false;
+        ranks.at(static_cast<std::size_t>(event_kinds[k].rank)) = true;
+    }
+    return std::ranges::all_of(ranks, [](bool taken) { return taken; });
+}
+static_assert(kinds_are_in_order(), "the rows are in the order of EventKind, and each has a rank of its own");
 
 constexpr const EventKindRow& row_of(EventKind kind) {
     return event_kinds.at(static_cast<std::size_t>(kind));

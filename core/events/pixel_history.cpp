@@ -77,7 +77,7 @@ void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
         pixels_ = Plane<Pixel>(field.size());
         levels_ = Plane<std::uint8_t>(field.size());
     }
-    std::ranges::rotate(last_, last_.end() - 1);
+    std::rotate(last_.begin(), last_.end() - 1, last_.end());
     last_.front() = now;
     const auto values = field.pixels();
     const auto levels = levels_.pixels();

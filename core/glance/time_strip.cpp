@@ -139,7 +139,8 @@ class Strip {
         for (const events::Event& event : objects_.events) busy.push_back({event.first.seconds, event.last.seconds});
         // Where something changed that is no object, somebody may have been there.
         for (const events::Change& change : found_.changes) busy.push_back({change.first.seconds, change.last.seconds});
-        for (const Period& idle : idle_periods(std::move(busy), begin_, end_)) {
+        const std::vector<Period> idle_ones = idle_periods(std::move(busy), begin_, end_);
+        for (const Period& idle : idle_ones) {
             // The number of the next bar is at the end of the gap.
             const int number = idle.end < end_ ? number_width() + number_gap : 0;
             const PixelBox room{column(idle.begin), rows_.top, column(idle.end) - number, rows_.bottom};

@@ -171,12 +171,12 @@ Palette::Palette(const Picture& picture) : known_(std::size_t{1} << (3 * bits), 
         const auto worst = std::ranges::max_element(boxes, {}, &Box::error);
         if (worst->error <= 0) break;
         const std::size_t c = worst->widest;
-        const auto upper = std::ranges::partition(
-            worst->entries, [cut = worst->mean[c], c](const Entry& entry) { return entry.colour[c] <= cut; });
-        const auto lower = worst->entries.first(worst->entries.size() - upper.size());
-        if (lower.empty() || upper.empty()) break;
-        *worst = Box(lower);
-        boxes.push_back(Box(upper));
+        const std::span<Entry> all = worst->entries;
+        const auto upper = std::partition(
+            all.begin(), all.end(), [cut = worst->mean[c], c](const Entry& entry) { return entry.colour[c] <= cut; });
+        if (upper == all.begin() || upper == all.end()) break;
+        *worst = Box(std::span(all.begin(), upper));
+        boxes.emplace_back(std::span(upper, all.end()));
     }
     for (const Box& box : boxes) {
         Colour colour;

@@ -52,7 +52,7 @@ TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     const Drawn drawn = draw_volume(volume, shot);
 
     // Where the particle is after so many frames, by the map alone: the frame's plane is not bent.
-    const auto pixel_of = [&](double frames) {
+    const auto pixel_of = [&, &seed = seed, &frame = frame](double frames) {
         const glm::dvec3 c = {1 - (seed.x + frames * seed.u + 0.5) / field_size.width,
                               1 - (seed.y + frames * seed.v + 0.5) / field_size.height,
                               (static_cast<double>(frame) + 0.5) / 64};

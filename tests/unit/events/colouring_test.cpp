@@ -1,8 +1,8 @@
 #include "core/events/colouring.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
-#include <ranges>
 #include <set>
 #include <vector>
 
@@ -87,7 +87,8 @@ TEST(Colouring, NeighboursInTimeDifferWhereverItIsPossible) {
         for (std::size_t b = 0; b < events.size(); ++b) {
             const auto at_once = [&](std::size_t a) { return events[a].last.seconds >= events[b].first.seconds; };
             const auto near = [&](std::size_t a) { return at_once(a) || b - a <= 4; };
-            const auto earlier = std::views::iota(std::size_t{0}, b);
+            std::vector<std::size_t> earlier(b);
+            std::iota(earlier.begin(), earlier.end(), std::size_t{0});
             const auto there = std::ranges::count_if(earlier, at_once);
             const auto about = std::ranges::count_if(earlier, near);
             for (std::size_t a = 0; a < b; ++a) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
-#include <ranges>
 #include <set>
 #include <string>
 #include <thread>
@@ -225,8 +225,11 @@ TEST(Filters, BackgroundModelsSeeTheSameOnAnyThread) {
 }
 
 /// All filters but the one that reads its values from files.
-auto computed_filters() {
-    return fields::filters() | std::views::filter([](const fields::FilterRow& row) { return !row.traits.given; });
+std::vector<fields::FilterRow> computed_filters() {
+    std::vector<fields::FilterRow> computed;
+    std::ranges::copy_if(fields::filters(), std::back_inserter(computed),
+                         [](const fields::FilterRow& row) { return !row.traits.given; });
+    return computed;
 }
 
 TEST(Filters, ThresholdRegionAndAreaHoldForAll) {

@@ -233,7 +233,7 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     const std::vector<fields::Rect> parts = fields::regions_around(object, 10);
     ASSERT_EQ(parts.size(), 2U);
     for (const auto& [x, y] : {std::pair{50, 60}, std::pair{250, 200}, std::pair{255, 203}}) {
-        const bool inside = std::ranges::any_of(parts, [&](const fields::Rect& p) {
+        const bool inside = std::ranges::any_of(parts, [x = x, y = y](const fields::Rect& p) {
             return x - 10 >= p.x && x + 10 < p.x + p.size.width && y - 10 >= p.y && y + 10 < p.y + p.size.height;
         });
         EXPECT_TRUE(inside) << x << ", " << y;

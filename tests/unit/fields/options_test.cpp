@@ -37,7 +37,7 @@ TEST(FieldOptions, NumbersOutOfRange) {
         {"flow-every: 0 ", [](auto& o) { o.flow.every = 0; }},
         {"start: -1", [](auto& o) { o.span.start = -1; }}};
     for (const auto& [fact, change] : wrong) {
-        test::expect_error(ErrorCode::option_value_out_of_range, [&] { validate(change); }, {fact});
+        test::expect_error(ErrorCode::option_value_out_of_range, [&change = change] { validate(change); }, {fact});
     }
     test::expect_error(ErrorCode::span_empty, [] { validate([](auto& o) { o.span.start = 2, o.span.end = 1; }); });
     EXPECT_NO_THROW(validate([](auto&) {})) << "the defaults";

@@ -27,10 +27,10 @@ events::Event event_of(std::vector<std::size_t> tracks) {
 }
 
 TEST(StillBox, IsASquareAroundTheObjectWithinTheFrame) {
-    EXPECT_EQ(glance::still_box({100, 90, 120, 130}, {200, 200}), PixelBox(80, 80, 140, 140));
-    EXPECT_EQ(glance::still_box({0, 0, 10, 60}, {200, 200}), PixelBox(0, 0, 90, 90));
-    EXPECT_EQ(glance::still_box({190, 190, 200, 200}, {200, 200}), PixelBox(160, 160, 200, 200));
-    EXPECT_EQ(glance::still_box({0, 0, 200, 60}, {200, 60}), PixelBox(70, 0, 130, 60));
+    EXPECT_EQ(glance::still_box({100, 90, 120, 130}, {200, 200}), (PixelBox{80, 80, 140, 140}));
+    EXPECT_EQ(glance::still_box({0, 0, 10, 60}, {200, 200}), (PixelBox{0, 0, 90, 90}));
+    EXPECT_EQ(glance::still_box({190, 190, 200, 200}, {200, 200}), (PixelBox{160, 160, 200, 200}));
+    EXPECT_EQ(glance::still_box({0, 0, 200, 60}, {200, 60}), (PixelBox{70, 0, 130, 60}));
 }
 
 /// Compression changes values a little.
@@ -73,13 +73,13 @@ TEST(Crops, ShowTheObjectWithLittleOrMuchAroundIt) {
     const glance::Crop& crop = *crops.find(event_of({7}));
     const glance::ObjectPicture still = crop.still();
     EXPECT_EQ(still.picture.size(), (Size{60, 60}));
-    EXPECT_EQ(still.object, PixelBox(20, 10, 40, 50));
+    EXPECT_EQ(still.object, (PixelBox{20, 10, 40, 50}));
     EXPECT_EQ(still.scale, 1);
     expect_near(still.picture.at(0, 0), {80, 80, 1});
     expect_near(still.picture.at(59, 59), {139, 139, 1});
     const glance::ObjectPicture wide = crop.surroundings();
     EXPECT_EQ(wide.picture.size(), (Size{100, 100}));
-    EXPECT_EQ(wide.object, PixelBox(40, 30, 60, 70));
+    EXPECT_EQ(wide.object, (PixelBox{40, 30, 60, 70}));
     expect_near(wide.picture.at(0, 0), {60, 60, 1});
     expect_near(wide.picture.at(99, 99), {159, 159, 1});
 }
@@ -105,7 +105,7 @@ TEST(Crops, HaveALongestSide) {
     const glance::ObjectPicture wide = crops.find(event_of({7}))->surroundings();
     EXPECT_EQ(wide.picture.size(), (Size{560, 560}));
     EXPECT_EQ(wide.scale, 0.56);
-    EXPECT_EQ(wide.object, PixelBox(0, 0, 336, 168));
+    EXPECT_EQ(wide.object, (PixelBox{0, 0, 336, 168}));
 }
 
 TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
@@ -143,7 +143,7 @@ TEST(Crops, SayWhereTheyAreInTheField) {
     crops.keep(1, {{1, 1}, {100, 90, 120, 130}, 9}, frame_of(1, {200, 200}));
     for (const glance::ObjectPicture& shown :
          {crops.find(event_of({1}))->still(), crops.find(event_of({1}))->surroundings()}) {
-        EXPECT_EQ(shown.in_field(shown.object), PixelBox(100, 90, 120, 130));
+        EXPECT_EQ(shown.in_field(shown.object), (PixelBox{100, 90, 120, 130}));
     }
 }
 

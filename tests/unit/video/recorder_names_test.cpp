@@ -239,7 +239,8 @@ TEST(RecorderNames, RefuseWrongPatterns) {
         {"%Y-%q", "'%q'"},  {"{cam}_%s", "'{cam}'"}, {"{cam", "'{cam'"}, {"%", "'%'"},
         {"%Y-%m-%d", "%H"}, {"clip*", "{camera}"},   {"", "0 bytes"},    {std::string(300, '*'), "300 bytes"}};
     for (const auto& [pattern, fact] : patterns) {
-        test::expect_error(ErrorCode::name_pattern_invalid, [&] { video::NamingScheme("--names", pattern); }, {fact});
+        test::expect_error(ErrorCode::name_pattern_invalid,
+                           [&pattern = pattern] { video::NamingScheme("--names", pattern); }, {fact});
     }
     EXPECT_NO_THROW(video::NamingScheme("--names", "100%% {camera}"));
 }
