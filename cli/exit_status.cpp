@@ -141,7 +141,7 @@ Outcome outcome_of(const std::function<ExitStatus()>& action) {
 }  // namespace
 
 Outcome report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
-    const Outcome outcome = outcome_of(action);
+    Outcome outcome = outcome_of(action);
     if (outcome.code) log_error(log, *outcome.code, outcome.text);
     return outcome;
 }

@@ -210,7 +210,7 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
 video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
                               std::string& day_times) {
     const WallClock clock = clock_of(start, info);
-    const video::FrameSpan resolved = video::resolve(span, clock, info);
+    video::FrameSpan resolved = video::resolve(span, clock, info);
     const std::string times = video::day_times_of(resolved, clock, info);
     if (!times.empty()) {
         const bool counted = span.asked == video::RequestedSpan{};

@@ -177,7 +177,8 @@ void ObservationBuilder::identify() {
 
 fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
-        if (finder) finder->set_scene(scene);
+        const fields::Planes& planes = scene;
+        if (finder) finder->set_scene(planes);
     };
 }
 

@@ -228,8 +228,11 @@ void Writer::write(FinishedPicture&& finished) {
         files_.add(finished.number, std::move(picture), record);
         return;
     }
-    if (!also_page) bare = std::move(picture);
-    if (also_page && !is_page(output.path)) files_.add(finished.number, std::move(picture), record);
+    if (!also_page) {
+        bare = std::move(picture);
+    } else if (!is_page(output.path)) {
+        files_.add(finished.number, std::move(picture), record);
+    }
     files_.add_page(page_text(finished.context, std::move(bare), record, std::move(moments), {}, kept_.pieces));
 }
 

@@ -58,17 +58,21 @@ std::string describe(const gl::BackendReport& report) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const gl::BackendReport& report) {
-    const auto known = [](const std::string& text) {
-        return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
-    };
+using Json = nlohmann::ordered_json;
+
+/// Null for an empty text.
+Json json_of(const std::string& text) {
+    return text.empty() ? Json() : Json(text);
+}
+
+Json json_of(const gl::BackendReport& report) {
     return {{"name", report.name},
             {"what", report.what},
             {"works", report.works},
-            {"renderer", known(report.renderer)},
-            {"version", known(report.version)},
-            {"reason", known(report.reason)},
-            {"fix_with", known(report.advice)},
+            {"renderer", json_of(report.renderer)},
+            {"version", json_of(report.version)},
+            {"reason", json_of(report.reason)},
+            {"fix_with", json_of(report.advice)},
             {"devices", report.devices}};
 }
 
@@ -100,31 +104,38 @@ std::string describe(const DetectorReport& report) {
                        report.model.string());
 }
 
-nlohmann::ordered_json json_of(const DetectorReport& report) {
+Json json_of(const DetectorReport& report) {
     if (report.model.empty()) return {};
     const bool works = !report.error;
-    const auto side = [&](int pixels) { return works ? nlohmann::ordered_json(pixels) : nlohmann::ordered_json(); };
-    return {{"model", report.model.string()},
-            {"works", works},
-            {"format", works ? nlohmann::ordered_json(report.format) : nlohmann::ordered_json()},
-            {"width", side(report.input.width)},
-            {"height", side(report.input.height)},
-            {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(report.error->what())}};
+    const auto side = [&](int pixels) { return works ? Json(pixels) : Json(); };
+    return {{"model", report.model.string()},      {"works", works},
+            {"format", json_of(report.format)},    {"width", side(report.input.width)},
+            {"height", side(report.input.height)}, {"reason", works ? Json() : Json(report.error->what())}};
 }
 
-/// Why each row of hardware decoders can't be opened; empty = it can.
-std::vector<std::pair<std::string_view, std::string>> look_for_decoders() {
-    std::vector<std::pair<std::string_view, std::string>> found;
+/// Whether a kind of hardware can decode here.
+struct DecoderReport {
+    std::string_view name;
+    std::optional<Error> error{};
+};
+
+std::vector<DecoderReport> look_for_decoders() {
+    std::vector<DecoderReport> found;
     for (const video::HwaccelRow& row : video::hwaccels()) {
         if (row.device == AV_HWDEVICE_TYPE_NONE) continue;
-        found.emplace_back(row.name, "");
+        DecoderReport& report = found.emplace_back(DecoderReport{row.name});
         try {
             video::open_device(row);
         } catch (const Error& error) {
-            found.back().second = error.what();
+            report.error = error;
         }
     }
     return found;
+}
+
+Json json_of(const DecoderReport& report) {
+    const bool works = !report.error;
+    return {{"name", report.name}, {"works", works}, {"reason", works ? Json() : Json(report.error->what())}};
 }
 
 /// What this machine lends to pictures and archives.
@@ -133,13 +144,15 @@ struct Surroundings {
     std::string zone = zone_text(std::time(nullptr));
     std::string encoder = std::string(page::preview_encoder());  ///< of the preview in pages; empty = none
     std::string sandbox = workers::Sandbox(workers::SandboxMode::automatic, {}).summary();
-    std::vector<std::pair<std::string_view, std::string>> decoders = look_for_decoders();
+    std::vector<DecoderReport> decoders = look_for_decoders();
 };
 
 std::string describe(const Surroundings& here) {
     std::string decoders;
-    for (const auto& [name, reason] : here.decoders)
-        decoders += fmt::format("{}{}: {}", decoders.empty() ? "" : "; ", name, reason.empty() ? "works" : "not found");
+    for (const DecoderReport& report : here.decoders) {
+        decoders +=
+            fmt::format("{}{}: {}", decoders.empty() ? "" : "; ", report.name, report.error ? "not found" : "works");
+    }
     return fmt::format("font           {}\n",
                        here.font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : here.font) +
            fmt::format("page video     {}\n",
@@ -156,30 +169,24 @@ auto drawn_with(const std::vector<gl::BackendReport>& reports) {
 
 std::string as_json(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector,
                     const Surroundings& here) {
-    nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
+    Json libraries = Json::object();
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
-    nlohmann::ordered_json backends = nlohmann::ordered_json::array();
+    Json backends = Json::array();
     for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
-    nlohmann::ordered_json decoders = nlohmann::ordered_json::array();
-    for (const auto& [name, reason] : here.decoders) {
-        const bool works = reason.empty();
-        decoders.push_back({{"name", name},
-                            {"works", works},
-                            {"reason", works ? nlohmann::ordered_json() : nlohmann::ordered_json(reason)}});
-    }
+    Json decoders = Json::array();
+    for (const DecoderReport& report : here.decoders) decoders.push_back(json_of(report));
     const auto drawn = drawn_with(reports);
-    return json_text(
-               {{"vvr", version()},
-                {"libraries", libraries},
-                {"font", here.font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.font)},
-                {"page_video", here.encoder.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(here.encoder)},
-                {"time_zone", here.zone},
-                {"sandbox", here.sandbox},
-                {"hwaccel", decoders},
-                {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
-                {"detector", json_of(detector)},
-                {"backends", backends}},
-               2) +
+    return json_text({{"vvr", version()},
+                      {"libraries", libraries},
+                      {"font", json_of(here.font)},
+                      {"page_video", json_of(here.encoder)},
+                      {"time_zone", here.zone},
+                      {"sandbox", here.sandbox},
+                      {"hwaccel", decoders},
+                      {"draws_with", drawn == reports.end() ? Json() : Json(drawn->name)},
+                      {"detector", json_of(detector)},
+                      {"backends", backends}},
+                     2) +
            "\n";
 }
 
@@ -217,7 +224,8 @@ class Doctor final : public Command {
         const Surroundings here;
         cli::print(json_ ? as_json(reports, detector, here) : as_text(reports, detector, here));
         if (detector.error) throw Error(*detector.error);
-        if (hwaccel_->device != AV_HWDEVICE_TYPE_NONE) video::open_device(*hwaccel_);
+        const auto asked_decoder = std::ranges::find(here.decoders, hwaccel_->name, &DecoderReport::name);
+        if (asked_decoder != here.decoders.end() && asked_decoder->error) throw Error(*asked_decoder->error);
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
             const bool asked = backend_.row != app::BackendOptions().row || backend_.device >= 0;
             if (asked) gl::open_context(backend_.row, backend_.device);

@@ -1,5 +1,6 @@
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -135,7 +136,7 @@ vvr::FrameSequence frames_of(const vvr_frames& frames) {
 /// \param draw called with settings and options
 template <class Draw>
 vvr_rendering* render(const vvr_options* options, const Draw& draw) {
-    auto* const rendering = new (std::nothrow) vvr_rendering;  // owned by the caller: vvr_free
+    std::unique_ptr<vvr_rendering> rendering(new (std::nothrow) vvr_rendering);
     if (rendering == nullptr) return nullptr;
     const vvr_options none{};
     const vvr_options& chosen = options == nullptr ? none : *options;
@@ -143,7 +144,7 @@ vvr_rendering* render(const vvr_options* options, const Draw& draw) {
         rendering->result = draw(settings_of(chosen), options_of(chosen));
         for (const vvr::Event& event : rendering->result.events) rendering->events.push_back(event_of(event));
     });
-    return rendering;
+    return rendering.release();  // the caller owns it: vvr_free
 }
 
 }  // namespace
@@ -163,7 +164,7 @@ vvr_rendering* vvr_render_frames(const vvr_frames* frames, const vvr_options* op
 }
 
 void vvr_free(vvr_rendering* rendering) {
-    delete rendering;
+    const std::unique_ptr<vvr_rendering> owned(rendering);
 }
 
 int vvr_status_of(const vvr_rendering* rendering) {

@@ -45,11 +45,10 @@ class AddOptions {
         } else {
             constexpr bool is_path = std::is_same_v<Type, std::filesystem::path>;
             const bool is_output = extra.letter == 'o' || extra.use != FileUse::none;
-            const bool needs_file = is_path && is_output && !extra.standard_output;
             // A member is kept by reference, a value that refers to members by copy.
             line_.value(
                 group_, setting, default_of(setting, value_text(setting, value)),
-                [setting, needs_file,
+                [setting, needs_file = is_path && is_output && !extra.standard_output,
                  target = std::tuple<Value>(std::forward<Value>(value))](const std::string& text) mutable {
                     if (needs_file && text == "-") {
                         throw Error(ErrorCode::option_value,

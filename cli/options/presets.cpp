@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 namespace vvr::options {
 
 namespace {
@@ -74,7 +76,7 @@ std::vector<std::string> with_preset(std::span<const std::string> arguments,
                                      const std::function<bool(const std::string& name)>& has) {
     std::vector<std::string> all;
     for (const auto& [name, value] : settings_of_preset(find_preset(arguments))) {
-        if (has(name)) all.push_back("--" + name + "=" + value);
+        if (has(name)) all.push_back(fmt::format("--{}={}", name, value));
     }
     all.insert(all.end(), arguments.begin(), arguments.end());
     return all;

@@ -171,7 +171,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
 /// "gate", "gate, night of 2026-11-21". The clock of a picture has the date of a day. Files without times in their
 /// names don't tell which night they show.
 static std::string title_of(const archive::CameraDay& day) {
-    const std::string camera = archive::text_of_path(day.camera);
+    std::string camera = archive::text_of_path(day.camera);
     if (!day.rule.is_night() || day.undated == day.files.size()) return camera;
     return fmt::format("{}{}{}", camera, camera.empty() ? "" : ", ", archive::words_of_day(day.date, day.rule));
 }

@@ -62,6 +62,8 @@ class ClipTask {
 
     ClipTask(ClipTask&&) = default;
     ClipTask& operator=(ClipTask&&) = delete;
+    ClipTask(const ClipTask&) = delete;
+    ClipTask& operator=(const ClipTask&) = delete;
     ~ClipTask();
 
     /// Starts the worker that draws the clip.

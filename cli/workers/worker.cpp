@@ -75,6 +75,7 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
+    Descriptor& operator=(Descriptor&&) = delete;
 
     int get() const { return file_; }
     int release() { return std::exchange(file_, -1); }

@@ -22,7 +22,8 @@ struct DayRule {
 
     bool is_night() const { return begins >= noon; }
 
-    friend auto operator<=>(const DayRule&, const DayRule&) = default;
+    friend bool operator==(const DayRule&, const DayRule&) = default;
+    friend bool operator<(const DayRule& a, const DayRule& b) { return a.begins < b.begins; }
 };
 
 /// The date of the day in which a time lies, such as "2026-11-21", in this machine's time zone. A day begins when the

@@ -189,8 +189,10 @@ Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size vi
     }
     for (const PixelBox& overlay : options.overlays) {
         const PixelBox box = intersection(overlay, {0, 0, field.width, field.height});
+        const auto left = static_cast<std::size_t>(box.left);
+        const auto width = static_cast<std::size_t>(box.width());
         for (int j = box.top; j < box.bottom; ++j) {
-            std::ranges::fill(region.row(j).subspan(box.left, box.width()), std::uint8_t{0});
+            std::ranges::fill(region.row(j).subspan(left, width), std::uint8_t{0});
         }
     }
     return region;

@@ -64,7 +64,7 @@ class Strip {
         const double seconds_per_pixel = (end_ - begin_) / rows_.width();
         const double apart = (number_width() + 2 * number_gap) * seconds_per_pixel;
         const auto bars = [&] { return strip_bars(objects_.events, order, rows_.height() / row_height_, apart); };
-        const std::vector<StripBar> usual = bars();
+        std::vector<StripBar> usual = bars();
         if (usual.size() == objects_.events.size()) return usual;
         const labels::Label digit = labels::make_label("0", number_size_, 0, 0, style_.ink);
         row_height_ = std::clamp(digit.box.height(), 7, row_height_);

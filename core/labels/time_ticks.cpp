@@ -131,7 +131,7 @@ std::string format_interval(double begin, double end, const WallClock& clock) {
 }
 
 std::string format_interval_and_zone(double begin, double end, const WallClock& clock) {
-    const std::string span = format_interval(begin, end, clock);
+    std::string span = format_interval(begin, end, clock);
     if (!clock) return span;
     const std::string_view by = row_of(clock->source).words;
     return clock->zone.empty() ? fmt::format("{} ({})", span, by) : fmt::format("{} ({}; {})", span, clock->zone, by);

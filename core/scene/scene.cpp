@@ -49,7 +49,7 @@ constexpr float colour_part = 0.75F;
 constexpr float tinted_opacity = 0.3F;
 
 std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(value * 255 + 0.5F);
+    return static_cast<std::uint8_t>(std::lround(value * 255));
 }
 
 }  // namespace

@@ -79,6 +79,7 @@ Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
 }
 
 struct CloseFile {
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the std::unique_ptr with this deleter owns it
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 

@@ -97,7 +97,7 @@ std::string choice_of(const Files& own, const Files& others, std::string_view ca
         const std::string ending = fs::path(own.front()).extension().string();
         for (const std::string& name : {fmt::format("{}*{}", literal(common_begin(own, camera)), literal(ending)),
                                         fmt::format("*{}{}", literal(file_of(camera)), literal(ending))}) {
-            const std::string files = (fs::path(*folders) / name).string();
+            std::string files = (fs::path(*folders) / name).string();
             if (chooses(files, FNM_PATHNAME)) return files;
         }
     }

@@ -49,7 +49,7 @@ bool are_compatible(const AVCodecParameters& a, const AVCodecParameters& b) {
 
 /// A codec for messages: "h264 640x480".
 std::string text_of(const AVCodecParameters& codec) {
-    const std::string name = avcodec_get_name(codec.codec_id);
+    std::string name = avcodec_get_name(codec.codec_id);
     if (codec.codec_type == AVMEDIA_TYPE_VIDEO) return fmt::format("{} {}x{}", name, codec.width, codec.height);
     if (codec.codec_type == AVMEDIA_TYPE_AUDIO) return fmt::format("{} {} Hz", name, codec.sample_rate);
     return name;

@@ -141,6 +141,7 @@ void motion(int width, int height) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): a wrong number ends it
 int main(int argc, char** argv) {
     // As many threads as the fields of one frame have.
     cv::setNumThreads(argc == 2 ? 1 : 0);

@@ -74,7 +74,10 @@ Clip read(const std::string& name) {
         [&](const video::SharedFrame& frame, fields::Field&& field) {
             clip.frames.push_back({frame, std::move(field.scalar), {field.index, field.pts}});
         },
-        [&](const fields::Reference& scene) { clip.scene = scene; });
+        [&](const fields::Reference& scene) {
+            const fields::Planes& planes = scene;
+            clip.scene = planes;
+        });
     return clip;
 }
 

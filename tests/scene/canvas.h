@@ -31,7 +31,7 @@ struct Colour {
 
 /// A level of a pixel, rounded. std::lround would be a call for each.
 inline std::uint8_t to_level(double value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);  // NOLINT(bugprone-incorrect-roundings)
 }
 
 inline std::uint8_t to_byte(double fraction) {

@@ -12,6 +12,7 @@
 #include "tests/scene/scene.h"
 #include "tests/scene/y4m.h"
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what it can't do ends it
 int main(int argc, char** argv) {
     using namespace vvr;
     CLI::App app("writes a synthetic scene as a clip", "vvr-scene");

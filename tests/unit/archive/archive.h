@@ -43,7 +43,7 @@ class Archive : public ::testing::Test {
 
     /// The file of a claim to `name`, as one who was killed leaves it, with any text in it.
     fs::path leave_claim(const std::string& name, const std::string& text) const {
-        const fs::path file = out() / fmt::format(".vvr-{:016x}.lock", fnv1a(name));
+        fs::path file = out() / fmt::format(".vvr-{:016x}.lock", fnv1a(name));
         write(file, text);
         return file;
     }

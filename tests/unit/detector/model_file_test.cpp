@@ -43,10 +43,11 @@ TEST(ModelFile, IsNoOtherFile) {
 TEST(ModelFile, HasAsManyWeightsAsItsShapesSay) {
     constexpr std::uint64_t floats = 1;
     const std::string number = ProtobufWriter().real(4, 1).text();
+    const std::string numbers = number + number;
     for (const std::string& tensor :
          {tensor_of(2, floats, "1234567"), tensor_of(3, floats, "12345678"),
           tensor_of(std::uint64_t{1} << 62U, floats, "12345678"), tensor_of(~std::uint64_t{0}, floats, "12345678"),
-          tensor_of(2, floats, "12345678") + number, tensor_of(2, floats, "") + number + number}) {
+          tensor_of(2, floats, "12345678") + number, tensor_of(2, floats, "") + numbers}) {
         expect_refused(with_part(5, tensor), "'w'");
     }
     expect_refused(with_part(5, tensor_of(2, floats, "12345678")), "0 inputs");

@@ -63,7 +63,10 @@ Found found_in(generator::Scene scene, const std::string& reference) {
             found.labels.push_back(
                 finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts}).labels);
         },
-        [&](const fields::Reference& empty) { finder.set_scene(empty); });
+        [&](const fields::Reference& empty) {
+            const fields::Planes& planes = empty;
+            finder.set_scene(planes);
+        });
     found.all = finder.finish();
     return found;
 }

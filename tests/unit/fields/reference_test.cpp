@@ -108,8 +108,9 @@ TEST(RunningReference, KeepsUpWithSlowChanges) {
     fields::RunningReference running(flat(100));
     const Plane<std::uint8_t> nothing({40, 30});
     for (int f = 0; f < 800; ++f) {
-        running.adapt(flat(static_cast<std::uint8_t>(100 + f / 10)), nothing, {});
-        ASSERT_NEAR(running.now().grey.at(5, 5), 100 + f / 10, 5) << f;
+        const int level = 100 + f / 10;
+        running.adapt(flat(static_cast<std::uint8_t>(level)), nothing, {});
+        ASSERT_NEAR(running.now().grey.at(5, 5), level, 5) << f;
     }
 }
 

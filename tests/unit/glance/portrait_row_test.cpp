@@ -73,7 +73,7 @@ TEST(PortraitRow, StandsAboveItsTrail) {
 // The more important ones come first in the list, whatever their numbers.
 TEST(PortraitRow, IsInTheOrderOfNumbers) {
     std::vector<glance::WantedPortrait> wanted;
-    for (const std::size_t number : {4, 2, 1, 3}) wanted.push_back(wanted_at(number, {100 + 250 * number, 400}));
+    for (const std::size_t number : {4U, 2U, 1U, 3U}) wanted.push_back(wanted_at(number, {100 + 250 * number, 400}));
     const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
     ASSERT_EQ(placed.size(), 4U);
     for (std::size_t i = 0; i < placed.size(); ++i) EXPECT_EQ(wanted[placed[i].wanted].number, i + 1);

@@ -74,7 +74,7 @@ inline std::string walkers_clip(const TempFolder& folder, const std::string& nam
 /// The first part of a file, as if its disk had been full.
 inline std::string cut(const TempFolder& folder, const std::string& name, double part) {
     const auto bytes = read_bytes(name);
-    const std::string out = folder / ("cut" + std::filesystem::path(name).extension().string());
+    std::string out = folder / ("cut" + std::filesystem::path(name).extension().string());
     write_bytes(out, bytes.substr(0, static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
     return out;
 }
@@ -85,7 +85,7 @@ inline std::string spoiled(const TempFolder& folder, const std::string& name) {
     std::mt19937 random(7);
     for (std::size_t i = bytes.size() / 3; i < bytes.size() * 2 / 3; i += 499)
         bytes[i] = static_cast<char>(random() & 0xff);
-    const std::string out = folder / ("spoiled" + std::filesystem::path(name).extension().string());
+    std::string out = folder / ("spoiled" + std::filesystem::path(name).extension().string());
     write_bytes(out, bytes);
     return out;
 }

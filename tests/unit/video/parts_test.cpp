@@ -103,7 +103,7 @@ TEST(TimeSampler, SpreadsOverAStreamOfAnyLength) {
         }
         const auto kept = sampler.take();
         EXPECT_LE(kept.size(), 64u);
-        EXPECT_GT(kept.size(), std::min(length, 64) / 3u);
+        EXPECT_GT(std::ssize(kept), std::min(length, 64) / 3);
         EXPECT_EQ(kept.front(), 0);
         EXPECT_GT(kept.back(), length * 0.9);
         // No hole is wider than three times the average.

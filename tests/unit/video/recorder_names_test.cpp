@@ -249,7 +249,7 @@ TEST(RecorderNames, OfAnyBytesAreReadSoon) {
     const video::RecorderNames names(std::vector<std::string>{"*{camera}*a*a*a*a*%Y*%m*%d*%H*b", "{camera}%Y%m%d%H*c"});
     const auto begin = std::chrono::steady_clock::now();
     for (const char c : {'a', '0', '1', '_', '\xFF', '\0', '/', '.'}) names.read(std::string(255, c));
-    for (const std::size_t length : {4096, 4097, 1'000'000}) names.read(std::string(length, '1') + ".mp4");
+    for (const std::size_t length : {4096U, 4097U, 1'000'000U}) names.read(std::string(length, '1') + ".mp4");
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     EXPECT_LT(took.count(), 5);
     EXPECT_EQ(names.camera_of("../../2026-11-21/08/../00.07.mp4"), "..") << "a text, followed by nobody";
