@@ -18,7 +18,6 @@
 #include "core/fields/flows/linear_system.h"
 
 /// What valgrind counts is what happens in here.
-// NOLINTNEXTLINE(clang-diagnostic-unknown-attributes): gcc's
 extern "C" __attribute__((noipa)) void vvr_counted(const std::function<void()>& work) {
     work();
     asm volatile("");  // else this would be left before the work begins
