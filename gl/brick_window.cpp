@@ -16,13 +16,13 @@ namespace vvr::gl {
 namespace {
 
 /// OpenGL's internal format and pixel format of a brick.
-struct Storage {
+struct BrickStorage {
     GLint internal;
     GLenum format;
 };
 
-Storage storage_of(const bricks::BrickLayers& layers) {
-    return layers.coloured() ? Storage{GL_RGBA8, GL_RGBA} : Storage{GL_R8, GL_RED};
+BrickStorage storage_of(const bricks::BrickLayers& layers) {
+    return layers.coloured() ? BrickStorage{GL_RGBA8, GL_RGBA} : BrickStorage{GL_R8, GL_RED};
 }
 
 // Texels are uploaded in slabs that fit into the L2 cache.
@@ -83,7 +83,7 @@ void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layer
         for (const GLenum axis : std::array<GLenum, 3>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
             gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
         }
-        const Storage storage = storage_of(layers);
+        const BrickStorage storage = storage_of(layers);
         gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internal, width, height, static_cast<GLsizei>(layers.count()), 0,
                       storage.format, GL_UNSIGNED_BYTE, nullptr);
     }

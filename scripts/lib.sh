@@ -69,9 +69,11 @@ configure() { # PRESET OPTION...
     cmake --preset "$preset" "$@" >&2
 }
 
-# With tests, also where scripts/demo configured it without.
+# With tests, also where scripts/demo configured it without. What checks sources needs the commands of each file.
 configure_tests() { # PRESET
-    configured "$1" && grep -q '^VVR_TESTS:BOOL=ON' "build/$1/CMakeCache.txt" || configure "$1" -DVVR_TESTS=ON
+    local options=(-DVVR_TESTS=ON)
+    [ "$1" = lint ] || configured "$1" || options+=(-DVVR_UNITY=ON)
+    configured "$1" && grep -q '^VVR_TESTS:BOOL=ON' "build/$1/CMakeCache.txt" || configure "$1" "${options[@]}"
 }
 
 # Builds TARGET..., or everything that is configured.

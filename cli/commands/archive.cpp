@@ -30,7 +30,7 @@ namespace vvr::commands {
 
 namespace {
 
-namespace text {
+namespace archive_text {
 constexpr Setting output{"output", "DIR", "folder for pictures, pages and their "};
 constexpr Setting match{
     "match", "GLOB",
@@ -68,33 +68,33 @@ constexpr Setting timeout{"timeout", "TIME", "maximum time per clip; 0 = no limi
 constexpr Setting max_memory{
     "max-memory", "BYTES", "memory limit per clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
 constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own clip and pictures"};
-}  // namespace text
+}  // namespace archive_text
 
 void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& archive,
                          std::optional<std::pair<int, int>>& part) {
     const options::AddOptions add(line, options::Group::archive);
-    add(text::output, archive.out,
+    add(archive_text::output, archive.out,
         {.letter = 'o',
          .help = fmt::format("{}; created if missing", archive::index_name),
          .use = options::FileUse::filled});
-    add(text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
-    add(text::exclude, archive.exclude);
-    add(text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
-    add(text::day_begins, archive.day);
-    add(text::redraw, archive.redraw);
-    add(text::part, part);
-    add(text::dry_run, archive.dry_run);
-    add(text::prune, archive.prune);
-    add(text::keep, archive.keep);
-    add(text::keep_events, archive.keep_events);
-    add(text::margin, archive.margin);
-    add(text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
+    add(archive_text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
+    add(archive_text::exclude, archive.exclude);
+    add(archive_text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
+    add(archive_text::day_begins, archive.day);
+    add(archive_text::redraw, archive.redraw);
+    add(archive_text::part, part);
+    add(archive_text::dry_run, archive.dry_run);
+    add(archive_text::prune, archive.prune);
+    add(archive_text::keep, archive.keep);
+    add(archive_text::keep_events, archive.keep_events);
+    add(archive_text::margin, archive.margin);
+    add(archive_text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
     options::add_events_to_option(line, options::Group::archive, archive.events_to);
     const options::AddOptions add_worker(line, options::Group::workers);
-    add_worker(text::jobs, archive.jobs);
-    add_worker(text::timeout, archive.timeout);
-    add_worker(text::max_memory, archive.max_memory);
-    add_worker(text::sandbox, archive.sandbox, workers::sandbox_modes, &workers::SandboxRow::mode);
+    add_worker(archive_text::jobs, archive.jobs);
+    add_worker(archive_text::timeout, archive.timeout);
+    add_worker(archive_text::max_memory, archive.max_memory);
+    add_worker(archive_text::sandbox, archive.sandbox, workers::sandbox_modes, &workers::SandboxRow::mode);
 }
 
 /// \throws Error usage when options contradict each other
@@ -104,13 +104,13 @@ void check(const workers::ArchiveOptions& options) {
     if (options.keep && *options.keep < std::chrono::hours(1)) {
         throw Error(ErrorCode::option_value_out_of_range,
                     "keep: files are kept for at least an hour; give a longer time, for example 30d",
-                    {text::keep.name});
+                    {archive_text::keep.name});
     }
     if (options.keep_events && options.prune) {
         throw Error(ErrorCode::options_conflict,
                     "--prune removes the pieces of deleted clips, which --keep-events is to keep; drop --prune, and "
                     "remove files by age with --keep AGE",
-                    {text::keep_events.name});
+                    {archive_text::keep_events.name});
     }
     if (!options.draws() && (options.prune || options.keep || options.dry_run)) {
         throw Error(ErrorCode::options_conflict,
@@ -125,12 +125,12 @@ void check(const workers::ArchiveOptions& options) {
     if (options.day && !options.grouping().days) {
         throw Error(ErrorCode::options_conflict,
                     "--per clip has no days; drop --day-begins, or choose --per day, night or both",
-                    {text::day_begins.name});
+                    {archive_text::day_begins.name});
     }
     if (options.per == workers::Grouping::night && !options.day_rule().is_night()) {
         throw Error(ErrorCode::options_conflict,
                     "a night begins at 12:00 or later; give a later --day-begins, or choose --per day",
-                    {text::day_begins.name});
+                    {archive_text::day_begins.name});
     }
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
     if (options.max_memory && *options.max_memory < least_memory) {
@@ -138,7 +138,7 @@ void check(const workers::ArchiveOptions& options) {
                     fmt::format("max-memory: '{}' is less than a worker needs to start; give at least 200M, or 1G "
                                 "for most clips",
                                 *options.max_memory),
-                    {text::max_memory.name});
+                    {archive_text::max_memory.name});
     }
     if (options.in.empty() && options.draws()) {
         throw Error(ErrorCode::input_missing, "no INPUT given; name the folder of the clips");
@@ -243,7 +243,7 @@ class Archive final : public Command {
                             fmt::format("filter '{}' does not mark objects, so there are no events to keep; choose "
                                         "another filter, or drop --keep-events",
                                         filter.name),
-                            {"filter", text::keep_events.name});
+                            {"filter", archive_text::keep_events.name});
             }
             options::check_events_to(options_.events_to, job_);
             app::open_detector(job_.detector);

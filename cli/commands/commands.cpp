@@ -18,13 +18,13 @@ namespace vvr::commands {
 
 namespace {
 
-namespace text {
+namespace log_text {
 constexpr Setting quiet{"quiet", "", "print errors only"};
 constexpr Setting verbose{"verbose", "", "print more"};
 constexpr Setting log_file{"log-file", "FILE",
                            "also append every line, with its time, to this file, even with --quiet"};
 constexpr Setting log_format{"log-format", "NAME", "format of the log"};
-}  // namespace text
+}  // namespace log_text
 
 void apply(const LogOptions& options, spdlog::logger& log) {
     if (options.quiet) cli::set_verbosity(log, cli::Verbosity::quiet);
@@ -61,11 +61,11 @@ CommandAndLine::CommandAndLine(const CommandRow& row)
     line.set_commands(names_of_commands);
     command->add_options(line);
     const options::AddOptions add(line, options::Group::run);
-    add(text::quiet, log.quiet, {.letter = 'q'});
-    add(text::verbose, log.verbose, {.letter = 'v'});
-    line.exclude(text::verbose, text::quiet);
-    add(text::log_file, log.log_file, {.use = options::FileUse::written});
-    add(text::log_format, log.log_format, cli::log_formats());
+    add(log_text::quiet, log.quiet, {.letter = 'q'});
+    add(log_text::verbose, log.verbose, {.letter = 'v'});
+    line.exclude(log_text::verbose, log_text::quiet);
+    add(log_text::log_file, log.log_file, {.use = options::FileUse::written});
+    add(log_text::log_format, log.log_format, cli::log_formats());
 }
 
 std::vector<options::CommandNames> names_of_commands() {

@@ -337,7 +337,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     return write_piece(job, piece, observer, stop).has_value();
 }
 
-namespace text {
+namespace cut_text {
 constexpr Setting output{"output", "FILE",
                          "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
 constexpr Setting event{
@@ -355,30 +355,30 @@ constexpr Setting margin{"margin", "TIME", "additional time before and after the
 constexpr Setting exact{
     "exact", "",
     "encode exactly these frames again, without sound; otherwise, packets are copied from the preceding key frame on"};
-}  // namespace text
+}  // namespace cut_text
 
 class Cut final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         constexpr options::Group output = options::Group::output;
         const options::AddOptions add(line, output);
-        add(text::output, job_.path,
+        add(cut_text::output, job_.path,
             {.letter = 'o',
              .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
              .use = options::FileUse::written});
-        add(text::evidence, job_.evidence, {.use = options::FileUse::written});
-        add(text::event, job_.event);
-        add(text::report, job_.report, {.use = options::FileUse::read});
-        add(text::margin, job_.margin);
-        add(text::exact, job_.exact);
+        add(cut_text::evidence, job_.evidence, {.use = options::FileUse::written});
+        add(cut_text::event, job_.event);
+        add(cut_text::report, job_.report, {.use = options::FileUse::read});
+        add(cut_text::margin, job_.margin);
+        add(cut_text::exact, job_.exact);
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
         options::add_recording_options(line, search.input, options::video_input);
         options::AddOptions(line, options::Group::look)(setting::start_time, search.look.start_time);
         options::add_span_options(line, search.fields.span);
-        line.exclude(text::report, setting::start);
-        line.exclude(text::report, setting::end);
+        line.exclude(cut_text::report, setting::start);
+        line.exclude(cut_text::report, setting::end);
         options::add_field_options(line, search.fields);
         options::add_detector_option(line, search.detector);
         options::add_preset_option(line, options::Group::run);
@@ -398,7 +398,7 @@ class Cut final : public Command {
         if (!job_.path.empty() && !job_.evidence.empty()) {
             throw Error(ErrorCode::options_conflict,
                         "--evidence writes the piece into its own folder; drop -o, or drop --evidence",
-                        {text::evidence.name});
+                        {cut_text::evidence.name});
         }
         if (!job_.event && !line.has(setting::start) && !line.has(setting::end)) {
             throw Error(ErrorCode::usage,

@@ -163,7 +163,7 @@ std::string describe(const Surroundings& here) {
 }
 
 /// The backend that `--backend auto` uses: the first that works.
-auto drawn_with(const std::vector<gl::BackendReport>& reports) {
+auto used_backend(const std::vector<gl::BackendReport>& reports) {
     return std::ranges::find_if(reports, &gl::BackendReport::works);
 }
 
@@ -175,7 +175,7 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
     for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
     Json decoders = Json::array();
     for (const DecoderReport& report : here.decoders) decoders.push_back(json_of(report));
-    const auto drawn = drawn_with(reports);
+    const auto drawn = used_backend(reports);
     return json_text({{"vvr", version()},
                       {"libraries", libraries},
                       {"font", json_of(here.font)},
@@ -193,7 +193,7 @@ std::string as_json(const std::vector<gl::BackendReport>& reports, const Detecto
 std::string as_text(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector,
                     const Surroundings& here) {
     std::string text = version_text() + describe(here);
-    const auto drawn = drawn_with(reports);
+    const auto drawn = used_backend(reports);
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; see below how to fix it"
                                                    : fmt::format("{}: {}", drawn->name, drawn->renderer));

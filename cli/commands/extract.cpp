@@ -119,20 +119,20 @@ void extract(ExtractJob job, app::Observer& observer) {
     app::require_whole(clip->info());
 }
 
-namespace text {
+namespace extract_text {
 constexpr Setting output{"output", "DIR", "a new or empty folder; an older extraction in it is replaced"};
 constexpr Setting part{"part", "I/N", "extract only part I of N of the clip, 1/N to N/N"};
-}  // namespace text
+}  // namespace extract_text
 
 class Extract final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         const options::AddOptions add(line, options::Group::output);
-        add(text::output, job_.folder, {.letter = 'o', .use = options::FileUse::written});
+        add(extract_text::output, job_.folder, {.letter = 'o', .use = options::FileUse::written});
         // Not in Group::fields: it decides what is stored, not how a field is computed.
         add(setting::flow_every, job_.fields.flow.every);
         // The recorded settings have the part as --start and --end.
-        add(text::part, job_.part);
+        add(extract_text::part, job_.part);
         options::add_recording_options(line, job_.input, options::clip_input);
         options::add_span_options(line, job_.fields.span);
         options::add_field_options(line, job_.fields);

@@ -24,12 +24,12 @@ namespace vvr::commands {
 
 namespace {
 
-namespace text {
+namespace golden_text {
 constexpr Setting bless{"bless", "", "replace the golden pictures instead of comparing"};
 constexpr Setting diffs{"diffs", "", "write a picture of the differences beside each golden picture: NAME.diff.png"};
 constexpr Setting junit{"junit", "FILE", "the results as JUnit XML, for CI systems"};
 constexpr Setting report{"report", "FILE", "the results as JSON; - = standard output"};
-}  // namespace text
+}  // namespace golden_text
 
 GoldenVerdict verdict_of(ErrorCode code) {
     if (code == ErrorCode::picture_differs) return GoldenVerdict::differs;
@@ -71,11 +71,11 @@ class Golden final : public Command {
         line.arguments(names_, "DIR [NAME...]",
                        "the folder of golden.toml and of the golden pictures; only the pictures of these names");
         const options::AddOptions add(line, options::Group::comparison);
-        add(text::bless, run_.bless);
-        add(text::diffs, run_.diffs);
+        add(golden_text::bless, run_.bless);
+        add(golden_text::diffs, run_.diffs);
         const options::AddOptions add_output(line, options::Group::output);
-        add_output(text::junit, junit_, {.use = options::FileUse::written});
-        add_output(text::report, report_, {.standard_output = true, .use = options::FileUse::written});
+        add_output(golden_text::junit, junit_, {.use = options::FileUse::written});
+        add_output(golden_text::report, report_, {.standard_output = true, .use = options::FileUse::written});
         line.examples({{"vvr golden tests/golden --junit golden.xml", "draw all pictures again, and compare them"},
                        {"vvr golden tests/golden --bless", "replace all golden pictures"},
                        {"vvr golden tests/golden hall --diffs", "only hall.png, with a picture of the differences"}});

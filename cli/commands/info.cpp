@@ -166,16 +166,16 @@ std::string as_json(const Facts& facts) {
     return json_text(json, 2) + "\n";
 }
 
-namespace text {
+namespace info_text {
 constexpr Setting quick{"quick", "", "don't measure how long a render takes"};
-}  // namespace text
+}  // namespace info_text
 
 class Info final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         const options::AddOptions add(line, options::Group::output);
         add(json_option, json_);
-        add(text::quick, quick_);
+        add(info_text::quick, quick_);
         options::add_recording_options(line, job_.input, options::clip_or_extraction_input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "the clip, and the memory and the time that a picture of it needs"},
@@ -192,7 +192,7 @@ class Info final : public Command {
         Facts facts{*fields.source, plan.extent, list_clips(job_.input), fields.warnings};
         // An extraction is drawn as a whole.
         if (!quick_ && fields.extracted.empty()) facts.time = measure(plan, facts.warnings);
-        cli::print((json_ ? as_json : as_text)(facts));
+        cli::print(json_ ? as_json(facts) : as_text(facts));
         return cli::ExitStatus::done;
     }
 

@@ -301,22 +301,22 @@ void inspect(const InspectJob& job, app::Observer& observer) {
     observer.info(fmt::format("'{}': frame {} at {:.3f} s{}", name, found.frame, found.seconds, about_choice(job)));
 }
 
-namespace text {
+namespace inspect_text {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting frame{"frame", "TIME", "the frame; default: the middle of the clip, but at most 60s"};
-}  // namespace text
+}  // namespace inspect_text
 
 class Inspect final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         options::AddOptions(line, options::Group::output)(
-            text::output, job_.path,
+            inspect_text::output, job_.path,
             {.letter = 'o',
              .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
                                  fmt::join(image::picture_file_extensions(), " ")),
              .use = options::FileUse::written});
         options::add_recording_options(line, job_.input, options::clip_input);
-        options::AddOptions(line, options::Group::input)(text::frame, job_.frame);
+        options::AddOptions(line, options::Group::input)(inspect_text::frame, job_.frame);
         options::add_field_options(line, job_.fields);
         options::add_preset_option(line, options::Group::run);
         options::add_thread_options(line, job_.fields.threads);

@@ -146,15 +146,15 @@ void write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer) {
                               counted(folder.seeds(), "seed")));
 }
 
-namespace text {
+namespace seeds_text {
 constexpr Setting output{"output", "DIR", "a new or empty folder for the lists; `vvr render --seeds DIR` reads them"};
-}  // namespace text
+}  // namespace seeds_text
 
 class Seeds final : public Command {
   public:
     void add_options(options::CommandLine& line) override {
         line.arguments(flows_, "FLOW", "a folder that `vvr extract` wrote, or one with .flo files, named by frame");
-        options::AddOptions(line, options::Group::output)(text::output, job_.folder,
+        options::AddOptions(line, options::Group::output)(seeds_text::output, job_.folder,
                                                           {.letter = 'o', .use = options::FileUse::written});
         fields::each_seed_setting(job_.seeds, options::AddOptions(line, options::Group::fields));
         line.examples({{"vvr extract clip.avi -o data", "the flow of a clip"},

@@ -22,7 +22,7 @@ namespace vvr::options {
 
 namespace {
 
-constexpr std::string_view config_option = "--config";
+constexpr std::string_view config_flag = "--config";
 constexpr std::string_view no_config = "none";
 constexpr std::string_view camera_section = "camera";
 
@@ -37,9 +37,9 @@ std::optional<std::string> given_file(std::span<const std::string> arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
         if (argument == "--") break;
-        if (argument == config_option && i + 1 < arguments.size()) file = arguments[i + 1];
-        if (argument.starts_with(config_option) && argument.substr(config_option.size()).starts_with('=')) {
-            file = argument.substr(config_option.size() + 1);
+        if (argument == config_flag && i + 1 < arguments.size()) file = arguments[i + 1];
+        if (argument.starts_with(config_flag) && argument.substr(config_flag.size()).starts_with('=')) {
+            file = argument.substr(config_flag.size() + 1);
         }
     }
     return file;

@@ -236,7 +236,7 @@ void LayerMerger::merge_cheapest(std::vector<Layer>& layers, std::size_t idle) {
 namespace {
 
 // In field pixels.
-constexpr int reach = 3;
+constexpr int owner_reach = 3;
 
 }  // namespace
 
@@ -286,7 +286,7 @@ OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const Spars
         std::uint16_t number;
     };
     std::vector<Found> found;
-    for (int round = 0; round < reach; ++round) {
+    for (int round = 0; round < owner_reach; ++round) {
         found.clear();
         scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {

@@ -95,10 +95,6 @@ constexpr std::array operators{
 constexpr std::uint64_t grid = 32;
 constexpr std::uint64_t longest_side = 2048;
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw Error(ErrorCode::not_a_model, what);
-}
-
 void check_attribute(std::string_view attribute) {
     std::optional<std::string_view> tensor;
     ProtobufReader reader(attribute);
@@ -106,7 +102,7 @@ void check_attribute(std::string_view attribute) {
         if (field->number == attribute_field::tensor) set_once(tensor, *field);
         if (field->number == attribute_field::tensors) check_tensor(field->bytes);
         if (field->number == attribute_field::graph || field->number == attribute_field::graphs) {
-            refuse("it has loops or conditions, which no detector needs");
+            refuse_model("it has loops or conditions, which no detector needs");
         }
     }
     if (tensor) check_tensor(*tensor);
@@ -126,18 +122,18 @@ void check_node(std::string_view node, std::set<std::string_view>& known) {
     }
     const auto* const row = std::ranges::find(operators, name, &Operator::name);
     if (row == operators.end()) {
-        refuse(fmt::format("it needs the operator '{}', which no supported detector uses",
-                           shown_text(name.substr(0, 100))));
+        refuse_model(fmt::format("it needs the operator '{}', which no supported detector uses",
+                                 shown_text(name.substr(0, 100))));
     }
     if (inputs.size() < row->least || inputs.size() > row->most) {
-        refuse(fmt::format("it is damaged: the operator '{}' has {}", name,
-                           counted(static_cast<std::int64_t>(inputs.size()), "input")));
+        refuse_model(fmt::format("it is damaged: the operator '{}' has {}", name,
+                                 counted(static_cast<std::int64_t>(inputs.size()), "input")));
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const bool left_out = inputs[i].empty() && i >= row->least;
         if (left_out || known.contains(inputs[i])) continue;
-        refuse(fmt::format("it is damaged: no earlier operator produces '{1}', an input of the operator '{0}'", name,
-                           shown_text(inputs[i].substr(0, 100))));
+        refuse_model(fmt::format("it is damaged: no earlier operator produces '{1}', an input of the operator '{0}'",
+                                 name, shown_text(inputs[i].substr(0, 100))));
     }
     known.insert(outputs.begin(), outputs.end());
 }
@@ -175,17 +171,18 @@ Value read_value(std::string_view message) {
 }
 
 Size size_of_input(const std::vector<Value>& inputs) {
-    if (inputs.size() != 1) refuse(fmt::format("it has {} inputs, not one image", inputs.size()));
+    if (inputs.size() != 1) refuse_model(fmt::format("it has {} inputs, not one image", inputs.size()));
     const std::vector<std::uint64_t>& sides = inputs.front().sides;
     const bool images = sides.size() == 4 && sides[0] <= 1 && sides[1] == 3;
     if (!images) {
-        refuse(fmt::format("its input has the shape [{}], but one colour image has [1, 3, height, width]",
-                           fmt::join(sides, ", ")));
+        refuse_model(fmt::format("its input has the shape [{}], but one colour image has [1, 3, height, width]",
+                                 fmt::join(sides, ", ")));
     }
     const auto fits = [](std::uint64_t side) { return side > 0 && side <= longest_side && side % grid == 0; };
     if (!fits(sides[2]) || !fits(sides[3])) {
-        refuse(fmt::format("its images have {}x{} pixels; export it for a fixed size of multiples of {}, at most {}",
-                           sides[3], sides[2], grid, longest_side));
+        refuse_model(
+            fmt::format("its images have {}x{} pixels; export it for a fixed size of multiples of {}, at most {}",
+                        sides[3], sides[2], grid, longest_side));
     }
     return {static_cast<int>(sides[3]), static_cast<int>(sides[2])};
 }
@@ -199,7 +196,7 @@ Size check_graph(std::string_view graph) {
         if (field->number == graph_field::node) nodes.push_back(field->bytes);
         if (field->number == graph_field::initializer) known.insert(check_tensor(field->bytes));
         if (field->number == graph_field::sparse_initializer) {
-            refuse("it has sparse weights, which OpenCV does not read");
+            refuse_model("it has sparse weights, which OpenCV does not read");
         }
         if (field->number == graph_field::input) inputs.push_back(read_value(field->bytes));
     }
@@ -214,17 +211,17 @@ Size check_graph(std::string_view graph) {
 }  // namespace
 
 Size check_model(std::string_view bytes) {
-    if (bytes.empty()) refuse("it is empty");
+    if (bytes.empty()) refuse_model("it is empty");
     try {
         std::optional<std::string_view> graph;
         ProtobufReader reader(bytes);
         while (const auto field = reader.next()) {
             if (field->number == model_field::graph) set_once(graph, *field);
         }
-        if (!graph) refuse("it is not an ONNX file");
+        if (!graph) refuse_model("it is not an ONNX file");
         return check_graph(*graph);
     } catch (const std::invalid_argument& error) {
-        refuse(fmt::format("it is not an ONNX file, or a damaged one: {}", error.what()));
+        refuse_model(fmt::format("it is not an ONNX file, or a damaged one: {}", error.what()));
     }
 }
 

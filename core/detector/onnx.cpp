@@ -98,10 +98,6 @@ constexpr std::array number_types{
 
 constexpr std::array<std::uint64_t, 6> data_fields{4, 5, 6, 7, 10, 11};  // the lists of any type
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw Error(ErrorCode::not_a_model, what);
-}
-
 std::uint64_t count_of_varints(const ProtobufField& field) {
     if (field.wire == Wire::varint) return 1;
     // The last byte of each is below 0x80.
@@ -138,6 +134,10 @@ void append_varints(const ProtobufField& field, std::vector<std::uint64_t>& numb
 
 }  // namespace
 
+void refuse_model(const std::string& what) {
+    throw Error(ErrorCode::not_a_model, what);
+}
+
 std::string_view check_tensor(std::string_view tensor) {
     std::vector<std::uint64_t> dimensions;
     std::uint64_t type = 0;
@@ -150,7 +150,8 @@ std::string_view check_tensor(std::string_view tensor) {
         if (field->number == tensor_field::type) type = field->value;
         if (field->number == tensor_field::name) name = field->bytes;
         if (field->number == tensor_field::raw) set_once(raw, *field);
-        if (field->number == tensor_field::external) refuse("its weights are in another file; export it as one file");
+        if (field->number == tensor_field::external)
+            refuse_model("its weights are in another file; export it as one file");
         const auto* const list = std::ranges::find(data_fields, field->number);
         if (list != data_fields.end()) {
             listed.at(static_cast<std::size_t>(list - data_fields.begin())) += count_of_numbers(*field);
@@ -158,7 +159,7 @@ std::string_view check_tensor(std::string_view tensor) {
     }
     const auto* const known = std::ranges::find(number_types, type, &NumberType::number);
     if (known == number_types.end()) {
-        refuse(
+        refuse_model(
             fmt::format("its weights are of type {}, which OpenCV does not read; export it with 32-bit floats", type));
     }
     const auto elements = product(dimensions);
@@ -170,7 +171,7 @@ std::string_view check_tensor(std::string_view tensor) {
     const bool whole = !raw || raw->size() % known->bytes == 0;
     const bool in_one_place = all == in_raw || (all == in_list && !raw);
     if (!elements || !whole || !in_one_place || all != *elements) {
-        refuse(fmt::format("it is damaged: the shape of '{}' does not match its numbers", shown_text(name)));
+        refuse_model(fmt::format("it is damaged: the shape of '{}' does not match its numbers", shown_text(name)));
     }
     return name;
 }

@@ -2,11 +2,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/plane.h"
 
 namespace vvr::detector {
+
+/// \throws Error not_a_model, always
+[[noreturn]] void refuse_model(const std::string& what);
 
 /// How the value of a field is encoded.
 enum class Wire { varint = 0, fixed64 = 1, bytes = 2, fixed32 = 5 };

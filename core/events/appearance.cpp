@@ -88,14 +88,13 @@ double distance(const Appearance& a, const Appearance& b) {
 
 namespace {
 
-constexpr auto& limit = thresholds.merged;
 constexpr int most_samples = 100;  // a larger template is sampled to about this many pixels
 
-/// From 0 (nothing in common) to `limit.unlike` (the same colour).
+/// From 0 (nothing in common) to `thresholds.merged.unlike` (the same colour).
 int similarity(const Bgr& a, const Bgr& b) {
     int most = 0;
     for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
-    return std::max(0, limit.unlike - most);
+    return std::max(0, thresholds.merged.unlike - most);
 }
 
 struct Sample {
@@ -143,13 +142,13 @@ Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const
     for (const Sample& sample : samples) {
         const glm::ivec2 p = sample.place + expected + off;
         // A pixel on the blob may be occluded. A pixel beside the blob contradicts the match.
-        if (blob.at(p.x, p.y) == 0) against += limit.unlike / 8;
+        if (blob.at(p.x, p.y) == 0) against += thresholds.merged.unlike / 8;
         if (free.at(p.x, p.y)) sum += similarity(sight.at(p.x, p.y), sample.colour);
     }
     const double all =
-        static_cast<double>(limit.unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
+        static_cast<double>(thresholds.merged.unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
     const double part = sum / all;
-    return {expected + off, part - against / all - limit.astray * (off.x * off.x + off.y * off.y), part};
+    return {expected + off, part - against / all - thresholds.merged.astray * (off.x * off.x + off.y * off.y), part};
 }
 
 /// Searches every second pixel first, then the neighbours of the best.
@@ -163,8 +162,8 @@ Match best_match(const std::vector<Sample>& samples, const FrameView& sight, con
         best = place;
         best_off = off;
     };
-    for (int y = -limit.search; y <= limit.search; y += 2) {
-        for (int x = -limit.search; x <= limit.search; x += 2) look({x, y});
+    for (int y = -thresholds.merged.search; y <= thresholds.merged.search; y += 2) {
+        for (int x = -thresholds.merged.search; x <= thresholds.merged.search; x += 2) look({x, y});
     }
     const glm::ivec2 middle = best_off;
     for (int y = -1; y <= 1; ++y) {
@@ -178,7 +177,7 @@ void take_own(const Template& object, const glm::ivec2& shift, const FrameView& 
         const glm::ivec2 p(i + shift.x, j + shift.y);
         if (!free.at(p.x, p.y)) return;
         const Bgr& colour = object.colours.at(i - object.patch.box.left, j - object.patch.box.top);
-        if (similarity(sight.at(p.x, p.y), colour) >= limit.unlike / 2) free.take(p.x, p.y);
+        if (similarity(sight.at(p.x, p.y), colour) >= thresholds.merged.unlike / 2) free.take(p.x, p.y);
     });
 }
 

@@ -67,29 +67,28 @@ std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) 
 
 namespace {
 
-constexpr auto& limit = thresholds.association;
-
 double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look) {
     const Patch& patch = *track.patch;
     const double looks = distance(*track.appearance, look);
     if (overlap > 0) {
         const double all = std::max(1, patch.area + blob.area - overlap);
         const double places = std::max(0.0, 1 - overlap / all);
-        if (!track.was_merged) return limit.place_weight * places + (1 - limit.place_weight) * looks;
-        return limit.lost_place * places + limit.lost_looks * looks;
+        if (!track.was_merged)
+            return thresholds.association.place_weight * places + (1 - thresholds.association.place_weight) * looks;
+        return thresholds.association.lost_place * places + thresholds.association.lost_looks * looks;
     }
     const double length = std::max(track.usual_size.x, track.usual_size.y);
     const double away =
         glm::distance(patch.centre + glm::dvec2(track.shift), blob.centre) / std::max(thresholds.least_length, length);
-    if (away > limit.gate) return never;
-    return limit.lost_place * (1 + away / (2 * limit.gate) + looks);
+    if (away > thresholds.association.gate) return never;
+    return thresholds.association.lost_place * (1 + away / (2 * thresholds.association.gate) + looks);
 }
 
 /// Whether `piece` is a fragment of a track that goes on in `rest`: both together are no larger than its usual size.
 bool is_fragment(const Patch& piece, const Patch& rest, const PredictedTrack& track) {
     const PixelBox whole = bounding_box(piece.box, rest.box);
-    return whole.width() <= limit.fragment_size * track.usual_size.x + 2 &&
-           whole.height() <= limit.fragment_size * track.usual_size.y + 2;
+    return whole.width() <= thresholds.association.fragment_size * track.usual_size.x + 2 &&
+           whole.height() <= thresholds.association.fragment_size * track.usual_size.y + 2;
 }
 
 }  // namespace
@@ -121,14 +120,14 @@ Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
                 cost_of(tracks[k], overlap[k][b], blobs.patches[b], looks[b]);
         }
     }
-    const std::vector<std::optional<int>> assigned = assign(costs, limit.cost);
+    const std::vector<std::optional<int>> assigned = assign(costs, thresholds.association.cost);
     for (std::size_t k = 0; k < tracks.size(); ++k) {
         if (assigned[k]) result.tracks[static_cast<std::size_t>(*assigned[k])].push_back(k);
     }
     for (std::size_t k = 0; k < tracks.size(); ++k) {
         if (assigned[k]) continue;
         const auto most = std::ranges::max_element(overlap[k]);
-        if (*most < limit.shared_part * tracks[k].patch->area) continue;
+        if (*most < thresholds.association.shared_part * tracks[k].patch->area) continue;
         result.tracks[static_cast<std::size_t>(most - overlap[k].begin())].push_back(k);
     }
 

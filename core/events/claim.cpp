@@ -13,8 +13,6 @@ namespace vvr::events {
 
 namespace {
 
-constexpr auto& limit = thresholds.claim;
-
 /// The confidence of a term that must be at least `least`: 0.5 there, 1 from twice that on.
 double at_least(double value, double least) {
     return std::clamp(value / (2 * least), 0.0, 1.0);
@@ -115,7 +113,7 @@ StillPicture::StillPicture(const Patch& patch, Size field) {
 
 void StillPicture::add(const FrameView& frame, const Moment& now) {
     if (box_.empty() || (count_ > 0 && now.seconds < due_)) return;
-    due_ = now.seconds + limit.sampled;
+    due_ = now.seconds + thresholds.claim.sampled;
     ++count_;
     auto sum = sum_.begin();
     for (int j = box_.top; j < box_.bottom; ++j) {
@@ -150,7 +148,7 @@ std::optional<SceneComparison> compare_with_scene(const StillPicture& still, con
     cv::Mat difference;
     cv::blur(cv_view(differences), difference, {3, 3});
     std::optional<SceneComparison> best;
-    for (const int level : limit.levels) {
+    for (const int level : thresholds.claim.levels) {
         std::optional<Patch> region = region_at(difference, level, settled, box);
         if (!region || region->area < thresholds.most * settled.area) continue;
         Patch local = *region;
@@ -170,14 +168,14 @@ double confidence_of(const Evidence& evidence) {
     const double stronger = std::max(evidence.edges, evidence.scene_edges);
     const double weaker = std::min(evidence.edges, evidence.scene_edges);
     return std::min({
-        at_least(evidence.difference, limit.difference),
-        at_least(stronger - weaker, limit.outline),
-        at_least(evidence.thickness, limit.thickness),
+        at_least(evidence.difference, thresholds.claim.difference),
+        at_least(stronger - weaker, thresholds.claim.outline),
+        at_least(evidence.thickness, thresholds.claim.thickness),
         at_least(evidence.alone, thresholds.bearer),
-        at_most(evidence.moved, limit.moved),
+        at_most(evidence.moved, thresholds.claim.moved),
         at_least(evidence.novelty, thresholds.event.novelty),
         at_most(evidence.flicker, thresholds.pixel.flicker),
-        at_most(evidence.changed, limit.changed),
+        at_most(evidence.changed, thresholds.claim.changed),
         evidence.carried ? 1.0 : 0.0,
     });
 }

@@ -17,8 +17,6 @@ namespace vvr::events {
 
 namespace {
 
-constexpr auto& limit = thresholds.event;
-
 /// An object that may be an event.
 struct Candidate {
     std::vector<std::size_t> tracks;
@@ -114,15 +112,15 @@ class Conclusion {
 
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
-        const bool went = own.moved >= limit.own_lengths * own.length && own.seen >= thresholds.most;
+        const bool went = own.moved >= thresholds.event.own_lengths * own.length && own.seen >= thresholds.most;
         const bool stands_only = own.settled && own.stood_from_start;
-        const bool jumps =
-            own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);
+        const bool jumps = own.continuous < thresholds.event.continuous ||
+                           (!own.settled && straightness_of(own.path) < thresholds.event.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = own.from || inside ? thresholds.stationary.stay : limit.least;
+        const double least = own.from || inside ? thresholds.stationary.stay : thresholds.event.least;
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
         if (!candidate.wanted) return;
-        if (own.novelty < limit.novelty) {
+        if (own.novelty < thresholds.event.novelty) {
             call_change(candidate);
             return;
         }

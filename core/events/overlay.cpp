@@ -19,8 +19,6 @@ namespace vvr::events {
 
 namespace {
 
-constexpr auto& limit = thresholds.overlay;
-
 constexpr std::size_t run = 64;
 
 /// The difference of each of 64 pixels. Bytes alone and a fixed count, so that the compiler takes many at once.
@@ -43,13 +41,13 @@ void for_each_change(std::span<const std::uint8_t> values, std::span<const std::
         const auto differences = differences_of(values.subspan(begin).first<run>(), before.subspan(begin).first<run>());
         std::uint8_t most = 0;
         for (const std::uint8_t difference : differences) most = std::max(most, difference);
-        if (most < limit.level) continue;
+        if (most < thresholds.overlay.level) continue;
         for (std::size_t k = 0; k < run; ++k) {
-            if (differences[k] >= limit.level) use(begin + k);
+            if (differences[k] >= thresholds.overlay.level) use(begin + k);
         }
     }
     for (std::size_t k = begin; k < values.size(); ++k) {
-        if (std::abs(int{values[k]} - int{before[k]}) >= limit.level) use(k);
+        if (std::abs(int{values[k]} - int{before[k]}) >= thresholds.overlay.level) use(k);
     }
 }
 
@@ -59,12 +57,12 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
     if (grey.empty()) return;
     const bool first = before_.empty();
     // A longer gap doesn't tell at which phase a pixel changed.
-    const bool follows = !first && now.seconds > last_ && now.seconds - last_ <= limit.most_between;
+    const bool follows = !first && now.seconds > last_ && now.seconds - last_ <= thresholds.overlay.most_between;
     if (first || now.seconds - begin_ >= thresholds.memory) {
         if (!first) look();
         changes_ = Plane<Changes>(grey.size());
         begin_ = now.seconds;
-        next_look_ = begin_ + limit.every;
+        next_look_ = begin_ + thresholds.overlay.every;
     }
     if (follows) {
         const auto second = static_cast<std::int32_t>(std::floor(now.seconds - begin_));
@@ -83,7 +81,7 @@ void ClockFinder::add(const Plane<std::uint8_t>& grey, const Moment& now) {
     else
         std::ranges::copy(grey.pixels(), before_.pixels().begin());
     if (now.seconds < next_look_) return;
-    next_look_ = now.seconds + limit.every;
+    next_look_ = now.seconds + thresholds.overlay.every;
     look();
 }
 
@@ -95,13 +93,14 @@ void ClockFinder::look() {
     for (std::size_t k = 0; k < ticks.pixels().size(); ++k) {
         const Changes& changes = changes_.pixels()[k];
         const double length = std::abs(changes.phases) / std::max<double>(1, changes.count);
-        const bool in_phase = length >= limit.in_phase && changes.count * length * length >= limit.rayleigh;
-        const bool often = changes.seconds >= limit.every && 5 * changes.seconds >= seconds &&
-                           changes.count <= limit.most_per_second * changes.seconds;
+        const bool in_phase =
+            length >= thresholds.overlay.in_phase && changes.count * length * length >= thresholds.overlay.rayleigh;
+        const bool often = changes.seconds >= thresholds.overlay.every && 5 * changes.seconds >= seconds &&
+                           changes.count <= thresholds.overlay.most_per_second * changes.seconds;
         ticks.pixels()[k] = often && in_phase ? 255 : 0;
     }
     cv::Mat near;
-    cv::dilate(cv_view(ticks), near, cv::Mat::ones(3, 2 * limit.stroke + 1, CV_8U));
+    cv::dilate(cv_view(ticks), near, cv::Mat::ones(3, 2 * thresholds.overlay.stroke + 1, CV_8U));
     cv::Mat labels;
     cv::Mat boxes;
     cv::Mat centres;
@@ -112,7 +111,7 @@ void ClockFinder::look() {
         const cv::Mat own = (labels(around) == n) & cv_view(ticks)(around);
         const int pixels = cv::countNonZero(own);
         const cv::Rect digit = cv::boundingRect(own) + around.tl();
-        if (pixels < limit.stroke || digit.height > limit.height * size.height) continue;
+        if (pixels < thresholds.overlay.stroke || digit.height > thresholds.overlay.height * size.height) continue;
         std::complex<float> phase;
         for (int j = digit.y; j < digit.y + digit.height; ++j) {
             for (int i = digit.x; i < digit.x + digit.width; ++i) {
@@ -130,7 +129,7 @@ void ClockFinder::look() {
                     const Changes& changes = changes_.at(i, j);
                     if (changes.count == 0) continue;
                     const float along = (changes.phases * std::conj(phase)).real();
-                    (along >= static_cast<float>(limit.in_phase * changes.count) ? in_phase : others) += 1;
+                    (along >= static_cast<float>(thresholds.overlay.in_phase * changes.count) ? in_phase : others) += 1;
                 }
             }
             return in_phase > 2 * others;
@@ -147,7 +146,8 @@ void ClockFinder::look() {
         for (int i = line.right - 1; i < size.width && i < line.right + reach; ++i) {
             if (changes_with_it({i, line.top, i + 1, line.bottom})) line.right = i + 1;
         }
-        keep(intersection(line.inflated(limit.stroke, limit.stroke), {0, 0, size.width, size.height}));
+        keep(intersection(line.inflated(thresholds.overlay.stroke, thresholds.overlay.stroke),
+                          {0, 0, size.width, size.height}));
     }
 }
 

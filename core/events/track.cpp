@@ -12,7 +12,6 @@ namespace vvr::events {
 
 namespace {
 
-constexpr auto& limit = thresholds.track;
 constexpr auto& stationary = thresholds.stationary;
 
 /// Factor of the score of a portrait of an object that others or the border of the picture hide in part.
@@ -87,12 +86,14 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
 
 void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
-    if (state_ == State::merged || growth > limit.abrupt || growth < 1 / limit.abrupt) recent_.clear();
+    if (state_ == State::merged || growth > thresholds.track.abrupt || growth < 1 / thresholds.track.abrupt)
+        recent_.clear();
     recent_.push_back({now, patch.centre});
-    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > limit.velocity) recent_.pop_front();
+    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > thresholds.track.velocity)
+        recent_.pop_front();
     const double span = now.seconds - recent_.front().at.seconds;
     // Over a shorter time, a velocity is noise: what passes in front changes the outline for a few frames.
-    if (span >= 0.5 * limit.velocity) {
+    if (span >= 0.5 * thresholds.track.velocity) {
         velocity_ = (patch.centre - recent_.front().place) / span;
         if (!first_velocity_) first_velocity_ = velocity_;
     }
@@ -100,7 +101,7 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     const glm::dvec2 size(patch.box.width(), patch.box.height());
     const double since = now.seconds - seen_.seconds;
     const auto follow = [&](double& usual, double value) {
-        usual += (sightings_ == 0 ? 1 : std::clamp(since / limit.adapts_in, 0.0, 0.5)) * (value - usual);
+        usual += (sightings_ == 0 ? 1 : std::clamp(since / thresholds.track.adapts_in, 0.0, 0.5)) * (value - usual);
     };
     follow(usual_size_.x, size.x);
     follow(usual_size_.y, size.y);

@@ -12,8 +12,6 @@ namespace vvr::events {
 
 namespace {
 
-constexpr auto& limit = thresholds.link;
-
 /// A possible link.
 struct Candidate {
     std::size_t earlier;
@@ -30,7 +28,7 @@ Candidates candidates_of(std::span<const Tracklet> tracklets) {
     Candidates candidates;
     for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
         const double end = tracklets[earlier].end.at.seconds;
-        const double latest = end + std::max(thresholds.memory, limit.seconds);
+        const double latest = end + std::max(thresholds.memory, thresholds.link.seconds);
         auto place = std::ranges::lower_bound(order, end, {}, begin_of);
         for (; place != order.end() && begin_of(*place) <= latest; ++place) {
             if (*place == earlier) continue;
@@ -64,27 +62,27 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
     if (earlier.stretch != later.stretch) return never;
     const double gap = later.begin.at.seconds - earlier.end.at.seconds;
     if (gap < 0 || later.begin.at.frame <= earlier.begin.at.frame) return never;
-    const double looks = distance(earlier.look, later.look) / limit.looks;
+    const double looks = distance(earlier.look, later.look) / thresholds.link.looks;
     if (earlier.stood_from_start || later.stood_from_start) {
         // A thing stays in its place. No path begins with a thing.
         const bool both = earlier.stood_to_end && later.stood_from_start;
         const double off =
             glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
-        return both && off < thresholds.stationary.apart && gap <= limit.seconds ? off : never;
+        return both && off < thresholds.stationary.apart && gap <= thresholds.link.seconds ? off : never;
     }
     if (looks > 1) return never;
     const bool same_group = earlier.into && (later.from == earlier.into);
     if (same_group && gap < thresholds.memory) return looks / 3;
-    if (gap > limit.seconds) return never;
+    if (gap > thresholds.link.seconds) return never;
     if (earlier.end.at_border || later.begin.at_border) return never;  // nothing occludes at the border
     const double length = std::max({thresholds.least_length, earlier.length, later.length});
     const glm::dvec2 forth = earlier.end.place + gap * earlier.end.velocity;
     const glm::dvec2 back = later.begin.place - gap * later.begin.velocity;
     const double away = std::min(glm::distance(forth, later.begin.place), glm::distance(earlier.end.place, back));
     const double speed = std::max(glm::length(earlier.end.velocity), glm::length(later.begin.velocity));
-    const double reach = limit.reach * length + speed * gap;
+    const double reach = thresholds.link.reach * length + speed * gap;
     if (away > reach) return never;
-    return (away / reach + gap / limit.seconds + looks) / 3;
+    return (away / reach + gap / thresholds.link.seconds + looks) / 3;
 }
 
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
@@ -177,7 +175,7 @@ bool leaves_with(const Tracklet& part, const Tracklet& whole) {
     const double gone = whole.end.at.seconds;
     if (part.begin.at.seconds >= gone || part.end.at.seconds <= gone) return false;
     const double away = glm::distance(place_at(part.path, whole.end.at.frame), whole.end.place);
-    return away < limit.reach * std::max({thresholds.least_length, part.length, whole.length});
+    return away < thresholds.link.reach * std::max({thresholds.least_length, part.length, whole.length});
 }
 
 /// Joins both parts of one object, whose times overlap.

@@ -133,7 +133,7 @@ Filter make_given(const FieldOptions& options) {
     };
 }
 
-constexpr std::array rows{
+constexpr std::array filter_rows{
     FilterRow{"difference",
               "what differs from the empty scene",
               {.object = true, .colour = true, .shows_object = true, .threshold = 24},
@@ -189,7 +189,7 @@ FrameFiles open_field_files(const std::filesystem::path& folder) {
 }
 
 std::span<const FilterRow> filters() {
-    return rows;
+    return filter_rows;
 }
 
 const FilterRow& row_of(Name<FilterRow> name) {

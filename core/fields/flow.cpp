@@ -12,7 +12,7 @@
 namespace vvr::fields {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array flow_rows{
     FlowRow{"horn-schunck", "the paper's method; --solver solves its equations", make_horn_schunck},
     FlowRow{"dis", "OpenCV's dense inverse search", make_dis},
     FlowRow{"farneback", "OpenCV's polynomial expansion", make_farneback},
@@ -96,11 +96,11 @@ bool has_flow(const FlowOptions& options) {
 }
 
 const FlowRow& no_flow() {
-    return *std::ranges::find_if(rows, &FlowRow::is_none);
+    return *std::ranges::find_if(flow_rows, &FlowRow::is_none);
 }
 
 std::span<const FlowRow> flow_methods() {
-    return rows;
+    return flow_rows;
 }
 
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
@@ -109,11 +109,11 @@ std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
 
 FlowChoice::FlowChoice(std::string name) : name_(std::move(name)), row_(&of_folder) {
     // A folder's name is checked only when its files are needed.
-    const auto* const row = std::ranges::find(rows, name_, &FlowRow::name);
-    if (row != rows.end()) {
+    const auto* const row = std::ranges::find(flow_rows, name_, &FlowRow::name);
+    if (row != flow_rows.end()) {
         row_ = row;
     } else if (name_.find_first_of("./") == std::string::npos && !std::filesystem::exists(name_)) {
-        refuse_choice("flow", name_, names_of(rows), ", or the name of a folder of .flo files");
+        refuse_choice("flow", name_, names_of(flow_rows), ", or the name of a folder of .flo files");
     }
 }
 

@@ -218,7 +218,7 @@ std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame
     return Planes{times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
 }
 
-constexpr std::array rows{
+constexpr std::array illumination_rows{
     IlluminationRow{"global", "one change for the whole picture: exposure, clouds, lamps", true, relit_globally},
     IlluminationRow{"local", "a change that varies over the picture: shadows, a lamp at one side", true, relit_locally},
     IlluminationRow{"none", "compensate nothing", false, unchanged},
@@ -273,7 +273,7 @@ Planes relight(const Planes& picture, const IlluminationChange& light) {
 }
 
 std::span<const IlluminationRow> illuminations() {
-    return rows;
+    return illumination_rows;
 }
 
 const IlluminationRow& row_of(Name<IlluminationRow> name) {

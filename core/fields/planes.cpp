@@ -68,7 +68,7 @@ Plane<std::uint8_t> hue_difference(const Planes& a, const Planes& b) {
     return result;
 }
 
-constexpr std::array rows{
+constexpr std::array norm_rows{
     NormRow{"channel", "the channel that differs most", false, largest_difference},
     NormRow{"luminance", "the brightness alone", false, luminance_difference},
     NormRow{"hue", "hue and saturation; ignores brightness and soft shadows", true, hue_difference},
@@ -77,7 +77,7 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const NormRow> norms() {
-    return rows;
+    return norm_rows;
 }
 
 const NormRow& norm_for(const NormRow& norm, const Planes& picture) {

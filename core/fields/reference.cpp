@@ -319,7 +319,7 @@ std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
     return first_frames(clip, frames_for_median, step);
 }
 
-constexpr std::array rows{
+constexpr std::array reference_rows{
     ReferenceRow{"median", "the median of the clip; where something came to stay, the median of what was there before",
                  spread_over_clip, lasting_reference, true},
     ReferenceRow{"first", "the first frame", first_frame, median_reference},
@@ -352,16 +352,16 @@ bool needs_reference(const FieldOptions& options) {
 }
 
 std::span<const ReferenceRow> reference_kinds() {
-    return rows;
+    return reference_rows;
 }
 
 ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row_(nullptr) {
     // A file's name is checked only when the file is needed.
-    const auto row = std::ranges::find(rows, name_, &ReferenceRow::name);
-    if (row != rows.end()) {
+    const auto row = std::ranges::find(reference_rows, name_, &ReferenceRow::name);
+    if (row != reference_rows.end()) {
         row_ = &*row;
     } else if (name_.find_first_of("./") == std::string::npos && !std::filesystem::exists(name_)) {
-        refuse_choice("reference", name_, names_of(rows), ", or the name of a picture");
+        refuse_choice("reference", name_, names_of(reference_rows), ", or the name of a picture");
     }
 }
 

@@ -87,7 +87,7 @@ bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
     return most - least < tint;
 }
 
-constexpr std::array rows{
+constexpr std::array shadow_rows{
     ShadowRow{"remove", "remove areas that are darker but keep their colour", true},
     ShadowRow{"keep", "shadows count as objects", false},
 };
@@ -120,7 +120,7 @@ std::vector<Point> points_of(const Plane<std::uint8_t>& object) {
 }  // namespace
 
 std::span<const ShadowRow> shadow_kinds() {
-    return rows;
+    return shadow_rows;
 }
 
 std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,

@@ -18,7 +18,7 @@
 namespace vvr::fields {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array stabilizer_rows{
     StabilizerRow{"auto", "align frames if the camera shakes", true},
     StabilizerRow{"off", "compare frames unaligned", false},
 };
@@ -101,7 +101,7 @@ Planes planes_of(const video::Frame& frame) {
 }  // namespace
 
 std::span<const StabilizerRow> stabilizers() {
-    return rows;
+    return stabilizer_rows;
 }
 
 /// The corners of the reference that are tracked.

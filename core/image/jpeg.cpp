@@ -41,7 +41,7 @@ Handle owned(tjhandle made) {
 }
 
 /// A picture for the library: its values are interleaved, top row first.
-struct Source {
+struct JpegSource {
     const std::byte* values;
     Size size;
     int format;       ///< TJPF
@@ -49,7 +49,7 @@ struct Source {
     int quality;      ///< 1..100
 };
 
-std::vector<std::byte> encode(const Source& source, std::string_view what) {
+std::vector<std::byte> encode(const JpegSource& source, std::string_view what) {
     const Handle handle = owned(tjInitCompress());
     std::vector<std::byte> jpeg(tjBufSize(source.size.width, source.size.height, source.subsampling));
     auto* at = reinterpret_cast<unsigned char*>(jpeg.data());

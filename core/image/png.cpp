@@ -153,13 +153,13 @@ std::vector<std::byte> encode(const PictureFile& file) {
 // Reading
 
 /// A file, or bytes in memory.
-struct Source {
+struct PngSource {
     std::ifstream file;
     std::optional<std::span<const std::byte>> bytes;  ///< what is left of them
 };
 
 void take(png_structp png, png_bytep to, std::size_t count) {
-    auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+    auto& source = *static_cast<PngSource*>(png_get_io_ptr(png));
     if (source.bytes && count <= source.bytes->size()) {
         std::ranges::copy(source.bytes->first(count), reinterpret_cast<std::byte*>(to));
         source.bytes = source.bytes->subspan(count);
@@ -195,7 +195,7 @@ std::vector<std::string> names_of_channels(int count) {
 }
 
 template <class Value>
-void scale(std::span<const std::byte> stored, float* values) {
+void scale_to_float(std::span<const std::byte> stored, float* values) {
     // A product, as OpenImageIO has it: a quotient would differ in the last bit.
     constexpr float unit = 1.F / static_cast<float>(std::numeric_limits<Value>::max());
     const std::span from(reinterpret_cast<const Value*>(stored.data()), stored.size() / sizeof(Value));
@@ -268,7 +268,7 @@ struct Decoder {
     }
 
     Failure failure{};  // first, because libpng writes to it to the end
-    Source source{};
+    PngSource source{};
     png_structp png;
     png_infop info;
 };
@@ -292,7 +292,7 @@ class Reader : public PictureReader {
 
     void read(float* values) override {
         constexpr int wide = 16;
-        const auto convert = decoder_.bits() == wide ? scale<std::uint16_t> : scale<std::uint8_t>;
+        const auto convert = decoder_.bits() == wide ? scale_to_float<std::uint16_t> : scale_to_float<std::uint8_t>;
         const std::size_t per_row = static_cast<std::size_t>(size.width) * channels.size();
         const bool done = decoder_.each_row([&](int j, std::span<const std::byte> row) {
             convert(row, values + static_cast<std::size_t>(j) * per_row);

@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 66;
-constexpr int still_side = 240;
-constexpr int small_still_side = 200;  // with a preview, a still is shown only until the preview has loaded
+constexpr int inline_still_side = 240;
+constexpr int small_inline_still_side = 200;  // with a preview, a still is shown only until the preview has loaded
 
 /// Rounds a time or rate to six decimals, the precision of containers.
 double rounded(double value) {
@@ -277,7 +277,7 @@ Json pixel_data(const PageContent& content) {
 
 Json still_data(const PageContent& content) {
     Json json{{"stills", Json::array()}, {"portraits", Json::array()}};
-    const int side = content.moments.preview ? small_still_side : still_side;
+    const int side = content.moments.preview ? small_inline_still_side : inline_still_side;
     for (const Still& still : content.moments.stills) json["stills"].push_back(json_of(still, side));
     for (const Plane<Bgr>& portrait : content.portraits) json["portraits"].push_back(json_of_portrait(portrait));
     return json;

@@ -8,6 +8,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GRE
   target_compile_options(vvr_flags INTERFACE -Wno-dangling-reference -Wno-maybe-uninitialized -Wno-array-bounds
     -Wno-stringop-overflow)
 endif()
+if(VVR_UNITY) # names of one file are seen by the next ones
+  target_compile_options(vvr_flags INTERFACE -Wno-shadow -Wno-subobject-linkage)
+endif()
 
 if(VVR_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

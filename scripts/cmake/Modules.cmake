@@ -5,17 +5,9 @@
 #
 # makes the library vvr_NAME. LIBRARIES are those that only its own files use.
 
-# Has a library use the precompiled headers of vvr_base, if there are any.
-function(vvr_precompile library)
-  if(VVR_PRECOMPILE)
-    target_precompile_headers(${library} REUSE_FROM vvr_base)
-  endif()
-endfunction()
-
 function(vvr_module name)
   cmake_parse_arguments(arg "" "" "MODULES;LIBRARIES" ${ARGN})
   add_library(vvr_${name} STATIC ${arg_UNPARSED_ARGUMENTS})
   list(TRANSFORM arg_MODULES PREPEND vvr_)
   target_link_libraries(vvr_${name} PUBLIC vvr_flags ${arg_MODULES} PRIVATE ${arg_LIBRARIES})
-  vvr_precompile(vvr_${name})
 endfunction()

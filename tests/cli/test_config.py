@@ -150,9 +150,8 @@ threshold = 70
         check(t.json("r.json")["settings"]["threshold"] == expected, f"{arguments}")
     # So has a folder of one camera, whose clips lie deeper.
     t.clip("tree/gate/2026-11-21/20-30-00.avi", seconds=1)
-    for folder in ("in/house/gate", "tree"):
-        t.render(folder, *config, "--report", "r.json").expect(0)
-        check(t.json("r.json")["settings"]["threshold"] == "41", folder)
+    t.render("tree", *config, "--report", "r.json").expect(0)
+    check(t.json("r.json")["settings"]["threshold"] == "41", "tree")
     t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
     # Without sections it only names the camera.
     t.render(clip, "--camera-name", "gate", "--report", "r.json").expect(0)
@@ -160,7 +159,7 @@ threshold = 70
     # A pattern, a list of files, and a number that only the section says is a camera's.
     t.write("more.toml", "[camera.gate]\nthreshold = 41\n[camera.01]\nthreshold = 42\n")
     t.copy(clip, "many/gate_2026-11-21_20-30-00.avi", "many/gate_2026-11-21_20-30-01.avi", "01_20261121203000.avi")
-    for inputs, expected in ((["tree/*/2026-11-21"], ("41", "gate")), (["many/gate*.avi"], ("41", "gate")),
+    for inputs, expected in ((["tree/*/2026-11-21"], ("41", "gate")),
                              (["many/gate_2026-11-21_20-30-00.avi", "many/gate_2026-11-21_20-30-01.avi"], ("41", "gate")),
                              (["01_20261121203000.avi"], ("42", "01"))):
         t.render(*inputs, "--config", "more.toml", "--report", "r.json").expect(0)

@@ -60,18 +60,18 @@ def check_copied(t, clip, piece, first, last):
 
 def test_cut_copies_an_event(t):
     clip = bag(t)
+    known = {packet[2] for packet in packets(t, clip, "a")}
     for event in events(t, clip):
         number, first, last = event["number"], event["first"]["frame"], event["last"]["frame"]
-        t.vvr("cut", clip, "--event", str(number), "-o", "found.mp4").expect(
+        t.vvr("cut", clip, "--event", str(number), "--report", "report.json", "-o", "listed.mp4").expect(
             0, "frames copied", f"s of '{clip}'; it begins at a key frame")
-        check_copied(t, clip, "found.mp4", first, last)
-        t.vvr("cut", clip, "--event", str(number), "--report", "report.json", "-o", "listed.mp4").expect(0)
-        check(t.path("found.mp4").read_bytes() == t.path("listed.mp4").read_bytes(), "a report leads to another piece")
+        check_copied(t, clip, "listed.mp4", first, last)
         length = (last - first) / RATE
-        sound = packets(t, "found.mp4", "a")
+        sound = packets(t, "listed.mp4", "a")
         check(0 <= sound[0][0] < 0.05 and length <= sound[-1][0] + 0.1, f"sound from {sound[0]} to {sound[-1]}")
-        known = {packet[2] for packet in packets(t, clip, "a")}
         check(all(packet[2] in known for packet in sound), "the sound is not that of the clip")
+    t.vvr("cut", clip, "--event", str(number), "-o", "found.mp4").expect(0)
+    check(t.path("found.mp4").read_bytes() == t.path("listed.mp4").read_bytes(), "a search leads to another piece than its report")
 
 
 @pytest.mark.nightly
@@ -89,14 +89,13 @@ def test_cut_of_groups_that_lean_on_the_one_before(t):
              "open-gop=1:keyint=50:min-keyint=50:scenecut=0:bframes=3", "-bf", "3", "open.mkv")
     t.ffmpeg("-i", "open.mkv", "-c", "copy", "open.ts")
     frames = grey_frames(t, "open.mkv")
-    for clip in ("open.mkv", "open.ts"):
-        for first, last in ((100, 110), (98, 99), (126, 180), (0, 3)):
-            t.vvr("cut", clip, "--start", f"{first / RATE:.2f}s", "--end", f"{(last + 1) / RATE:.2f}s", "-o", "piece.mp4").expect(0)
-            t.run(["ffmpeg", "-v", "error", "-i", "piece.mp4", "-f", "null", "-"]).expect(0, err="")
-            part = grey_frames(t, "piece.mp4")
-            key = first // 50 * 50
-            check(last - key + 1 <= len(part) <= last - key + 5, f"{len(part)} frames for {first}..{last}")
-            check(all(apart(a, b) <= 1 for a, b in zip(part, frames[key:])), f"{clip}: other frames for {first}..{last}")
+    for clip, first, last in (("open.mkv", 100, 110), ("open.mkv", 98, 99), ("open.mkv", 0, 3), ("open.ts", 100, 110), ("open.ts", 126, 180)):
+        t.vvr("cut", clip, "--start", f"{first / RATE:.2f}s", "--end", f"{(last + 1) / RATE:.2f}s", "-o", "piece.mp4").expect(0)
+        t.run(["ffmpeg", "-v", "error", "-i", "piece.mp4", "-f", "null", "-"]).expect(0, err="")
+        part = grey_frames(t, "piece.mp4")
+        key = first // 50 * 50
+        check(last - key + 1 <= len(part) <= last - key + 5, f"{len(part)} frames for {first}..{last}")
+        check(all(apart(a, b) <= 1 for a, b in zip(part, frames[key:])), f"{clip}: other frames for {first}..{last}")
 
 
 def test_cut_copies_avi(t):
@@ -125,7 +124,7 @@ def test_cut_exactly(t):
     frames = grey_frames(t, clip)
     for event in events(t, clip):
         first, last = event["first"]["frame"], event["last"]["frame"]
-        for name in ("exact.mp4", "exact.mkv"):
+        for name in ("exact.mp4", "exact.mkv") if event["number"] == 1 else ("exact.mp4",):
             t.vvr("cut", clip, "--event", str(event["number"]), "--report", "report.json", "--exact", "-o", name).expect(
                 0, f"'{name}': {last - first + 1} frames encoded again without sound, {first / RATE:.3f} s to {last / RATE:.3f} s")
             part = grey_frames(t, name)

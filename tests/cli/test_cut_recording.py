@@ -45,14 +45,20 @@ def test_cut_joins_the_files_of_a_recording(t):
     names = segments(t)
     t.write("day/all.txt", "\n".join(name.removeprefix("day/") for name in names) + "\n")
     whole = pictures(t, "-i", "bag.mp4")
+    first = b""
     for number, given in enumerate((["day"], names, ["day/*/*/gate"], ["day/*/*/*/*.mp4"], ["day/all.txt"])):
         for ending in (".mp4", ".mkv") if number == 0 else (".mp4",):
             t.vvr("cut", *given, "--start", "3s", "--end", "12s", "-o", "piece" + ending).expect(
                 0, "frames copied, 1.600 s to ", "it begins at a key frame 1.400 s before the piece")
+            if number > 0:
+                check(t.path("piece.mp4").read_bytes() == first, f"{given} make another piece")
+                continue
             made = pictures(t, "-i", "piece" + ending)
             check(300 - KEYS <= len(made) <= 303 - KEYS and made == whole[KEYS:KEYS + len(made)], f"{given}: {len(made)} other pictures")
-            apart = [b - a for a, b in zip(times(t, "piece" + ending), times(t, "piece" + ending)[1:])]
+            shown = times(t, "piece" + ending)
+            apart = [b - a for a, b in zip(shown, shown[1:])]
             check(all(abs(seconds - 1 / RATE) < 0.002 for seconds in apart), f"{given}: {apart}")
+        first = first or t.path("piece.mp4").read_bytes()
     sound = packets(t, "piece.mkv", "a")
     known = {packet[2] for packet in packets(t, "bag.mp4", "a")}
     check(all(packet[2] in known for packet in sound) and len(sound) > 10 / 1024 * 44100 * 0.98, "sound is missing")
@@ -200,7 +206,7 @@ def test_report_has_the_digests_that_the_docs_describe(t):
 def test_cut_keeps_camera_date_and_time(t):
     names = segments(t)
     t.zone("Europe/Berlin")  # Frigate's names are in UTC
-    for ending in (".mp4", ".mkv", ".mov"):
+    for ending in (".mp4", ".mkv"):
         t.vvr("cut", "day", "--start", "8s", "--end", "12s", "-o", "a" + ending).expect(
             0, "frames copied, 8.000 s to ", "of 'day', which is 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0")
         told = tags(t, "a" + ending)

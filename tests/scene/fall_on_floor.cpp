@@ -10,14 +10,14 @@ namespace {
 
 // The story's own frames and pixels: 600 frames of 384x288.
 constexpr double story_frames = 600;
-constexpr double speed = 1.6;  // pixels per frame
-constexpr double place = 150;  // where the person falls
-constexpr double outside = 50;
-constexpr double enters = 30;
-constexpr double falls = enters + (place + outside) / speed;
+constexpr double fall_speed = 1.6;  // pixels per frame
+constexpr double fall_place = 150;  // where the person falls
+constexpr double fall_outside = 50;
+constexpr double fall_enters = 30;
+constexpr double falls = fall_enters + (fall_place + fall_outside) / fall_speed;
 constexpr double lies = falls + 14;
 constexpr double gets_up = 360;
-constexpr double goes = gets_up + 40;
+constexpr double fall_goes = gets_up + 40;
 constexpr double flat = std::numbers::pi / 2;
 
 class FallStory final : public HallStory {
@@ -61,25 +61,25 @@ class FallStory final : public HallStory {
   private:
     /// Nothing while nobody is to be seen.
     std::optional<Figure> figure_at(double now) const {
-        if (now < enters) return std::nullopt;
-        if (now < falls) return walking(-outside + (now - enters) * speed);
+        if (now < fall_enters) return std::nullopt;
+        if (now < falls) return walking(-fall_outside + (now - fall_enters) * fall_speed);
         if (now < gets_up) {
             // Faster and faster, as things fall.
             const double part = std::min((now - falls) / (lies - falls), 1.0);
             return tipped(part * part);
         }
-        if (now < goes) return tipped(1 - (now - gets_up) / (goes - gets_up));
-        const double x = place + (now - goes) * speed;
-        return x < width_ + outside ? std::optional(walking(x)) : std::nullopt;
+        if (now < fall_goes) return tipped(1 - (now - gets_up) / (fall_goes - gets_up));
+        const double x = fall_place + (now - fall_goes) * fall_speed;
+        return x < width_ + fall_outside ? std::optional(walking(x)) : std::nullopt;
     }
 
     Figure walking(double x) const {
-        const double stride = std::abs(x - place) * scale_ / (0.8 * height()) * 2 * std::numbers::pi;
+        const double stride = std::abs(x - fall_place) * scale_ / (0.8 * height()) * 2 * std::numbers::pi;
         return {{x * scale_, floor()}, height(), stride, 1, 1, 0, 0, seed_ + 5};
     }
 
     Figure tipped(double part) const {
-        return {{place * scale_, floor()}, height(), 0, 1, 1 - part, 0, part * flat, seed_ + 5};
+        return {{fall_place * scale_, floor()}, height(), 0, 1, 1 - part, 0, part * flat, seed_ + 5};
     }
 };
 

@@ -77,7 +77,7 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
 }
 
 // The coarsest level: smaller pictures show nothing that can be tracked.
-constexpr int smallest_side = 24;
+constexpr int smallest_level = 24;
 
 // Largest increment, pixels. The linearized equations hold for about a pixel; a larger increment may be wrong, and
 // errors would accumulate.
@@ -161,7 +161,7 @@ class Pyramid final : public FlowMethod {
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override {
         FlowFrame frame{grey, {smoothed(grey, taps_)}};
-        while (std::min(frame.levels.back().width(), frame.levels.back().height()) >= 2 * smallest_side) {
+        while (std::min(frame.levels.back().width(), frame.levels.back().height()) >= 2 * smallest_level) {
             frame.levels.push_back(downsampled(frame.levels.back()));
         }
         return frame;

@@ -13,10 +13,10 @@
 namespace vvr {
 namespace {
 
-constexpr double rate = 25;
+constexpr double path_rate = 25;
 
 Moment at(std::int64_t frame) {
-    return {frame, static_cast<double>(frame) / rate};
+    return {frame, static_cast<double>(frame) / path_rate};
 }
 
 using test::fill;

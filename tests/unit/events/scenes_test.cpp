@@ -36,7 +36,7 @@ std::map<std::string, std::vector<generator::Interval>> visits_of(const generato
     return visits;
 }
 
-void expect_frames(const auto& part, const generator::Interval& expected) {
+void expect_visit(const auto& part, const generator::Interval& expected) {
     test::expect_frames(part, expected, frames_off);
 }
 
@@ -53,13 +53,13 @@ TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
 
     const std::vector<generator::Interval> visits = visits_of(scene)["person"];
     ASSERT_EQ(visits.size(), 2U);
-    expect_frames(events[0], visits[0]);
-    expect_frames(events[2], visits[1]);
+    expect_visit(events[0], visits[0]);
+    expect_visit(events[2], visits[1]);
 
     const events::Event& bag = events[1];
-    expect_frames(bag, {facts.put_down, facts.taken_up - 1});
+    expect_visit(bag, {facts.put_down, facts.taken_up - 1});
     ASSERT_EQ(bag.stays.size(), 1U);
-    expect_frames(bag.stays[0], {facts.put_down, facts.taken_up - 1});
+    expect_visit(bag.stays[0], {facts.put_down, facts.taken_up - 1});
     EXPECT_NEAR(bag.stays[0].place.x, facts.x, pixels_off);
     EXPECT_NEAR(bag.stays[0].place.y, facts.y, pixels_off);
     EXPECT_LT(bag.path_length, pixels_off);
@@ -94,9 +94,9 @@ TEST(FallOnFloorEvents, AreOneThatLiesStill) {
     const std::vector<events::Event> events = events_of(scene);
     ASSERT_EQ(events.size(), 1U);
     const std::vector<generator::Interval> visits = visits_of(scene)["person"];
-    expect_frames(events[0], {visits.front().first, visits.back().last});
+    expect_visit(events[0], {visits.front().first, visits.back().last});
     ASSERT_EQ(events[0].stays.size(), 1U);
-    expect_frames(events[0].stays[0], {facts.lies, facts.gets_up});
+    expect_visit(events[0].stays[0], {facts.lies, facts.gets_up});
     EXPECT_NEAR(events[0].stays[0].place.x, facts.x, pixels_off);
     EXPECT_NEAR(events[0].stays[0].place.y, facts.y, pixels_off);
 }
@@ -116,7 +116,7 @@ TEST_P(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
             return (e.path.back().place.x > e.path.front().place.x) == rightward;
         });
         ASSERT_NE(event, events.end()) << name;
-        expect_frames(*event, {own.front().first, own.back().last});
+        expect_visit(*event, {own.front().first, own.back().last});
         EXPECT_GT(event->path_length, 0.9 * scene.size().width);
     }
 }

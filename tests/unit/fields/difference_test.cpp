@@ -9,8 +9,8 @@
 namespace vvr {
 namespace {
 
-constexpr Size size{96, 64};
-constexpr int pixels = size.width * size.height;
+constexpr Size pair_size{96, 64};
+constexpr int pixels = pair_size.width * pair_size.height;
 
 Plane<std::uint8_t> object_in(const video::Frame& frame, const video::Frame& empty, const fields::FieldOptions& options,
                               const Plane<std::uint8_t>& region = {}) {
@@ -27,7 +27,7 @@ fields::FieldOptions plain() {
 using test::lit;
 
 video::Frame dark_texture() {
-    video::Frame frame = test::texture_frame(size, 0, 0, 0);
+    video::Frame frame = test::texture_frame(pair_size, 0, 0, 0);
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(20 + p / 2);
     return frame;
 }
@@ -47,8 +47,8 @@ video::Frame seen(const video::Frame& frame, double gain, double offset, double 
 }
 
 void expect_only_the_object(const Plane<std::uint8_t>& object) {
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
+    for (int j = 0; j < pair_size.height; ++j) {
+        for (int i = 0; i < pair_size.width; ++i) {
             const bool well_inside = i >= 41 && i < 59 && j >= 21 && j < 39;
             const bool well_outside = i < 38 || i > 61 || j < 18 || j > 41;
             EXPECT_GE(object.at(i, j), well_inside ? 48 : 0) << i << ", " << j;
@@ -63,16 +63,17 @@ TEST(Difference, ShowsAnObjectAndNothingElse) {
 }
 
 TEST(Difference, StartsAtTheThreshold) {
-    const video::Frame dark = test::flat_frame(size, 0, 100);
-    EXPECT_EQ(object_in(test::flat_frame(size, 0, 123), dark, plain()).at(5, 5), 0);
-    EXPECT_EQ(object_in(test::flat_frame(size, 0, 124), dark, plain()).at(5, 5), 48);
-    EXPECT_EQ(object_in(test::flat_frame(size, 0, 76), dark, plain()).at(5, 5), 48) << "darker counts like brighter";
-    EXPECT_EQ(object_in(test::flat_frame(size, 0, 227), dark, plain()).at(5, 5), 254);
-    EXPECT_EQ(object_in(test::flat_frame(size, 0, 255), dark, plain()).at(5, 5), 255);
+    const video::Frame dark = test::flat_frame(pair_size, 0, 100);
+    EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 123), dark, plain()).at(5, 5), 0);
+    EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 124), dark, plain()).at(5, 5), 48);
+    EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 76), dark, plain()).at(5, 5), 48)
+        << "darker counts like brighter";
+    EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 227), dark, plain()).at(5, 5), 254);
+    EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 255), dark, plain()).at(5, 5), 255);
 }
 
 TEST(Difference, ColourCounts) {
-    for (const Size odd : {size, Size{67, 3}, Size{1, 1}}) {
+    for (const Size odd : {pair_size, Size{67, 3}, Size{1, 1}}) {
         video::Frame empty = test::flat_frame(odd, 0, 100);
         video::Frame frame = empty;
         empty.colour = Plane<Bgr>(odd, {100, 100, 100});
@@ -86,7 +87,7 @@ TEST(Difference, ColourCounts) {
 }
 
 TEST(Difference, SmallBlobsAreRemoved) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(pair_size, 0, 100);
     video::Frame frame = empty;
     for (int i = 10; i < 19; ++i) frame.grey.at(i, 30) = 200;          // nine in a row
     for (int k = 0; k < 10; ++k) frame.grey.at(50 + k, 20 + k) = 200;  // ten that touch at their corners
@@ -100,7 +101,7 @@ TEST(Difference, SmallBlobsAreRemoved) {
 }
 
 TEST(Difference, BlobsOfAnyShapeAreOne) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(pair_size, 0, 100);
     video::Frame frame = empty;
     int drawn = 0;
     for (int j = 5; j < 35; ++j) {  // a comb, whose teeth meet only in its last row, and a lone ring around nothing
@@ -118,11 +119,11 @@ TEST(Difference, BlobsOfAnyShapeAreOne) {
 }
 
 TEST(Difference, OnlyTheRegionIsLookedAt) {
-    Plane<std::uint8_t> region(size, 255);
-    test::fill(region, {0, 0, size.width, 30}, 0);
+    Plane<std::uint8_t> region(pair_size, 255);
+    test::fill(region, {0, 0, pair_size.width, 30}, 0);
     const Plane<std::uint8_t> object =
-        object_in(test::flat_frame(size, 0, 200), test::flat_frame(size, 0, 100), plain(), region);
-    EXPECT_EQ(lit(object), pixels - 30 * size.width);
+        object_in(test::flat_frame(pair_size, 0, 200), test::flat_frame(pair_size, 0, 100), plain(), region);
+    EXPECT_EQ(lit(object), pixels - 30 * pair_size.width);
     EXPECT_EQ(object.at(40, 29), 0);
 }
 
@@ -157,8 +158,8 @@ TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
 TEST(Illumination, LocalFollowsALampAtOneSide) {
     video::Frame empty = dark_texture();
     video::Frame frame = empty;
-    frame.grey =
-        test::grey_plane(size, [&](int i, int j) { return empty.grey.at(i, j) * (0.75 + 0.5 * i / size.width); });
+    frame.grey = test::grey_plane(
+        pair_size, [&](int i, int j) { return empty.grey.at(i, j) * (0.75 + 0.5 * i / pair_size.width); });
     fields::FieldOptions options{.illumination = "local"};
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
     options.illumination = "none";
@@ -176,8 +177,8 @@ TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
 }
 
 TEST(Illumination, NothingToLearnFromIsNoChange) {
-    const fields::Planes black{Plane<std::uint8_t>(size, 0), {}};
-    const fields::Planes white{Plane<std::uint8_t>(size, 255), {}};
+    const fields::Planes black{Plane<std::uint8_t>(pair_size, 0), {}};
+    const fields::Planes white{Plane<std::uint8_t>(pair_size, 255), {}};
     const fields::Planes tiny{Plane<std::uint8_t>({2, 1}, 100), {}};
     EXPECT_EQ(fields::estimate_illumination(black, white), fields::IlluminationChange{});
     EXPECT_EQ(fields::estimate_illumination(white, white), fields::IlluminationChange{});
@@ -186,7 +187,7 @@ TEST(Illumination, NothingToLearnFromIsNoChange) {
 
 TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     video::Frame empty = dark_texture();
-    empty.colour = Plane<Bgr>(size);
+    empty.colour = Plane<Bgr>(pair_size);
     for (std::size_t i = 0; i < empty.colour.pixels().size(); ++i) {
         const auto level = empty.grey.pixels()[i];
         empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + 20),

@@ -16,11 +16,11 @@
 namespace vvr {
 namespace {
 
-constexpr Size size{64, 48};
+constexpr Size frame_size{64, 48};
 
 /// A bright square that walks to the right by four pixels per frame, over a texture.
 video::Frame walker(std::int64_t index) {
-    video::Frame frame = test::texture_frame(size, 0, 0, 0);
+    video::Frame frame = test::texture_frame(frame_size, 0, 0, 0);
     frame.index = index;
     frame.pts = static_cast<double>(index) / 25;
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(30 + p / 4);
@@ -31,7 +31,7 @@ video::Frame walker(std::int64_t index) {
 
 video::Frame with_colour(std::int64_t index) {
     video::Frame frame = walker(index);
-    frame.colour = Plane<Bgr>(size);
+    frame.colour = Plane<Bgr>(frame_size);
     std::ranges::transform(frame.grey.pixels(), frame.colour.pixels().begin(), [](std::uint8_t g) {
         return Bgr{g, g, g};
     });
@@ -61,7 +61,7 @@ TEST(Filters, DifferenceIsTwiceWhatDiffers) {
 TEST(Filters, HullIsTheSilhouette) {
     const Plane<std::uint8_t> scalar = fields_of(exact("hull"), 4)[3].scalar;
     EXPECT_EQ(std::ranges::count(scalar.pixels(), 255), 12 * 16);
-    EXPECT_EQ(std::ranges::count(scalar.pixels(), 0), size.width * size.height - 12 * 16);
+    EXPECT_EQ(std::ranges::count(scalar.pixels(), 0), frame_size.width * frame_size.height - 12 * 16);
 }
 
 TEST(Filters, BandsTellWhatBecameOfAPixel) {
@@ -81,11 +81,11 @@ TEST(Filters, BandsTellWhatBecameOfAPixel) {
 
 TEST(Filters, SignedTellsDarkerFromBrighter) {
     // A dark square and a bright one on grey.
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(frame_size, 0, 100);
     const auto make = [&](std::int64_t) {
         video::Frame frame = empty;
-        test::fill(frame.grey, {0, 0, 8, size.height}, 60);
-        test::fill(frame.grey, {8, 0, 16, size.height}, 160);
+        test::fill(frame.grey, {0, 0, 8, frame_size.height}, 60);
+        test::fill(frame.grey, {8, 0, 16, frame_size.height}, 160);
         return frame;
     };
     const Plane<std::uint8_t> scalar =
@@ -204,10 +204,10 @@ std::vector<Plane<std::uint8_t>> seen_by(const fields::FilterRow& row, const Run
     std::mt19937 random(7);
     std::vector<Plane<std::uint8_t>> masks;
     for (int i = 0; i < 30; ++i) {
-        video::Frame frame = test::flat_frame(size, i, 90);
+        video::Frame frame = test::flat_frame(frame_size, i, 90);
         for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(60 + random() % 80);
         const fields::Planes smooth{frame.grey, {}};
-        const Plane<std::uint8_t> none(size, 0);
+        const Plane<std::uint8_t> none(frame_size, 0);
         run([&] { masks.push_back(filter({frame, smooth, nullptr, none, nullptr, none, {}})); });
     }
     return masks;
@@ -237,10 +237,11 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
         fields::FieldOptions options = exact(std::string(row.name));
         options.threshold = 255;
         fields::EmptyScene scene = test::scene_of(walker(1000));
-        scene.region = Plane<std::uint8_t>(size, 255);
-        test::fill(scene.region, {0, 0, size.width, 24}, 0);
+        scene.region = Plane<std::uint8_t>(frame_size, 255);
+        test::fill(scene.region, {0, 0, frame_size.width, 24}, 0);
         for (const fields::Field& field : test::fields_of(test::frames_of(8, walker), scene, options)) {
-            for (int j = 0; j < 24; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width) << row.name;
+            for (int j = 0; j < 24; ++j)
+                ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), frame_size.width) << row.name;
             for (const int p : field.scalar.pixels()) {
                 ASSERT_TRUE(p == 0 || p == 255 || row.traits.values != fields::Values::strength)
                     << row.name << " " << p;

@@ -14,7 +14,7 @@
 namespace vvr {
 namespace {
 
-constexpr Size size{96, 64};
+constexpr Size mask_size{96, 64};
 
 using test::lit;
 
@@ -23,11 +23,11 @@ void paint(Plane<std::uint8_t>& plane, int left, int top, int width, int height,
 }
 
 TEST(Blobs, FaintOnesGo) {
-    Plane<std::uint8_t> plane(size);
+    Plane<std::uint8_t> plane(mask_size);
     paint(plane, 10, 10, 20, 20, 40);
     paint(plane, 60, 10, 20, 20, 40);
     paint(plane, 65, 15, 2, 2, 50);
-    Plane<std::uint8_t> strong(size, 50);
+    Plane<std::uint8_t> strong(mask_size, 50);
     Plane<std::uint8_t> four = plane;
     fields::apply_hysteresis(four, strong, 4, 20);
     EXPECT_EQ(lit(four), 400) << "the one with four strong pixels stays whole";
@@ -37,14 +37,14 @@ TEST(Blobs, FaintOnesGo) {
 }
 
 TEST(Blobs, HolesAreFilledAndBaysAreNot) {
-    Plane<std::uint8_t> plane(size);
+    Plane<std::uint8_t> plane(mask_size);
     paint(plane, 10, 10, 30, 30, 40);
     paint(plane, 12, 12, 3, 3, 0);    // a hole
     paint(plane, 20, 20, 10, 10, 0);  // one that is too large
     paint(plane, 38, 30, 2, 4, 0);    // a bay
     paint(plane, 0, 50, 5, 14, 40);   // a hole at the picture's edge is none
     paint(plane, 0, 55, 2, 2, 0);
-    Plane<std::uint8_t> differences(size, 7);
+    Plane<std::uint8_t> differences(mask_size, 7);
     differences.at(21, 21) = 255;
     fields::fill_holes(plane, differences, {.max_area = 20, .least = 8, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 0) << "the scene is seen through it";
@@ -53,27 +53,27 @@ TEST(Blobs, HolesAreFilledAndBaysAreNot) {
     EXPECT_EQ(plane.at(13, 13), 48);
     fields::fill_holes(plane, differences, {.max_area = 100, .least = 9, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 109) << "the mean counts";
-    Plane<std::uint8_t> corner(size);
+    Plane<std::uint8_t> corner(mask_size);
     paint(corner, 10, 10, 30, 30, 40);
     paint(corner, 20, 20, 10, 10, 0);
     paint(corner, 30, 30, 2, 2, 0);
     fields::fill_holes(corner, differences, {.max_area = 20, .least = 7, .value = 48});
     EXPECT_EQ(corner.at(30, 30), 48) << "holes that touch at a corner are two";
-    Plane<std::uint8_t> nothing(size);
-    fields::fill_holes(nothing, differences, {.max_area = size.width * size.height});
+    Plane<std::uint8_t> nothing(mask_size);
+    fields::fill_holes(nothing, differences, {.max_area = mask_size.width * mask_size.height});
     EXPECT_EQ(lit(nothing), 0);
 }
 
 TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
-    Plane<std::uint8_t> object(size);
-    Plane<std::uint8_t> shadow(size);
+    Plane<std::uint8_t> object(mask_size);
+    Plane<std::uint8_t> shadow(mask_size);
     paint(object, 20, 20, 20, 20, 100);
     paint(object, 25, 20, 10, 5, 0);  // a roof: open above
     paint(shadow, 25, 20, 10, 5, 30);
     paint(shadow, 41, 38, 12, 2, 30);  // beside its feet
     std::vector<fields::ShadowPixel> taken;
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
+    for (int j = 0; j < mask_size.height; ++j) {
+        for (int i = 0; i < mask_size.width; ++i) {
             if (shadow.at(i, j) != 0) taken.push_back({i, j, shadow.at(i, j)});
         }
     }
@@ -91,7 +91,7 @@ std::vector<video::Frame> noisy(const video::Frame& empty, double sigma, int cou
 }
 
 TEST(Noise, IsAboutTheMedianDifference) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
     for (const double sigma : {0.0, 3.0, 8.0}) {
         const Plane<std::uint8_t> noise = fields::noise_of(noisy(empty, sigma, 31), {empty.grey, {}}, 0);
         double sum = 0;
@@ -103,7 +103,7 @@ TEST(Noise, IsAboutTheMedianDifference) {
 }
 
 TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
     std::vector<video::Frame> frames = noisy(empty, 2, 31);
     for (std::size_t k = 12; k < frames.size(); ++k) paint(frames[k].grey, 40, 20, 20, 30, 200);
     const Plane<std::uint8_t> noise = fields::noise_of(frames, {empty.grey, {}}, 0);
@@ -112,10 +112,10 @@ TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
 
 // Leaves sway on the left: what lights up there now and then is no object, and on the right it is.
 TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
     fields::Reference reference(fields::Planes{empty.grey, {}});
-    reference.noise = Plane<std::uint8_t>(size);
-    paint(reference.noise, 0, 0, 48, size.height, 8);
+    reference.noise = Plane<std::uint8_t>(mask_size);
+    paint(reference.noise, 0, 0, 48, mask_size.height, 8);
     const Plane<std::uint8_t> everywhere;
     fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, reference, everywhere);
@@ -132,7 +132,7 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
 
 // Only the shirt reaches the threshold; the trousers belong to it, and a faint cloud beside it doesn't count.
 TEST(Noise, WeakPartsOfAThingShowWithIt) {
-    const video::Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
     const Plane<std::uint8_t> everywhere;
     fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, {}}, everywhere);

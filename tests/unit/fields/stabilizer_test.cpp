@@ -13,10 +13,10 @@ namespace {
 
 using test::fields_of;
 
-constexpr Size size{192, 144};
+constexpr Size shaken_size{192, 144};
 
 video::Frame rough(double dx, double dy) {
-    return {0, 0, test::grey_plane(size, [&](int i, int j) { return test::rough_texture(i - dx, j - dy); }), {}};
+    return {0, 0, test::grey_plane(shaken_size, [&](int i, int j) { return test::rough_texture(i - dx, j - dy); }), {}};
 }
 
 fields::Planes planes_of(const video::Frame& frame) {
@@ -37,8 +37,8 @@ TEST(Stabilizer, WhatMovesByItselfIsNotTheCamera) {
     const fields::Stabilizer stabilizer(planes_of(rough(0, 0)));
     video::Frame frame = rough(4, -3);
     const video::Frame crowd = rough(-7, 2);
-    for (int j = 0; j < size.height; ++j) {  // four tenths of the picture
-        std::copy_n(crowd.grey.row(j).begin(), 4 * size.width / 10, frame.grey.row(j).begin());
+    for (int j = 0; j < shaken_size.height; ++j) {  // four tenths of the picture
+        std::copy_n(crowd.grey.row(j).begin(), 4 * shaken_size.width / 10, frame.grey.row(j).begin());
     }
     const fields::Shift found = stabilizer.shift_of(frame.grey);
     EXPECT_NEAR(found.x, 4, 0.2);
@@ -46,7 +46,7 @@ TEST(Stabilizer, WhatMovesByItselfIsNotTheCamera) {
 }
 
 TEST(Stabilizer, NothingToSeeIsNoShift) {
-    const fields::Stabilizer stabilizer({test::flat_frame(size, 0, 90).grey, {}});
+    const fields::Stabilizer stabilizer({test::flat_frame(shaken_size, 0, 90).grey, {}});
     const fields::Shift shift = stabilizer.shift_of(rough(3, 3).grey);
     EXPECT_EQ(shift.x, 0);
     EXPECT_EQ(shift.y, 0);
@@ -58,17 +58,17 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
     video::Frame frame = rough(5, -3);
     const fields::VisibleArea visible = stabilizer.align(frame, {5, -3});
     EXPECT_EQ(visible.left, 0);
-    EXPECT_EQ(visible.right, size.width - 5);
+    EXPECT_EQ(visible.right, shaken_size.width - 5);
     EXPECT_EQ(visible.top, 3);
-    EXPECT_EQ(visible.bottom, size.height);
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
+    EXPECT_EQ(visible.bottom, shaken_size.height);
+    for (int j = 0; j < shaken_size.height; ++j) {
+        for (int i = 0; i < shaken_size.width; ++i) {
             ASSERT_NEAR(frame.grey.at(i, j), here.grey.at(i, j), 1) << i << ", " << j;
         }
     }
-    Plane<std::uint8_t> plane(size, 7);
+    Plane<std::uint8_t> plane(shaken_size, 7);
     fields::clear_outside_overlap(visible, plane);
-    EXPECT_EQ(std::ranges::count(plane.pixels(), 7), (size.width - 5) * (size.height - 3));
+    EXPECT_EQ(std::ranges::count(plane.pixels(), 7), (shaken_size.width - 5) * (shaken_size.height - 3));
     EXPECT_EQ(plane.at(0, 2), 0);
     EXPECT_EQ(plane.at(0, 3), 7);
 }

@@ -7,10 +7,10 @@
 namespace vvr {
 namespace {
 
-constexpr int size = 40;
+constexpr int letter_size = 40;
 
 int width_of(const std::string& text) {
-    const std::optional<PixelBox> box = image::measure_text(text, size);
+    const std::optional<PixelBox> box = image::measure_text(text, letter_size);
     return box ? box->width() : 0;
 }
 
@@ -32,8 +32,8 @@ TEST(Text, AnArabicWordIsJoinedAndRunsFromRightToLeft) {
     EXPECT_LT(width_of(beh + beh + beh), 2 * width_of(beh)) << "the letters are not joined";
 
     image::Picture picture{Plane<image::Rgba>({200, 100}, image::Rgba(0))};
-    ASSERT_TRUE(image::draw_text(picture, 50, 60, alef + beh, size, image::Rgba(1)));
-    const PixelBox box = *image::measure_text(alef + beh, size);
+    ASSERT_TRUE(image::draw_text(picture, 50, 60, alef + beh, letter_size, image::Rgba(1)));
+    const PixelBox box = *image::measure_text(alef + beh, letter_size);
     const int middle = 50 + (box.left + box.right) / 2;
     EXPECT_GT(height_between(picture, middle, 200), height_between(picture, 0, middle))
         << "the tall alef is not at the right";
@@ -47,7 +47,7 @@ TEST(Text, MissingCharactersAreThoseOfNoFont) {
 }
 
 TEST(Text, EmptyTextHasNoBox) {
-    EXPECT_FALSE(image::measure_text("", size));
+    EXPECT_FALSE(image::measure_text("", letter_size));
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace {
 
 using namespace test;
 
-void expect_error(const std::string& name, ErrorCode code, std::initializer_list<std::string_view> facts,
-                  const video::SourceOptions& options = {}) {
+void expect_open_error(const std::string& name, ErrorCode code, std::initializer_list<std::string_view> facts,
+                       const video::SourceOptions& options = {}) {
     SCOPED_TRACE(name);
     test::expect_error(
         code, [&] { video::open_source(name, options); }, facts);
@@ -52,22 +52,22 @@ class VideoErrors : public testing::Test {
 TEST_F(VideoErrors, PicturesThatAreNone) {
     write_bytes(folder / "a.png", "text");
     write_bytes(folder / "b.png", "text");
-    expect_error(folder.path(), ErrorCode::no_frame, {"any of the 2 pictures", "a.png"});
+    expect_open_error(folder.path(), ErrorCode::no_frame, {"any of the 2 pictures", "a.png"});
 }
 
 TEST_F(VideoErrors, PatternsWithoutMatch) {
     for (const std::string name : {"%05d.png", "*.png", "none/%05d.png"})
-        expect_error(folder / name, ErrorCode::file_not_found, {name});
+        expect_open_error(folder / name, ErrorCode::file_not_found, {name});
     for (const std::string name : {"%d_%d.png", "%s.png"})
-        expect_error(folder / name, ErrorCode::name_pattern_invalid, {name});
+        expect_open_error(folder / name, ErrorCode::name_pattern_invalid, {name});
 }
 
 // libav would draw these as pictures of a terminal.
 TEST_F(VideoErrors, TextFile) {
     write_bytes(folder / "notes.txt", "hello\n");
-    expect_error(folder / "notes.txt", ErrorCode::not_video, {"notes.txt"});
+    expect_open_error(folder / "notes.txt", ErrorCode::not_video, {"notes.txt"});
     write_bytes(folder / "art.ans", "\033[31mhello\n");
-    expect_error(folder / "art.ans", ErrorCode::not_video, {"art.ans"});
+    expect_open_error(folder / "art.ans", ErrorCode::not_video, {"art.ans"});
 }
 
 TEST_F(VideoErrors, AudioWithACover) {
@@ -75,7 +75,7 @@ TEST_F(VideoErrors, AudioWithACover) {
     ffmpeg("-f lavfi -i color=s=32x32 -frames:v 1 -update 1 " + quoted(folder / "cover.png"));
     ffmpeg("-i " + quoted(folder / "sound.wav") + " -i " + quoted(folder / "cover.png") +
            " -map 0 -map 1 -c:v copy -disposition:v attached_pic " + quoted(folder / "cover.mp3"));
-    expect_error(folder / "cover.mp3", ErrorCode::no_video_stream, {"cover picture (png)"});
+    expect_open_error(folder / "cover.mp3", ErrorCode::no_video_stream, {"cover picture (png)"});
 }
 
 TEST_F(VideoErrors, NoFrameDecodes) {
@@ -83,12 +83,12 @@ TEST_F(VideoErrors, NoFrameDecodes) {
     auto bytes = read_bytes(clip);
     for (std::size_t i = 1200; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 31);
     write_bytes(folder / "noise.mkv", bytes);
-    expect_error(folder / "noise.mkv", ErrorCode::no_frame, {"noise.mkv"});
+    expect_open_error(folder / "noise.mkv", ErrorCode::no_frame, {"noise.mkv"});
 }
 
 TEST_F(VideoErrors, CutBeforeItsIndex) {
     const auto clip = walkers_clip(folder, "clip.mp4", "-c:v libx264");
-    expect_error(cut(folder, clip, 0.5), ErrorCode::not_video, {"cut.mp4", "moov atom not found"});
+    expect_open_error(cut(folder, clip, 0.5), ErrorCode::not_video, {"cut.mp4", "moov atom not found"});
 }
 
 TEST_F(VideoErrors, UnreadableFile) {
@@ -96,18 +96,18 @@ TEST_F(VideoErrors, UnreadableFile) {
     ::chmod(folder.path().c_str(), 0755);  // it is the file that can't be read
     ::chmod((folder / "secret.avi").c_str(), 0);
     const NotRoot as_somebody;
-    expect_error(folder / "secret.avi", ErrorCode::permission_denied, {"secret.avi"});
+    expect_open_error(folder / "secret.avi", ErrorCode::permission_denied, {"secret.avi"});
 }
 
 TEST_F(VideoErrors, Address) {
-    expect_error("http://127.0.0.1:1/clip.mp4", ErrorCode::stream_unreachable,
-                 {"http://127.0.0.1:1/clip.mp4", "Connection refused"});
-    expect_error("nothing://clip", ErrorCode::stream_unreachable, {"nothing://clip", "Protocol not found"});
+    expect_open_error("http://127.0.0.1:1/clip.mp4", ErrorCode::stream_unreachable,
+                      {"http://127.0.0.1:1/clip.mp4", "Connection refused"});
+    expect_open_error("nothing://clip", ErrorCode::stream_unreachable, {"nothing://clip", "Protocol not found"});
 }
 
 TEST_F(VideoErrors, RateThatCannotBe) {
-    expect_error(counting_clip(folder, "clip.mkv", "-c:v ffv1"), ErrorCode::option_value_out_of_range, {"rate: 0 "},
-                 {.rate = 0});
+    expect_open_error(counting_clip(folder, "clip.mkv", "-c:v ffv1"), ErrorCode::option_value_out_of_range,
+                      {"rate: 0 "}, {.rate = 0});
 }
 
 TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
@@ -122,7 +122,7 @@ TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
     }
     for (std::size_t i = 0; i < 4; ++i) png[29 + i] = static_cast<char>(~sum >> (24 - 8 * i));
     write_bytes(folder / "huge.png", png);
-    expect_error(folder / "huge.png", ErrorCode::no_frame, {"huge.png", "Invalid image size"});
+    expect_open_error(folder / "huge.png", ErrorCode::no_frame, {"huge.png", "Invalid image size"});
 
     auto avi = read_bytes(walkers_clip(folder, "clip.avi", "-c:v mjpeg"));
     const std::string size("\xc0\0\0\0\x90\0\0\0", 8);
@@ -214,7 +214,7 @@ TEST_F(VideoErrors, NoRoomForThePipe) {
     const rlimit small{1 << 20, limit.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
     with_pipe(std::string(3 << 20, 'x'), [] {
-        expect_error("-", ErrorCode::disk_full, {"'-'", "after 1.0 MB", "File too large", "TMPDIR"});
+        expect_open_error("-", ErrorCode::disk_full, {"'-'", "after 1.0 MB", "File too large", "TMPDIR"});
     });
     ::setrlimit(RLIMIT_FSIZE, &limit);
     std::signal(SIGXFSZ, old);

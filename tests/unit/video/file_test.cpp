@@ -20,14 +20,14 @@ namespace {
 
 using namespace test;
 
-struct Encoding {
+struct FileEncoding {
     std::string name;
     std::string arguments;
     std::string container;
     std::string codec;
 };
 
-class Encodings : public testing::TestWithParam<Encoding> {};
+class Encodings : public testing::TestWithParam<FileEncoding> {};
 
 TEST_P(Encodings, GiveEveryFrameInOrderWithItsTime) {
     const TempFolder folder;
@@ -53,13 +53,14 @@ TEST_P(Encodings, GiveEveryFrameInOrderWithItsTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Video, Encodings,
-                         testing::Values(Encoding{"clip.avi", "-c:v mpeg4 -q:v 2", "avi", "mpeg4"},
-                                         Encoding{"clip.mp4", "-c:v libx264 -qp 4 -g 12 -bf 3", "mov", "h264"},
-                                         Encoding{"clip.mkv", "-c:v libx264 -qp 4 -g 12 -bf 3 -x264-params open-gop=1",
-                                                  "matroska", "h264"},
-                                         Encoding{"clip.ts", "-c:v libx264 -qp 4 -g 25 -bf 2", "mpegts", "h264"},
-                                         Encoding{"lossless.mkv", "-c:v ffv1", "matroska", "ffv1"},
-                                         Encoding{"motion.avi", "-c:v mjpeg -q:v 2", "avi", "mjpeg"}),
+                         testing::Values(FileEncoding{"clip.avi", "-c:v mpeg4 -q:v 2", "avi", "mpeg4"},
+                                         FileEncoding{"clip.mp4", "-c:v libx264 -qp 4 -g 12 -bf 3", "mov", "h264"},
+                                         FileEncoding{"clip.mkv",
+                                                      "-c:v libx264 -qp 4 -g 12 -bf 3 -x264-params open-gop=1",
+                                                      "matroska", "h264"},
+                                         FileEncoding{"clip.ts", "-c:v libx264 -qp 4 -g 25 -bf 2", "mpegts", "h264"},
+                                         FileEncoding{"lossless.mkv", "-c:v ffv1", "matroska", "ffv1"},
+                                         FileEncoding{"motion.avi", "-c:v mjpeg -q:v 2", "avi", "mjpeg"}),
                          [](const auto& test) {
                              std::string name = test.param.name;
                              std::replace(name.begin(), name.end(), '.', '_');
