@@ -44,9 +44,20 @@ double phase_of(const Plan& plan, std::int64_t brick, std::int64_t pictures) {
     return static_cast<double>(pictures % default_animation) / default_animation;
 }
 
+/// A run for a report or tables alone. It draws nothing, so it opens no OpenGL, which costs more than a short clip.
+Outcome describe_clip(const Plan& plan, fields::FieldSource& source, Observer& observer) {
+    RunFacts run;
+    Observation seen = observe(plan, source, observer);
+    run.stages.end("fields");
+    Composition composed = compose(plan, seen);
+    run.stages.end("scene");
+    return {std::move(seen), std::move(composed), std::move(run)};
+}
+
 }  // namespace
 
 Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink) {
+    if (plan.products.pictures == 0) return describe_clip(plan, source, observer);
     RunFacts run;  // starts the timing of stages
     const std::int64_t expected = plan.clip.expected_frames;
     const bool is_long = expected > long_read;

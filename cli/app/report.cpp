@@ -292,7 +292,9 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
         {"files", info.left_out.files}, {"frames", info.left_out.frames}, {"seconds", rounded(info.left_out.seconds)}};
     json["settings"] = Json::object();
     for (const auto& [name, value] : settings_and_font(context)) json["settings"][name] = value;
-    json["renderer"] = {{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
+    json["renderer"] = run.renderer.empty()
+                           ? Json()
+                           : Json{{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
     json["labels"] = Json::array();
     for (const labels::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();

@@ -42,7 +42,7 @@ class Stages {
 
 /// The renderer and statistics of a run.
 struct RunFacts {
-    std::string renderer{};    ///< GL_RENDERER
+    std::string renderer{};    ///< GL_RENDERER; empty if nothing was drawn
     std::string gl_version{};  ///< GL_VERSION
     std::string backend{};
     std::int64_t pictures = 0;  ///< so far

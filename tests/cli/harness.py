@@ -102,8 +102,8 @@ class Bench:
         return {command["name"]: command for command in said["commands"]}
 
     def render(self, clip, *arguments, output="out.png", **options):
-        """A small and quick picture."""
-        return self.vvr("render", clip, "-o", output, "--size", "160x100", *arguments, **options)
+        """A small and quick picture; no `output` = none."""
+        return self.vvr("render", clip, *(["-o", output] if output else []), "--size", "160x100", *arguments, **options)
 
     def start(self, *arguments, **options):
         """A run of vvr that goes on, without a word unless the options say otherwise."""

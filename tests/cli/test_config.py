@@ -146,15 +146,15 @@ threshold = 70
     # One clip has the settings of its camera too, by its folders or by name.
     clip = "in/house/gate/21112026-203000.avi"
     for arguments, expected in (([], "41"), (["--camera-name", "cellar"], "70"), (["--threshold", "33"], "33")):
-        t.render(clip, *config, *arguments, "--report", "r.json").expect(0)
+        t.render(clip, *config, *arguments, "--report", "r.json", output=None).expect(0)
         check(t.json("r.json")["settings"]["threshold"] == expected, f"{arguments}")
     # So has a folder of one camera, whose clips lie deeper.
     t.clip("tree/gate/2026-11-21/20-30-00.avi", seconds=1)
-    t.render("tree", *config, "--report", "r.json").expect(0)
+    t.render("tree", *config, "--report", "r.json", output=None).expect(0)
     check(t.json("r.json")["settings"]["threshold"] == "41", "tree")
     t.render(clip, *config, "--camera-name", "gaet").expect(1, "[camera.gaet]", "'gate'", code="option-value")
     # Without sections it only names the camera.
-    t.render(clip, "--camera-name", "gate", "--report", "r.json").expect(0)
+    t.render(clip, "--camera-name", "gate", "--report", "r.json", output=None).expect(0)
     check(t.json("r.json")["input"]["camera"] == "gate", "named")
     # A pattern, a list of files, and a number that only the section says is a camera's.
     t.write("more.toml", "[camera.gate]\nthreshold = 41\n[camera.01]\nthreshold = 42\n")
@@ -162,7 +162,7 @@ threshold = 70
     for inputs, expected in ((["tree/*/2026-11-21"], ("41", "gate")),
                              (["many/gate_2026-11-21_20-30-00.avi", "many/gate_2026-11-21_20-30-01.avi"], ("41", "gate")),
                              (["01_20261121203000.avi"], ("42", "01"))):
-        t.render(*inputs, "--config", "more.toml", "--report", "r.json").expect(0)
+        t.render(*inputs, "--config", "more.toml", "--report", "r.json", output=None).expect(0)
         report = t.json("r.json")
         check((report["settings"]["threshold"], report["input"]["camera"]) == expected, f"{inputs}: {report['input']}")
     said = t.vvr("config", "archive", "--camera-name", "gate", *config).expect(0, out=None).out

@@ -113,15 +113,29 @@ def test_version_loads_neither_drivers_nor_openimageio(t):
         check("libc.so" in loaded and library not in loaded, loaded)
 
 
+def loads(t, library, *command):
+    run = t.run(["env", "LD_DEBUG=files", t.vvr_path, *command]).expect(0, out=None)
+    check("libc.so" in run.err, run.err[-300:])
+    return library in run.err
+
+
+def test_a_report_alone_opens_no_opengl(t):
+    """It costs more than to read a short clip."""
+    t.clip()
+    check(loads(t, "libEGL", "render", "clip.avi", "-o", "out.png", "--size", "160x100"), "a picture is drawn without EGL")
+    check(not loads(t, "libEGL", "render", "clip.avi", "--report", "report.json"), "a report loads EGL")
+    check(t.json("report.json")["renderer"] is None, "a renderer that has drawn nothing")
+    # Nothing of OpenGL can fail then.
+    t.vvr("render", "clip.avi", "--backend", "egl", "--events-csv", "events.csv").expect(0)
+
+
 def test_png_and_jpeg_files_and_pages_load_no_openimageio(t):
     """Loading it takes longer than to draw a short clip: only other formats need it."""
     t.clip()
     small = ("--size", "160x100", "--backend", "software")
 
     def loads_openimageio(*command):
-        run = t.run(["env", "LD_DEBUG=files", t.vvr_path, *command]).expect(0, out=None)
-        check("libc.so" in run.err, run.err[-300:])
-        return "libOpenImageIO" in run.err
+        return loads(t, "libOpenImageIO", *command)
 
     for command in (("render", "clip.avi", "-o", "out.png", "--still", "still.jpg", *small), ("compare", "out.png", "out.png"),
                     ("render", "clip.avi", "--golden", "out.png", *small), ("extract", "clip.avi", "-o", "data"),

@@ -45,7 +45,7 @@ def test_recording_of_segments_equals_the_whole_clip(t):
     names = cut(t)
     check(len(names) == 4, f"{names}")
     t.write("day/all.txt", "# of the gate\n" + "\n".join(name.removeprefix("day/") for name in reversed(names)) + "\n")
-    for number, given in enumerate([["day"], names, list(reversed(names)), ["day/*/*/gate"], ["day/*/*/*/*.mkv"], ["day/all.txt"]]):
+    for number, given in enumerate([["day"], list(reversed(names)), ["day/*/*/gate"], ["day/all.txt"]]):
         t.render(*given, *LOOK, output=f"{number}.png").expect(0, "400 frames")
         check(t.path(f"{number}.png").read_bytes() == t.path("whole.png").read_bytes(), f"{given} make another picture")
     # The reference is learnt of key frames where there are enough of them, else of all frames.
@@ -54,9 +54,9 @@ def test_recording_of_segments_equals_the_whole_clip(t):
     check(t.path("short.png").read_bytes() == t.path("short day.png").read_bytes(), "another picture of the first 20 s")
     for command in (["extract", "whole.mkv", "-o", "a"], ["extract", "day", "-o", "b"]):
         t.vvr(*command).expect(0, "400 frames")
-    t.render("a", *LOOK, output="a.png").expect(0)
-    t.render("b", *LOOK, output="b.png").expect(0)
-    check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), "data files make another picture")
+    files = [name.removeprefix("a/") for name in t.files() if name.startswith("a/scalar/")]
+    other = [name for name in files if t.path(f"a/{name}").read_bytes() != t.path(f"b/{name}").read_bytes()]
+    check(len(files) == 400 and other == [], f"other values in {other} of {len(files)} files")
     t.vvr("inspect", "day", "--frame", "25s", "-o", "i.png").expect(0, "frame 250 at 25.000 s")
     told = t.vvr("info", "day", "--json").expect(0, out=None).json()
     check(told["frames"] == 400 and told["recorded"] == "2026-11-21 23:59:40", f"{told}")

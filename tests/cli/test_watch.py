@@ -120,14 +120,26 @@ def watched(t, *options, output="out.{brick}.png", **server):
         return Watch(t, url, "-o", output, "--brick", "1s", "--window", "3", *SIZE, *options).end()
 
 
-def test_watch_over_tcp(t):
-    source(t)
-    said = watched(t, "--duration", "5s")
+# The longest come first: the others run beside them.
+def test_watch_shows_gaps(t):
+    source(t, seconds=30)
+    with stream(t) as url:
+        watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "1s", "--window", "16", *SIZE, "--duration", "17s", "--start-time",
+                      "2026-11-21 08:00:00", "--show", "volume,outline,ruler,title", "--color", "transfer")
+        watch.wait_for("brick 0")
+    before = sorted(name for name in t.files() if name.startswith("out."))
+    check(red_pixels(t, before[-1]) < 5, f"hatched without a gap: {red_pixels(t, before[-1])}")
+    for begin in (8, 16):
+        time.sleep(1.5)
+        with stream(t, url, begin=begin):
+            watch.wait_for("reconnected to", 20)
+            time.sleep(3.5)
+    said = watch.end()
     now = figures(said)
-    check(now["dropped"] == 0 and now["reconnections"] == 0 and now["pictures"] >= 2, said)
-    for i in range(int(now["pictures"])):
-        t.expect_picture(f"out.{i}.png", size=(320, 200))
-    check("brick 1, 20" in said, said)
+    check(now["reconnections"] >= 2 and said.count("lost the connection") >= 2, said)
+    numbers = sorted(int(name.split(".")[1]) for name in t.files() if name.startswith("out."))
+    check(len(numbers) == now["pictures"] and numbers[-1] > len(numbers), f"bricks without a frame have pictures: {numbers}")
+    check(red_pixels(t, f"out.{numbers[-1]}.png") > 40, f"no hatching in out.{numbers[-1]}.png")
 
 
 def test_render_of_a_live_stream_is_refused(t):
@@ -139,6 +151,37 @@ def test_render_of_a_live_stream_is_refused(t):
                 1, "`vvr watch`", "ffmpeg -i ADDRESS -t 60 -c copy part.mkv", code="input-unsuitable").err
             check((f"opening '{url}'" in said) == (command[0] == "render"), said)
     t.expect_files("cam.ts")
+
+
+def test_watch_ends_when_asked(t):
+    source(t, seconds=30)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        with stream(t) as url:
+            watch = Watch(t, url, "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
+            watch.wait_for("frames per second")
+            time.sleep(3.5)
+            watch.child.send_signal(number)
+            said = watch.end(0, seconds=10)
+        check(figures(said)["pictures"] == 1, said)
+        t.expect_picture(size=(320, 200))
+        t.path("out.png").unlink()
+    # Before there is anything to be seen.
+    with stream(t) as url:
+        watch = Watch(t, url, "-o", "out.png", *SIZE)
+        watch.wait_for("frames per second")
+        watch.child.send_signal(signal.SIGTERM)
+        check("0 pictures of 0 frames" in watch.end(0, seconds=10), watch.said())
+    t.expect_files("cam.ts", "stderr", "watch.log")
+
+
+def test_watch_over_tcp(t):
+    source(t)
+    said = watched(t, "--duration", "5s")
+    now = figures(said)
+    check(now["dropped"] == 0 and now["reconnections"] == 0 and now["pictures"] >= 2, said)
+    for i in range(int(now["pictures"])):
+        t.expect_picture(f"out.{i}.png", size=(320, 200))
+    check("brick 1, 20" in said, said)
 
 
 @pytest.mark.slow
@@ -238,48 +281,6 @@ def test_watch_draws_the_last_seconds_before_an_outage(t):
     first, last = re.search(r"brick 1, .*? ([0-9:]+) to ([0-9:]+)", said).groups()
     seconds = [sum(int(part) * unit for part, unit in zip(moment.split(":"), (3600, 60, 1))) for moment in (first, last)]
     check(0 <= (seconds[1] - seconds[0]) % 86400 <= 2, f"brick 1 is not of the time before the outage: {said}")
-
-
-def test_watch_shows_gaps(t):
-    source(t, seconds=30)
-    with stream(t) as url:
-        watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "1s", "--window", "16", *SIZE, "--duration", "17s", "--start-time",
-                      "2026-11-21 08:00:00", "--show", "volume,outline,ruler,title", "--color", "transfer")
-        watch.wait_for("brick 0")
-    before = sorted(name for name in t.files() if name.startswith("out."))
-    check(red_pixels(t, before[-1]) < 5, f"hatched without a gap: {red_pixels(t, before[-1])}")
-    for begin in (8, 16):
-        time.sleep(1.5)
-        with stream(t, url, begin=begin):
-            watch.wait_for("reconnected to", 20)
-            time.sleep(3.5)
-    said = watch.end()
-    now = figures(said)
-    check(now["reconnections"] >= 2 and said.count("lost the connection") >= 2, said)
-    numbers = sorted(int(name.split(".")[1]) for name in t.files() if name.startswith("out."))
-    check(len(numbers) == now["pictures"] and numbers[-1] > len(numbers), f"bricks without a frame have pictures: {numbers}")
-    check(red_pixels(t, f"out.{numbers[-1]}.png") > 40, f"no hatching in out.{numbers[-1]}.png")
-
-
-def test_watch_ends_when_asked(t):
-    source(t, seconds=30)
-    for number in (signal.SIGTERM, signal.SIGINT):
-        with stream(t) as url:
-            watch = Watch(t, url, "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
-            watch.wait_for("frames per second")
-            time.sleep(3.5)
-            watch.child.send_signal(number)
-            said = watch.end(0, seconds=10)
-        check(figures(said)["pictures"] == 1, said)
-        t.expect_picture(size=(320, 200))
-        t.path("out.png").unlink()
-    # Before there is anything to be seen.
-    with stream(t) as url:
-        watch = Watch(t, url, "-o", "out.png", *SIZE)
-        watch.wait_for("frames per second")
-        watch.child.send_signal(signal.SIGTERM)
-        check("0 pictures of 0 frames" in watch.end(0, seconds=10), watch.said())
-    t.expect_files("cam.ts", "stderr", "watch.log")
 
 
 def test_watch_while_nobody_sends_ends_too(t):

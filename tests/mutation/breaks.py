@@ -60,7 +60,7 @@ BREAKS = [
     Break("core/fields/seed_list.cpp", "rounding * (1 + std::abs(a))", "(1 + std::abs(a))",
           "Seeds.FitTheFlowThatTheyHave"),
     # core/events
-    Break("core/events/association.cpp", "if (*most < limit.shared_part * tracks", "if (*most > limit.shared_part * tracks",
+    Break("core/events/association.cpp", "if (*most < thresholds.association.shared_part * tracks", "if (*most > thresholds.association.shared_part * tracks",
           "Associate.LetsTwoShareABlob"),
     Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin.place : bearer.end.place",
           "kind == EventKind::taken ? bearer.end.place : bearer.begin.place",
