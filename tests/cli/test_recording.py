@@ -35,7 +35,7 @@ def cut(t, clip="whole.mkv", seconds=10, begin=MIDNIGHT, layout="day/%Y-%m-%d/%H
 
 def report_of(t, *arguments, says=()):
     """That of a picture."""
-    t.render(*arguments, "--report", "r.json").expect(0, *says)
+    t.render(*arguments, "--report", "r.json", output=None).expect(0, *says)
     return t.json("r.json")
 
 

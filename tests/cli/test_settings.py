@@ -102,10 +102,10 @@ def test_presets_of_config_files(t):
     """The file wins over its preset, and the command line over both."""
     t.clip()
     t.write("vvr.toml", 'preset = "paper"\nfov = 20\nbackground = "none"\n')
-    t.render("clip.avi", "--config", "vvr.toml", "--report", "r.json").expect(0)
+    t.render("clip.avi", "--config", "vvr.toml", "--report", "r.json", output=None).expect(0)
     settings = t.json("r.json")["settings"]
     found = [settings[name] for name in ("preset", "solver", "fov", "background")]
     check(found == ["paper", "jacobi", "20", "none"], f"{settings}")
-    t.render("clip.avi", "--config", "vvr.toml", "--solver", "pyramid", "--report", "r.json").expect(0)
+    t.render("clip.avi", "--config", "vvr.toml", "--solver", "pyramid", "--report", "r.json", output=None).expect(0)
     settings = t.json("r.json")["settings"]
     check((settings["solver"], settings["shadows"]) == ("pyramid", "keep"), f"{settings}")

@@ -77,9 +77,10 @@ TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Quick, LeftBagEvents, testing::Values(std::tuple(600, 1, 0), std::tuple(600, 2, 5)));
+INSTANTIATE_TEST_SUITE_P(Quick, LeftBagEvents, testing::Values(std::tuple(600, 2, 5)));
 INSTANTIATE_TEST_SUITE_P(Nightly, LeftBagEvents,
-                         testing::Values(std::tuple(1600, 1, 0), std::tuple(1600, 3, 0), std::tuple(1600, 1, 5)));
+                         testing::Values(std::tuple(600, 1, 0), std::tuple(1600, 1, 0), std::tuple(1600, 3, 0),
+                                         std::tuple(1600, 1, 5)));
 
 TEST(StillEvents, NoiseIsNone) {
     for (const double noise : {0.0, 5.0, 8.0}) {
