@@ -43,7 +43,7 @@ bool nothing_visible(const bricks::Volume& volume, const scene::TransferFunction
     return true;
 }
 
-glance::Objects objects_of(const Plan& plan, const Observation& seen) {
+glance::Objects objects_to_show(const Plan& plan, const Observation& seen) {
     glance::Objects objects;
     objects.clock = plan.clock;
     if (!seen.events) return objects;
@@ -175,7 +175,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
     composed.bricks = cut(plan, seen);
     composed.compressed_idle = bricks::compressed_stretches(seen.volume);
     composed.nothing_moves = nothing_visible(seen.volume, plan.transfer);
-    composed.objects = objects_of(plan, seen);
+    composed.objects = objects_to_show(plan, seen);
     composed.ticks = ticks_of(plan, composed.framing, seen.volume);
     cut_into_pieces(plan, seen, composed);
     composed.palette = palette_of(plan);

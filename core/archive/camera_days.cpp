@@ -12,6 +12,7 @@
 
 #include "core/archive/output_files.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/base/wall_clock.h"
 
 namespace vvr::archive {
@@ -55,8 +56,7 @@ std::string date_of(std::int64_t utc, const DayRule& rule) {
 
 bool is_date_text(std::string_view text) {
     constexpr std::string_view date = "dddd-dd-dd";
-    return std::ranges::equal(text, date,
-                              [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
+    return std::ranges::equal(text, date, [](char c, char form) { return form == 'd' ? is_digit(c) : c == form; });
 }
 
 std::string words_of_day(const std::string& date, const DayRule& rule) {

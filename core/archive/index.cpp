@@ -13,6 +13,7 @@
 
 #include "core/archive/output_files.h"
 #include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/detector/classes.h"
 #include "core/events/event_kind.h"
@@ -29,7 +30,7 @@ using Json = nlohmann::ordered_json;
 /// Parses "2026-11-21 08:00:07", UTC; nothing for another format or an impossible time.
 std::optional<std::int64_t> seconds_of(std::string_view text) {
     constexpr std::string_view form = "dddd-dd-dd dd:dd:dd";
-    const auto fits = [](char c, char place) { return place == 'd' ? c >= '0' && c <= '9' : c == place; };
+    const auto fits = [](char c, char place) { return place == 'd' ? is_digit(c) : c == place; };
     if (!std::ranges::equal(text, form, fits)) return {};
     const auto part = [&](std::size_t at, std::size_t digits) {
         int number = 0;

@@ -22,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = ".vvr-";
-constexpr std::string_view extension = ".lock";
+constexpr std::string_view lock_extension = ".lock";
 
 /// The name has a hash, because `name` itself may already have the greatest length that a file system allows.
 fs::path file_for(const fs::path& folder, const std::string& name) {
-    return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), extension);
+    return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), lock_extension);
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) {
@@ -115,8 +115,8 @@ LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std
 
 bool LockFile::is_lock_file(const fs::path& file) {
     const std::string name = file.filename().string();
-    return name.size() == prefix.size() + 16 + extension.size() && name.starts_with(prefix) &&
-           name.ends_with(extension);
+    return name.size() == prefix.size() + 16 + lock_extension.size() && name.starts_with(prefix) &&
+           name.ends_with(lock_extension);
 }
 
 std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::path& file) {

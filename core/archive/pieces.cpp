@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view extension = ".events";
+constexpr std::string_view piece_extension = ".events";
 
 bool is_folder(const fs::path& path) {
     std::error_code none;
@@ -31,7 +31,7 @@ bool is_file(const fs::path& path) {
 }  // namespace
 
 fs::path pieces_folder(const fs::path& out, const std::string& clip) {
-    return out / (clip + std::string(extension));
+    return out / (clip + std::string(piece_extension));
 }
 
 std::vector<std::string> list_pieces(const fs::path& folder) {

@@ -19,6 +19,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace vvr::archive {
 
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 
 /// Whether a folder's name is a time, such as recorders create and remove: mostly digits.
 bool is_time_folder(std::string_view folder) {
-    const auto digits = std::ranges::count_if(folder, [](char c) { return c >= '0' && c <= '9'; });
+    const auto digits = std::ranges::count_if(folder, is_digit);
     const auto others = std::ranges::count_if(folder, [](char c) { return c != '-' && c != '_' && c != '.'; }) - digits;
     return digits > 0 && digits >= 2 * others;
 }

@@ -15,6 +15,11 @@ inline std::string counted(std::int64_t count, const std::string& word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+/// Whether this is an ASCII digit, in any locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// Escapes untrusted text for terminals, logs and reports: control characters, bidirectional marks, line separators and
 /// bytes that are not UTF-8 become escapes (`\n`, `\x1b`, `\u202e`). So text can't forge a line, move the cursor or
 /// disguise a name.

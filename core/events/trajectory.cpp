@@ -13,19 +13,19 @@ namespace vvr::events {
 namespace {
 
 /// A possible link.
-struct Candidate {
+struct Link {
     std::size_t earlier;
     std::size_t later;
     double cost;
 };
-using Candidates = std::vector<Candidate>;
+using Links = std::vector<Link>;
 
-Candidates candidates_of(std::span<const Tracklet> tracklets) {
+Links links_of(std::span<const Tracklet> tracklets) {
     std::vector<std::size_t> order(tracklets.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto begin_of = [&](std::size_t k) { return tracklets[k].begin.at.seconds; };
     std::ranges::stable_sort(order, {}, begin_of);
-    Candidates candidates;
+    Links links;
     for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
         const double end = tracklets[earlier].end.at.seconds;
         const double latest = end + std::max(thresholds.memory, thresholds.link.seconds);
@@ -33,14 +33,14 @@ Candidates candidates_of(std::span<const Tracklet> tracklets) {
         for (; place != order.end() && begin_of(*place) <= latest; ++place) {
             if (*place == earlier) continue;
             const double cost = link_cost(tracklets[earlier], tracklets[*place]);
-            if (cost < 1) candidates.push_back({earlier, *place, cost});
+            if (cost < 1) links.push_back({earlier, *place, cost});
         }
     }
-    return candidates;
+    return links;
 }
 
-/// Splits candidates into groups without a common tracklet, which can be solved separately.
-std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t tracklets) {
+/// Splits links into groups without a common tracklet, which can be solved separately.
+std::vector<Links> groups_of(const Links& links, std::size_t tracklets) {
     // A tracklet has two nodes: its end (index k) and its beginning (index tracklets + k).
     std::vector<std::size_t> parent(2 * tracklets);
     std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -48,10 +48,10 @@ std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t trac
         while (parent[k] != k) k = parent[k] = parent[parent[k]];
         return k;
     };
-    for (const Candidate& c : candidates) parent[root(c.earlier)] = root(tracklets + c.later);
-    std::map<std::size_t, Candidates> groups;
-    for (const Candidate& c : candidates) groups[root(c.earlier)].push_back(c);
-    std::vector<Candidates> result;
+    for (const Link& c : links) parent[root(c.earlier)] = root(tracklets + c.later);
+    std::map<std::size_t, Links> groups;
+    for (const Link& c : links) groups[root(c.earlier)].push_back(c);
+    std::vector<Links> result;
     for (auto& [number, group] : groups) result.push_back(std::move(group));
     return result;
 }
@@ -87,16 +87,16 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
 
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
     std::vector<std::optional<std::size_t>> next(tracklets.size());
-    for (const Candidates& group : groups_of(candidates_of(tracklets), tracklets.size())) {
+    for (const Links& group : groups_of(links_of(tracklets), tracklets.size())) {
         // A group has few rows and columns, however long the clip is.
         std::map<std::size_t, int> rows;
         std::map<std::size_t, int> columns;
-        for (const Candidate& c : group) {
+        for (const Link& c : group) {
             rows.try_emplace(c.earlier, static_cast<int>(rows.size()));
             columns.try_emplace(c.later, static_cast<int>(columns.size()));
         }
         Plane<double> costs({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, never);
-        for (const Candidate& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
+        for (const Link& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
         std::vector<std::size_t> place_of(columns.size());
         for (const auto& [later, column] : columns) place_of[static_cast<std::size_t>(column)] = later;
         const auto chosen = assign(costs, 1);

@@ -78,10 +78,10 @@ Planes median_reference(std::span<const video::Frame> frames) {
 namespace {
 
 // Grey levels by which an unchanged pixel may vary over a clip, per channel.
-constexpr int tolerance = 18;
+constexpr int level_tolerance = 18;
 
 bool similar(std::uint8_t a, std::uint8_t b) {
-    return std::abs(a - b) <= tolerance;
+    return std::abs(a - b) <= level_tolerance;
 }
 bool similar(const Bgr& a, const Bgr& b) {
     return similar(a[0], b[0]) && similar(a[1], b[1]) && similar(a[2], b[2]);

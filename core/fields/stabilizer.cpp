@@ -36,7 +36,7 @@ constexpr int top_level = 3;
 const cv::TermCriteria accuracy{cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 12, 0.05};
 
 // Shifts that differ by less than this many pixels agree; this number and share of them prove a shift.
-constexpr float tolerance = 0.75F;
+constexpr float shift_tolerance = 0.75F;
 constexpr int fewest_agreeing = 8;
 constexpr double least_agreeing = 0.25;  // share of the points that were found again
 
@@ -49,7 +49,7 @@ constexpr std::size_t frames_to_test = 6;
 /// The mean of the largest set of shifts that agree.
 Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
     const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
-        return std::abs(a.x - b.x) < tolerance && std::abs(a.y - b.y) < tolerance;
+        return std::abs(a.x - b.x) < shift_tolerance && std::abs(a.y - b.y) < shift_tolerance;
     };
     std::ptrdiff_t most = 0;
     cv::Point2f best;

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/base/text.h"
 
 namespace vvr::image {
 
@@ -77,8 +78,7 @@ bool NamePattern::may_be(const std::string& file) const {
     if (!file.starts_with(before_) || !file.ends_with(after_)) return false;
     if (file.size() < before_.size() + after_.size() + static_cast<std::size_t>(digits_)) return false;
     return std::all_of(file.begin() + static_cast<std::ptrdiff_t>(before_.size()),
-                       file.end() - static_cast<std::ptrdiff_t>(after_.size()),
-                       [](char c) { return c >= '0' && c <= '9'; });
+                       file.end() - static_cast<std::ptrdiff_t>(after_.size()), is_digit);
 }
 
 std::filesystem::path NamePattern::at(std::int64_t number) const {

@@ -34,7 +34,7 @@ constexpr const char* lines_attribute = "ImageDescription";
 constexpr std::size_t longest_description = 60'000;
 
 /// A picture file format.
-struct Format {
+struct PictureFormat {
     std::string_view extension;
     Stored stored;
     bool alpha;       ///< supports transparency
@@ -46,19 +46,19 @@ struct Format {
 
 constexpr int any_side = 1 << 30;
 
-constexpr std::array formats{
-    Format{".png", Stored::uint8, true, true, false, most_png_side, png_codec},
-    Format{".exr", Stored::half, true, true, true, any_side, openimageio_codec},
-    Format{".tif", Stored::uint16, true, false, false, any_side, openimageio_codec},
-    Format{".tiff", Stored::uint16, true, false, false, any_side, openimageio_codec},
-    Format{".jpg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
-    Format{".jpeg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
+constexpr std::array picture_formats{
+    PictureFormat{".png", Stored::uint8, true, true, false, most_png_side, png_codec},
+    PictureFormat{".exr", Stored::half, true, true, true, any_side, openimageio_codec},
+    PictureFormat{".tif", Stored::uint16, true, false, false, any_side, openimageio_codec},
+    PictureFormat{".tiff", Stored::uint16, true, false, false, any_side, openimageio_codec},
+    PictureFormat{".jpg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
+    PictureFormat{".jpeg", Stored::uint8, false, false, false, most_jpeg_side, jpeg_codec},
 };
 
-const Format& format_of(const std::filesystem::path& path) {
+const PictureFormat& format_of(const std::filesystem::path& path) {
     const std::string extension = extension_of(path);
-    const auto format = std::ranges::find(formats, extension, &Format::extension);
-    if (format != formats.end()) return *format;
+    const auto format = std::ranges::find(picture_formats, extension, &PictureFormat::extension);
+    if (format != picture_formats.end()) return *format;
     const std::vector<std::string> known = picture_file_extensions();
     throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': {}{}; use one of: {}", path.string(),
@@ -97,7 +97,7 @@ std::vector<float> floats_of(const Picture& picture, int channels, const PixelDa
     return values;
 }
 
-Metadata attributes_of(const Format& format, const Metadata& metadata) {
+Metadata attributes_of(const PictureFormat& format, const Metadata& metadata) {
     Metadata attributes{{"Software", fmt::format("vvr {}", version())}};
     std::string lines;
     for (const auto& [name, value] : metadata) {
@@ -112,7 +112,7 @@ Metadata attributes_of(const Format& format, const Metadata& metadata) {
 }
 
 /// A picture file without its values.
-PictureFile describe(const std::filesystem::path& path, const Format& format, Size size, int channels,
+PictureFile describe(const std::filesystem::path& path, const PictureFormat& format, Size size, int channels,
                      const Metadata& metadata, int jpeg_quality) {
     if (std::max(size.width, size.height) > format.most_side) {
         throw Error(ErrorCode::io,
@@ -135,8 +135,8 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
 
 std::vector<std::string> picture_file_extensions() {
     std::vector<std::string> extensions;
-    extensions.reserve(formats.size());
-    for (const Format& format : formats) extensions.emplace_back(format.extension);
+    extensions.reserve(picture_formats.size());
+    for (const PictureFormat& format : picture_formats) extensions.emplace_back(format.extension);
     return extensions;
 }
 
@@ -155,7 +155,7 @@ void check_picture_path(const std::filesystem::path& path) {
 
 std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata,
                                       int jpeg_quality) {
-    const Format& format = format_of(path);
+    const PictureFormat& format = format_of(path);
     const bool opaque = std::ranges::all_of(picture.pixels.pixels(), [](const Rgba& pixel) { return pixel.a >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
     PictureFile file = describe(path, format, picture.pixels.size(), channels, metadata, jpeg_quality);
@@ -184,7 +184,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
 std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Plane<Bgr>& picture, int jpeg_quality) {
     Plane<Bgr> rgb = picture;
     for (Bgr& pixel : rgb.pixels()) std::swap(pixel[0], pixel[2]);
-    const Format& format = format_of(path);
+    const PictureFormat& format = format_of(path);
     PictureFile file = describe(path, format, picture.size(), 3, {}, jpeg_quality);
     file.values = std::as_bytes(rgb.pixels());
     return format.codec().encode(file);

@@ -249,7 +249,7 @@ std::vector<std::byte> VideoEncoder::finish() {
 namespace {
 
 /// An animation format. The first encoder that libav has is used.
-struct Format {
+struct AnimationFormat {
     std::string_view extension;
     const char* muxer;
     std::array<const char*, 2> encoders;
@@ -257,15 +257,16 @@ struct Format {
     const char* quality;  ///< libav's options
 };
 
-constexpr std::array formats{
-    Format{".gif", "gif", {"gif", "gif"}, true, "loop=0"},
-    Format{".mp4", "mp4", {"libx264", "mpeg4"}, false, "crf=17,preset=medium,b=12000000"},
-    Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
+constexpr std::array animation_formats{
+    AnimationFormat{".gif", "gif", {"gif", "gif"}, true, "loop=0"},
+    AnimationFormat{".mp4", "mp4", {"libx264", "mpeg4"}, false, "crf=17,preset=medium,b=12000000"},
+    AnimationFormat{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
 };
 
 /// \throws Error io if libav has none of the encoders
 VideoFormat film_format(const std::filesystem::path& path) {
-    const Format& format = *std::ranges::find(formats, extension_of(path), &Format::extension);
+    const AnimationFormat& format =
+        *std::ranges::find(animation_formats, extension_of(path), &AnimationFormat::extension);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
     throw Error(ErrorCode::io,
@@ -278,12 +279,13 @@ VideoFormat film_format(const std::filesystem::path& path) {
 
 std::vector<std::string> animation_extensions() {
     std::vector<std::string> extensions;
-    for (const Format& format : formats) extensions.emplace_back(format.extension);
+    for (const AnimationFormat& format : animation_formats) extensions.emplace_back(format.extension);
     return extensions;
 }
 
 bool is_animation(const std::filesystem::path& path) {
-    return std::ranges::find(formats, extension_of(path), &Format::extension) != formats.end();
+    return std::ranges::find(animation_formats, extension_of(path), &AnimationFormat::extension) !=
+           animation_formats.end();
 }
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/digest.h"
+#include "core/base/text.h"
 #include "core/events/event_kind.h"
 
 extern "C" {
@@ -38,8 +39,8 @@ std::string replaced(std::string_view text, std::string_view (*replacement)(char
 }
 
 bool is_plain_in_url(unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-           c == '.' || c == '~' || c == '/';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '-' || c == '_' || c == '.' ||
+           c == '~' || c == '/';
 }
 
 }  // namespace

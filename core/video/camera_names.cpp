@@ -14,10 +14,6 @@ namespace vvr::video {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// A year followed only by numbers: 2026, 2026-11, 20261121, 2026_11_21, 2026-11-21_20.
 bool is_date(std::string_view folder) {
     const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&

@@ -74,7 +74,7 @@ bool is_key(const AVPacket& packet, const AVCodecParameters&) {
     return (packet.flags & AV_PKT_FLAG_KEY) != 0;
 }
 
-constexpr std::array rows{
+constexpr std::array frame_choice_rows{
     FrameChoiceRow{"all", "every frame", any_frame},
     FrameChoiceRow{"reference", "in H.264 and H.265, only frames that others refer to", is_referenced},
     FrameChoiceRow{"key", "only key frames, for a first look: the objects of short visits are missing", is_key, true},
@@ -87,7 +87,7 @@ constexpr std::array rows{
 }  // namespace
 
 std::span<const FrameChoiceRow> frame_choices() {
-    return rows;
+    return frame_choice_rows;
 }
 
 const FrameChoiceRow& row_of(Name<FrameChoiceRow> name) {

@@ -15,7 +15,7 @@ extern "C" {
 namespace vvr::video {
 namespace {
 
-constexpr std::array rows{
+constexpr std::array hwaccel_rows{
     HwaccelRow{"none", AV_HWDEVICE_TYPE_NONE, "the processor decodes"},
     HwaccelRow{"vaapi", AV_HWDEVICE_TYPE_VAAPI, "VA-API, for Intel and AMD",
                "a graphics card, its VA-API driver, and access to /dev/dri"},
@@ -33,7 +33,7 @@ AVPixelFormat get_format(AVCodecContext* decoder, const AVPixelFormat* offered) 
 }  // namespace
 
 std::span<const HwaccelRow> hwaccels() {
-    return rows;
+    return hwaccel_rows;
 }
 
 const HwaccelRow& row_of(Name<HwaccelRow> name) {

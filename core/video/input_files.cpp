@@ -72,10 +72,6 @@ std::optional<double> modified_at(const std::string& path) {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Removes the leading run of digits from `text` and returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_digit);

@@ -8,17 +8,24 @@ namespace vvr::video {
 
 namespace {
 
-re2::RE2::Options options_of(std::span<const re2::RE2* const> expressions) {
-    re2::RE2::Options options = expressions.front()->options();
+re2::RE2::Options set_options() {
+    re2::RE2::Options options = name_options();
     options.set_max_mem(16 << 20);  // an automaton for all of them has more states than one for each
     return options;
 }
 
 }  // namespace
 
-PatternSet::PatternSet(std::span<const re2::RE2* const> expressions)
-    : count_(expressions.size()), set_(options_of(expressions), re2::RE2::ANCHOR_BOTH) {
-    for (const re2::RE2* const expression : expressions) set_.Add(expression->pattern(), nullptr);
+re2::RE2::Options name_options() {
+    re2::RE2::Options options(re2::RE2::Latin1);
+    options.set_log_errors(false);
+    options.set_dot_nl(true);
+    return options;
+}
+
+PatternSet::PatternSet(std::span<const std::string> expressions)
+    : count_(expressions.size()), set_(set_options(), re2::RE2::ANCHOR_BOTH) {
+    for (const std::string& expression : expressions) set_.Add(expression, nullptr);
     if (!set_.Compile())
         throw Error(ErrorCode::out_of_memory, "RE2::Set::Compile: no memory for the patterns of names");
 }

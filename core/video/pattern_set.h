@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,11 +11,14 @@
 
 namespace vvr::video {
 
+/// The options of regular expressions for the names of files: a name is bytes, of any value.
+re2::RE2::Options name_options();
+
 /// Many regular expressions that are matched in one pass over a text, instead of one pass each.
 class PatternSet {
   public:
-    /// \param expressions all with the same options
-    explicit PatternSet(std::span<const re2::RE2* const> expressions);
+    /// \param expressions in the syntax of RE2
+    explicit PatternSet(std::span<const std::string> expressions);
 
     /// The indices of the expressions that may match the whole text: at least those of all that do.
     std::vector<std::size_t> matching(std::string_view text) const;

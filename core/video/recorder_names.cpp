@@ -4,11 +4,14 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/video/camera_names.h"
 #include "core/video/pattern_set.h"
@@ -16,10 +19,6 @@
 namespace vvr::video {
 
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 enum class Zone { local, utc };
 
@@ -201,7 +200,6 @@ std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const
 /// The schemes of the known recorders. Most match no name, so all are tried in one pass.
 class KnownSchemes {
   public:
-    /// Compiled once per process.
     static const KnownSchemes& get() {
         static const KnownSchemes schemes;
         return schemes;
@@ -214,29 +212,31 @@ class KnownSchemes {
             const std::vector<std::size_t> found = set_.matching(text);
             candidates.insert(found.begin(), found.end());
         }
-        for (const std::size_t candidate : candidates) to.push_back(&schemes_[candidate]);
+        for (const std::size_t candidate : candidates) to.push_back(&scheme(candidate));
     }
 
   private:
-    KnownSchemes() : schemes_(compile()), set_(expressions_of(schemes_)) {}
+    KnownSchemes() : set_(loose_expressions()) {}
 
-    static std::vector<NamingScheme> compile() {
-        std::vector<NamingScheme> schemes;
-        for (const KnownRow& row : known) {
-            schemes.push_back(NamingScheme(row.recorder,
-                                           RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
-                                           row.zone == Zone::utc, row.doubt, row.camera));
-        }
-        return schemes;
-    }
-
-    static std::vector<const re2::RE2*> expressions_of(std::span<const NamingScheme> schemes) {
-        std::vector<const re2::RE2*> expressions;
-        for (const NamingScheme& scheme : schemes) expressions.push_back(&scheme.pattern_.expression());
+    static std::vector<std::string> loose_expressions() {
+        std::vector<std::string> expressions;
+        for (const KnownRow& row : known) expressions.push_back(RecorderPattern::loose_expression(row.pattern));
         return expressions;
     }
 
-    std::vector<NamingScheme> schemes_;
+    /// Compiled when it is first needed: to compile them all takes longer than many a run.
+    const NamingScheme& scheme(std::size_t index) const {
+        std::call_once(compiled_[index], [&] {
+            const KnownRow& row = known[index];
+            schemes_[index] =
+                NamingScheme(row.recorder, RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
+                             row.zone == Zone::utc, row.doubt, row.camera);
+        });
+        return *schemes_[index];
+    }
+
+    mutable std::array<std::once_flag, known.size()> compiled_;
+    mutable std::array<std::optional<NamingScheme>, known.size()> schemes_;
     PatternSet set_;
 };
 

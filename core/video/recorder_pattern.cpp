@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/video/pattern_set.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::video {
@@ -19,6 +20,7 @@ struct FieldRow {
     std::string_view name;
     NameField field;
     std::string_view expression;  ///< without capturing groups
+    std::string_view loose = {};  ///< matches at least the same, and is much smaller; empty = none
 };
 
 constexpr std::array fields{
@@ -43,8 +45,10 @@ constexpr std::array fields{
 // Further fields for the patterns of known recorders. An expression with `%` or `{` consists of other fields.
 constexpr std::array internal_fields{
     // A date. 03-04-2026 is not accepted, because day and month are ambiguous.
-    FieldRow{"{date}", NameField::text, "%Y-%m-%d|%Y_%m_%d|%Y\\.%m\\.%d|%Y%m%d"},
-    FieldRow{"{dated}", NameField::text, "{date}|%Y/%m/%d|%Y-%m/%d|%Y/%m-%d|%Y/%m/{date}|%Y/{date}|%Y/%Y-%m/{date}"},
+    FieldRow{"{date}", NameField::text, "%Y-%m-%d|%Y_%m_%d|%Y\\.%m\\.%d|%Y%m%d",
+             "[0-9]{4}[-_.]?[0-9]{2}[-_.]?[0-9]{2}"},
+    FieldRow{"{dated}", NameField::text, "{date}|%Y/%m/%d|%Y-%m/%d|%Y/%m-%d|%Y/%m/{date}|%Y/{date}|%Y/%Y-%m/{date}",
+             "[0-9]{4}[-_./0-9]*[0-9]{2}"},
     // A time with seconds, with or without separators, and a time without seconds.
     FieldRow{"{time}", NameField::text, "%H-%M-%S|%H\\.%M\\.%S|%H_%M_%S|%H:%M:%S|%Hh%Mm%Ss?"},
     FieldRow{"{clock}", NameField::text, "{time}|%H%M%S(?:[0-9]{3})?"},
@@ -92,6 +96,7 @@ const FieldRow* row_at(const Rows& rows, std::string_view text) {
 
 /// Builds a regular expression.
 struct ExpressionBuilder {
+    bool loose = false;
     std::string expression{};
     std::vector<NameField> captures{};
 
@@ -113,7 +118,7 @@ struct ExpressionBuilder {
         const bool captured = row.field != NameField::text;
         if (captured) captures.push_back(row.field);
         expression += captured ? "(" : "(?:";
-        add_words(row.expression);
+        add_words(loose && !row.loose.empty() ? row.loose : row.expression);
         expression += ")";
     }
 
@@ -125,8 +130,8 @@ struct ExpressionBuilder {
     bool has(NameField field) const { return std::ranges::count(captures, field) > 0; }
 };
 
-ExpressionBuilder make(std::string_view pattern, RecorderPattern::Words words) {
-    ExpressionBuilder builder;
+ExpressionBuilder make(std::string_view pattern, RecorderPattern::Words words, bool loose = false) {
+    ExpressionBuilder builder{.loose = loose, .expression = "(?:.*/)?"};
     for (std::string_view rest = pattern; !rest.empty();) {
         const FieldRow* row =
             words == RecorderPattern::Words::fields_and_own ? ExpressionBuilder::row_of(rest) : row_at(fields, rest);
@@ -205,13 +210,14 @@ RecorderPattern::RecorderPattern(std::string_view pattern, Words words) {
         if (partly && !whole) refuse(pattern, "a time needs %Y, %m, %d and %H, or %s");
         if (!whole && !has(NameField::camera)) refuse(pattern, "it has neither {camera} nor a time");
     }
-    re2::RE2::Options options(re2::RE2::Latin1);  // names are bytes
-    options.set_log_errors(false);
-    options.set_dot_nl(true);
-    auto expression = std::make_shared<re2::RE2>("(?:.*/)?" + builder.expression, options);
+    auto expression = std::make_shared<re2::RE2>(builder.expression, name_options());
     if (!expression->ok()) refuse(pattern, fmt::format("it is too long ({})", expression->error()));
     expression_ = std::move(expression);
     captures_ = std::move(builder.captures);
+}
+
+std::string RecorderPattern::loose_expression(std::string_view pattern) {
+    return make(pattern, Words::fields_and_own, true).expression;
 }
 
 std::optional<NameFields> RecorderPattern::read(std::string_view path) const {

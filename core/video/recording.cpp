@@ -117,7 +117,7 @@ struct SegmentHeader {
 bool are_numbered(const std::vector<Segment>& segments) {
     const auto without_digits = [](const Segment& segment) {
         std::string name = fs::path(segment.path).filename().string();
-        std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
+        std::erase_if(name, is_digit);
         return name;
     };
     const std::string first = without_digits(segments.front());

@@ -9,7 +9,7 @@ namespace vvr::generator {
 namespace {
 
 // The story's own frames and pixels: 600 frames of 384x288.
-constexpr double story_frames = 600;
+constexpr double fall_frames = 600;
 constexpr double fall_speed = 1.6;  // pixels per frame
 constexpr double fall_place = 150;  // where the person falls
 constexpr double fall_outside = 50;
@@ -22,7 +22,7 @@ constexpr double flat = std::numbers::pi / 2;
 
 class FallStory final : public HallStory {
   public:
-    explicit FallStory(const Options& options) : HallStory(options, story_frames) {}
+    explicit FallStory(const Options& options) : HallStory(options, fall_frames) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -86,12 +86,12 @@ class FallStory final : public HallStory {
 }  // namespace
 
 Scene make_fall_on_floor(const Options& options) {
-    const auto all = with_frames(options, story_frames);
+    const auto all = with_frames(options, fall_frames);
     return {all, std::make_shared<FallStory>(all)};
 }
 
 FallOnFloor fall_on_floor_facts(const Options& options) {
-    return FallStory(with_frames(options, story_frames)).facts();
+    return FallStory(with_frames(options, fall_frames)).facts();
 }
 
 }  // namespace vvr::generator

@@ -10,7 +10,7 @@
 namespace vvr::generator {
 namespace {
 
-constexpr double story_frames = 600;
+constexpr double walk_frames = 600;
 
 struct Walker {
     double enters;  // story frame
@@ -27,7 +27,7 @@ constexpr std::array two{Walker{80, 1.2, 205, 78}, Walker{60, -1.1, 246, 98}};
 class WalkersStory final : public HallStory {
   public:
     WalkersStory(const Options& options, std::span<const Walker> walkers)
-        : HallStory(options, story_frames), walkers_(walkers) {}
+        : HallStory(options, walk_frames), walkers_(walkers) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -78,7 +78,7 @@ class WalkersStory final : public HallStory {
 };
 
 Scene make(const Options& options, std::span<const Walker> walkers) {
-    const Options all = with_frames(options, story_frames);
+    const Options all = with_frames(options, walk_frames);
     return {all, std::make_shared<WalkersStory>(all, walkers)};
 }
 

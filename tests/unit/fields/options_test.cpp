@@ -14,9 +14,9 @@
 namespace vvr {
 namespace {
 
-using Change = std::function<void(fields::FieldOptions&)>;
+using Edit = std::function<void(fields::FieldOptions&)>;
 
-void validate(const Change& change) {
+void validate(const Edit& change) {
     fields::FieldOptions options;
     change(options);
     fields::validate(options);
@@ -25,7 +25,7 @@ void validate(const Change& change) {
 TEST(FieldOptions, NumbersOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    const std::vector<std::pair<std::string, Change>> wrong{
+    const std::vector<std::pair<std::string, Edit>> wrong{
         {"threshold: 256", [](auto& o) { o.threshold = 256; }},
         {"min-area: -1", [](auto& o) { o.min_area = -1; }},
         {"smooth: nan", [&](auto& o) { o.smooth = nan; }},

@@ -15,7 +15,7 @@ namespace {
 constexpr Size size{64, 48};
 
 /// A textured square that crosses an empty scene.
-video::Frame walker(std::int64_t index) {
+video::Frame walker_frame(std::int64_t index) {
     video::Frame frame = test::flat_frame(size, index, 90);
     const double left = 2 + 1.5 * static_cast<double>(index);
     for (int j = 12; j < 36; ++j) {
@@ -120,7 +120,7 @@ TEST(Pipeline, MemoryIsBounded) {
     const fields::FrameReader frames = [&, next = std::int64_t{0}]() mutable -> fields::FrameJob {
         if (next == 200) return {};
         ++read;
-        return [index = next++] { return walker(index % 20); };
+        return [index = next++] { return walker_frame(index % 20); };
     };
     fields::compute_fields(frames, empty_scene(), {.threads = 2}, [&](const video::SharedFrame&, fields::Field&&) {
         most = std::max(most, read - delivered++);

@@ -87,16 +87,16 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
     EXPECT_EQ(dark, empty);
 }
 
-std::string name_of(const testing::TestParamInfo<std::pair<std::string, bool>>& test) {
+std::string variant_name(const testing::TestParamInfo<std::pair<std::string, bool>>& test) {
     return test.param.first + (test.param.second ? "_bad_camera" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Quick, LeftBag, testing::Values(std::pair("median", false), std::pair("running", true)),
-                         name_of);
+                         variant_name);
 INSTANTIATE_TEST_SUITE_P(Nightly, LeftBag,
                          testing::Values(std::pair("first", false), std::pair("running", false),
                                          std::pair("median", true)),
-                         name_of);
+                         variant_name);
 
 TEST(Still, NothingLightsUpInNoiseAndChangingLight) {
     const generator::Scene scene = generator::make_still(bad_camera(60));

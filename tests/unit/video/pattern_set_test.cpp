@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,11 +12,8 @@ namespace vvr {
 namespace {
 
 TEST(PatternSet, FindsAllThatMatchTheWholeText) {
-    const re2::RE2 word("[a-z]+");
-    const re2::RE2 number("[0-9]+");
-    const re2::RE2 short_one("[a-z]{1,4}");
-    const std::array all{&word, &number, &short_one};
-    const video::PatternSet set(all);
+    const std::array<std::string, 3> word_number_and_short{"[a-z]+", "[0-9]+", "[a-z]{1,4}"};
+    const video::PatternSet set(word_number_and_short);
     const auto matching = [&](const char* text) {
         const std::vector<std::size_t> found = set.matching(text);
         return std::set(found.begin(), found.end());
