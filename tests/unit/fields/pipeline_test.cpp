@@ -28,7 +28,7 @@ video::Frame walker_frame(std::int64_t index) {
 }
 
 fields::FrameReader reader(int count) {
-    return test::frames_of(count, walker);
+    return test::frames_of(count, walker_frame);
 }
 
 fields::EmptyScene empty_scene() {
