@@ -58,8 +58,6 @@ std::vector<std::string> environment_for(int threads, const std::string& worker)
     }
     // Threads of Mesa's software rasteriser; 0 = the calling thread does all the work.
     variables.emplace("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0));
-    // Huge pages for malloc. Where the kernel gives them only on request, a worker has a third of the page faults.
-    variables.emplace("GLIBC_TUNABLES", "glibc.malloc.hugetlb=1");
     variables[std::string(worker_variable)] = worker;
     std::vector<std::string> texts;
     for (const auto& [name, value] : variables) texts.push_back(fmt::format("{}={}", name, value));

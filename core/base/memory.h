@@ -12,7 +12,7 @@ std::int64_t machine_memory();
 bool is_memory_available(std::int64_t bytes);
 
 /// Makes malloc keep freed planes and textures for reuse, because returning and faulting in their pages for each frame
-/// and each brick is slow. Larger blocks still go back at once.
+/// and each brick is slow; and requests huge pages for its heap. Larger blocks still go back at once.
 void tune_malloc();
 
 /// Returns freed memory that malloc has kept to the system.

@@ -1,6 +1,7 @@
 """Signals, terminals, and where the program may stand."""
 
 import os
+import pathlib
 import pty
 import re
 import shutil
@@ -17,6 +18,20 @@ def interrupt(t, number, after):
     time.sleep(after)
     child.send_signal(number)
     return child.wait(timeout=60)
+
+
+def test_it_asks_for_huge_pages(t):
+    if "ASAN_OPTIONS" in os.environ or not os.path.exists("/sys/kernel/mm/transparent_hugepage"):
+        pytest.skip("sanitizers have a malloc of their own, and a kernel may have no huge pages")
+    t.clip("long.avi", seconds=20, size="384x288")
+    child = t.start("render", "long.avi", "-o", "out.png")
+    advised = False
+    while not advised and child.poll() is None:
+        mappings = pathlib.Path(f"/proc/{child.pid}/smaps").read_text(encoding="utf-8")
+        advised = any("hg" in flags.split() for flags in re.findall(r"\[heap\]\n(?:.*\n)*?VmFlags:(.*)", mappings))
+    child.kill()
+    child.wait()
+    check(advised, "no part of the heap is to be of huge pages")
 
 
 def test_signals_end_it_without_a_file(t):

@@ -193,15 +193,6 @@ def test_a_worker_lives_within_its_walls(t, walls):
     check(status.get("NoNewPrivs") == "1" and status.get("Seccomp") == "2", f"{status}")
 
 
-@pytest.mark.parametrize("own", [None, "glibc.malloc.check=0"])
-def test_a_worker_asks_for_huge_pages_unless_the_user_sets_malloc(t, monkeypatch, own):
-    monkeypatch.delenv("GLIBC_TUNABLES", raising=False)
-    if own:
-        monkeypatch.setenv("GLIBC_TUNABLES", own)
-    tunables = [word for word in of_a_worker(t, "environ").split("\0") if word.startswith("GLIBC_TUNABLES=")]
-    check(tunables == [f"GLIBC_TUNABLES={own or 'glibc.malloc.hugetlb=1'}"], f"{tunables}")
-
-
 def test_the_sandbox_changes_no_byte(t, walls):
     t.old_clips("gate/one.avi", "two.avi")
     for mode in ("off", "required"):
