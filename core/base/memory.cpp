@@ -1,7 +1,6 @@
 #include "core/base/memory.h"
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -39,8 +38,10 @@ void grow_heap(int bytes) {
     constexpr int default_padding = 128 << 10;
     void* begin = ::sbrk(0);
     mallopt(M_TOP_PAD, bytes);
-    void* volatile block = std::malloc(larger_than_a_brick / 2);  // volatile: else the compiler leaves it out
-    std::free(block);
+    {  // volatile, as the compiler may leave out memory that nothing uses
+        const std::unique_ptr<volatile char[]> block(new (std::nothrow) volatile char[larger_than_a_brick / 2]);
+        if (block) block[0] = 0;
+    }
     mallopt(M_TOP_PAD, default_padding);
     auto grown = static_cast<std::size_t>(static_cast<const char*>(::sbrk(0)) - static_cast<const char*>(begin));
     if (std::align(huge_page, huge_page, begin, grown) != nullptr) ::madvise(begin, grown, MADV_HUGEPAGE);

@@ -39,8 +39,8 @@ std::string replaced(std::string_view text, std::string_view (*replacement)(char
 }
 
 bool is_plain_in_url(unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '-' || c == '_' || c == '.' ||
-           c == '~' || c == '/';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(static_cast<char>(c)) || c == '-' || c == '_' ||
+           c == '.' || c == '~' || c == '/';
 }
 
 }  // namespace
