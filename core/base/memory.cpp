@@ -55,7 +55,7 @@ void tune_malloc() {
     // heap would keep its own.
     mallopt(M_ARENA_MAX, 1);
     mallopt(M_MMAP_THRESHOLD, larger_than_a_brick);
-    mallopt(M_TRIM_THRESHOLD, 2 * heap);
+    mallopt(M_TRIM_THRESHOLD, 2 * heap);  // the heap as it is grown here, and as much again
     grow_heap(heap);
 }
 
