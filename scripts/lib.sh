@@ -1,5 +1,12 @@
 # What the scripts share. To be sourced; leaves the caller in the project's root folder.
 set -euo pipefail
+
+# `scripts/SCRIPT --help` prints the comment at its beginning.
+if [[ ${1-} == -h || ${1-} == --help ]]; then
+    sed -n '2,${/^#/!q; s/^# \?//p}' "$0"
+    exit
+fi
+
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export VVR_CONFIG= # what the scripts draw does not depend on this machine's config files
 

@@ -46,7 +46,7 @@ void take_stills_from_scene(std::span<const events::Event> events, const Plane<B
 
 /// The empty scene, or if there is none, the last frame.
 Plane<Bgr> scene_of(const Observation& seen) {
-    const fields::Planes& scene = seen.summary.reference;
+    const fields::Planes& scene = seen.summary.reference.planes();
     return video::picture_of(scene.empty() ? *seen.last : video::Frame{0, 0, scene.grey, scene.colour});
 }
 
@@ -177,8 +177,7 @@ void ObservationBuilder::identify() {
 
 fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
-        const fields::Planes& planes = scene;
-        if (finder) finder->set_scene(planes);
+        if (finder) finder->set_scene(scene.planes());
     };
 }
 

@@ -24,9 +24,6 @@ namespace vvr::options {
 
 namespace {
 
-constexpr Setting config_option{
-    "config", "FILE",
-    "read options from this file, as lines like `size = 1280x800`; the command line takes precedence; none = no file"};
 constexpr Setting camera_name_option{"camera-name", "NAME",
                                      "camera of the video, for reports, evidence and the section [camera.NAME] of the "
                                      "config file; default: from the names of files and folders"};

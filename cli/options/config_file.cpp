@@ -22,7 +22,6 @@ namespace vvr::options {
 
 namespace {
 
-constexpr std::string_view config_flag = "--config";
 constexpr std::string_view no_config = "none";
 constexpr std::string_view camera_section = "camera";
 
@@ -34,6 +33,7 @@ bool is_mark(const CLI::ConfigItem& item) {
 /// The last one wins, as with every option.
 std::optional<std::string> given_file(std::span<const std::string> arguments) {
     std::optional<std::string> file;
+    const auto config_flag = fmt::format("--{}", config_option.name);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
         if (argument == "--") break;

@@ -8,12 +8,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/setting.h"
+
 namespace CLI {
 class App;
 class Config;
 }  // namespace CLI
 
 namespace vvr::options {
+
+/// The option that names a config file.
+inline constexpr Setting config_option{
+    "config", "FILE",
+    "read options from this file, as lines like `size = 1280x800`; the command line takes precedence; none = no file"};
 
 /// A command and the options that a config file can set for it. `options` is called only if a file sets an option that
 /// the current command doesn't have.

@@ -145,8 +145,10 @@ struct ChildSetup {
         ::dup2(output, STDERR_FILENO);
         ::fcntl(message, F_SETFD, 0);
         if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
+#ifndef __SANITIZE_ADDRESS__  // which reserves more memory than any limit allows
         // RLIMIT_DATA, not RLIMIT_AS: drivers reserve far more address space than they use.
         if (limits.memory > 0) allow_at_most(RLIMIT_DATA, limits.memory);
+#endif
         if (limits.file > 0) allow_at_most(RLIMIT_FSIZE, limits.file);
         allow_at_most(RLIMIT_CORE, 0);
         sigset_t open;

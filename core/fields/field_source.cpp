@@ -1,6 +1,7 @@
 #include "core/fields/field_source.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -182,21 +183,21 @@ using oneapi::tbb::make_filter;
 // Frames already run in parallel, and OpenCV's dense inverse search gives other results for another number of threads.
 constexpr int single_thread = 1;
 
-/// Keeps the first error of a pipeline. oneTBB leaks the item of a filter that throws; so filters report errors here,
-/// and the pipeline ends normally.
+/// Keeps the first error of a pipeline. oneTBB leaks the item of a filter that throws, and the items in flight where a
+/// pipeline is cancelled; so filters report errors here, make empty items from then on, and the pipeline ends normally.
 class FirstError {
   public:
     /// The result of `work`; an empty one if it throws, or if something has failed before.
     template <class Work>
     auto guard(const Work& work) -> decltype(work()) {
         using Made = decltype(work());
-        if (!context_.is_group_execution_cancelled()) {
+        if (!failed_) {
             try {
                 return work();
             } catch (...) {
                 const std::scoped_lock lock(mutex_);
                 if (!error_) error_ = std::current_exception();
-                context_.cancel_group_execution();
+                failed_ = true;
             }
         }
         return Made();
@@ -206,10 +207,8 @@ class FirstError {
         if (error_) std::rethrow_exception(error_);
     }
 
-    oneapi::tbb::task_group_context& context() { return context_; }
-
   private:
-    oneapi::tbb::task_group_context context_;
+    std::atomic<bool> failed_ = false;
     std::mutex mutex_;
     std::exception_ptr error_;
 };
@@ -301,8 +300,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
         filter_mode::serial_in_order,
         [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
     on_threads(threads_of(options), [&] {
-        oneapi::tbb::parallel_pipeline(frames_at_a_time(options, pixels), source & begin & gather & finish & deliver,
-                                       first.context());
+        oneapi::tbb::parallel_pipeline(frames_at_a_time(options, pixels), source & begin & gather & finish & deliver);
     });
     first.rethrow();
     return frames;

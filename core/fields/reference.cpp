@@ -329,13 +329,15 @@ constexpr std::array reference_rows{
 
 Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
                 const LivingFinder& find_living) {
-    std::vector<video::Frame> frames = relit_like_first(row.sample(clip), *options.illumination);
+    std::vector<video::Frame> frames = row.sample(clip);
     Reference reference;
     // A filter that shows the video itself or its motion must show the camera's motion too.
     const bool is_compared = options.filter->traits.object;
     const bool aligns = is_compared && options.stabilize->aligns;
-    reference.shakes = aligns && camera_shakes(frames);
+    reference.shakes = aligns && camera_shakes(relit_like_first(frames, *options.illumination));
+    // Before the light is compared: of pixels that show different places, it would seem to have lost contrast.
     if (reference.shakes) align(frames);
+    frames = relit_like_first(std::move(frames), *options.illumination);
     static_cast<Planes&>(reference) = row.scene(frames);
     if (frames.empty()) return reference;
     if (find_living) look_behind(frames, find_living, reference);

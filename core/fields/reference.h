@@ -21,6 +21,8 @@ struct Reference : Planes {
     Reference() = default;
     Reference(Planes scene) : Planes(std::move(scene)) {}
 
+    const Planes& planes() const { return *this; }
+
     Plane<std::uint8_t> noise{};  ///< result of `noise_of`; empty if there were too few frames
     bool shakes = false;          ///< the camera shakes, and stabilization is on
 };

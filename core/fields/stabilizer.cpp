@@ -89,7 +89,7 @@ void move_back(Plane<T>& plane, const Plane<T>& background, const Shift& shift) 
     Plane<T> moved = background;
     cv::Mat out = cv_view(moved);
     const cv::Matx23d move(1, 0, shift.x, 0, 1, shift.y);
-    cv::warpAffine(cv_view(plane), out, move, out.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+    cv::warpAffine(cv_view(plane), out, move, out.size(), cv::INTER_CUBIC | cv::WARP_INVERSE_MAP,
                    cv::BORDER_TRANSPARENT);
     plane = std::move(moved);
 }

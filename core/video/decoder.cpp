@@ -102,8 +102,8 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
     }
 }
 
-/// Takes frames out of the hardware at once, as it has room for only a few.
-AvFrame Decoder::given(AvFrame frame) {
+/// Frames leave the hardware at once, as it has room for only a few.
+AvFrame Decoder::to_memory(AvFrame frame) {
     fell_back_ = fell_back_ || (wants_hardware_ && frame->hw_frames_ctx == nullptr);
     return downloaded(std::move(frame));
 }
@@ -148,7 +148,7 @@ AvFrame Decoder::next() {
         bad_frames_ += bad_frame;
         stopped_ = threaded_ && (bad_packet || bad_frame);
         if (stopped_) return nullptr;
-        if (has_frame) return given(std::move(frame));
+        if (has_frame) return to_memory(std::move(frame));
         failures += code < 0;
     }
     return nullptr;
@@ -169,7 +169,7 @@ AvFrame Decoder::decode_alone(const AVPacket& packet) {
         require_memory(avcodec_send_packet(codec_.get(), nullptr), demuxer_->log());
         const int received = avcodec_receive_frame(codec_.get(), frame.get());
         require_memory(received, demuxer_->log());
-        if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return given(std::move(frame));
+        if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return to_memory(std::move(frame));
     }
     return nullptr;
 }

@@ -46,7 +46,7 @@ class Decoder {
 
   private:
     bool read();
-    AvFrame given(AvFrame frame);
+    AvFrame to_memory(AvFrame frame);
 
     Demuxer* demuxer_;
     std::function<bool(const AVPacket&)> decodes_;

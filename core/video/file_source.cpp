@@ -106,8 +106,8 @@ void FileSource::seek(double seconds) {
     index_ = start_.packets > 0 ? start_.frames : 0;
 }
 
-/// Returns the frame, and records jumps in time.
-std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> frame) {
+/// Returns the frame.
+std::unique_ptr<DecodedFrame> FileSource::record_jump(std::unique_ptr<DecodedFrame> frame) {
     if (!frame) return nullptr;
     if (frame->pts - last_time_ > longest_clip) jump_ = std::max(jump_, frame->pts - last_time_);
     last_time_ = frame->pts;
@@ -115,7 +115,7 @@ std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> fr
 }
 
 std::unique_ptr<DecodedFrame> FileSource::next() {
-    if (ahead_) return given(std::move(ahead_));
+    if (ahead_) return record_jump(std::move(ahead_));
     for (;;) {
         auto [image, time] = reader_.next();
         if (!image) {
@@ -123,7 +123,8 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
             return nullptr;
         }
         if (start_.packets == 0 || time >= from_) {
-            return given(std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)}));
+            return record_jump(
+                std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)}));
         }
         reader_.forget_damage();
     }

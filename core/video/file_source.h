@@ -31,7 +31,7 @@ class FileSource final : public FrameSource {
     double tick() const { return tick_; }
 
   private:
-    std::unique_ptr<DecodedFrame> given(std::unique_ptr<DecodedFrame> frame);
+    std::unique_ptr<DecodedFrame> record_jump(std::unique_ptr<DecodedFrame> frame);
 
     SourceOptions options_;
     VideoReader reader_;

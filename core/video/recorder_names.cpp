@@ -240,6 +240,16 @@ class KnownSchemes {
     PatternSet set_;
 };
 
+namespace {
+
+std::vector<const NamingScheme*> pointers_to(const std::vector<NamingScheme>& schemes) {
+    std::vector<const NamingScheme*> pointers;
+    for (const NamingScheme& scheme : schemes) pointers.push_back(&scheme);
+    return pointers;
+}
+
+}  // namespace
+
 RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
     for (const std::string& pattern : patterns) own_.emplace_back(given_by_user, pattern);
     if (base.empty()) return;
@@ -254,7 +264,7 @@ std::string RecorderNames::whole(std::string_view path) const {
 
 void RecorderNames::describe_camera(const std::string& camera, std::span<const std::string> patterns) {
     std::vector<NamingScheme>& schemes = of_cameras_[camera];
-    for (const std::string& pattern : patterns) schemes.emplace_back("--names", pattern);
+    for (const std::string& pattern : patterns) schemes.emplace_back(given_by_user, pattern);
 }
 
 RecorderName RecorderNames::read(std::string_view path) const {
@@ -265,9 +275,7 @@ RecorderName RecorderNames::read(std::string_view path) const {
     for (const auto& [camera, schemes] : of_cameras_) cameras.push_back(camera);
     const auto own = of_cameras_.find(name_of_camera(camera_of(name, all, 0), cameras));
     if (own == of_cameras_.end()) return name;
-    std::vector<const NamingScheme*> schemes;
-    for (const NamingScheme& scheme : own->second) schemes.push_back(&scheme);
-    RecorderName described = read_with(all, schemes);
+    RecorderName described = read_with(all, pointers_to(own->second));
     if (!described.begin) return name;
     described.camera = std::move(name.camera);
     described.below = name.below;
@@ -276,8 +284,7 @@ RecorderName RecorderNames::read(std::string_view path) const {
 
 /// The user's schemes come before those of known recorders.
 RecorderName RecorderNames::read_whole(std::string_view whole_path) const {
-    std::vector<const NamingScheme*> schemes;
-    for (const NamingScheme& scheme : own_) schemes.push_back(&scheme);
+    std::vector<const NamingScheme*> schemes = pointers_to(own_);
     KnownSchemes::get().add_candidates(whole_path, schemes);
     return read_with(whole_path, schemes);
 }

@@ -24,6 +24,12 @@ def check(condition, text):
         raise AssertionError(text)
 
 
+def skip_with_sanitizers(why):
+    """Skips a test that a program with sanitizers can't pass: `why` says what they do."""
+    if "ASAN_OPTIONS" in os.environ:
+        pytest.skip(f"sanitizers {why}")
+
+
 def nightly_except(values, *daily):
     """Parameters of a test: the default set runs only those in `daily`."""
     return [value if value in daily else pytest.param(value, marks=pytest.mark.nightly) for value in values]

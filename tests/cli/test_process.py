@@ -9,7 +9,7 @@ import signal
 import time
 
 import pytest
-from harness import check
+from harness import check, skip_with_sanitizers
 
 
 def interrupt(t, number, after):
@@ -21,8 +21,9 @@ def interrupt(t, number, after):
 
 
 def test_it_asks_for_huge_pages(t):
-    if "ASAN_OPTIONS" in os.environ or not os.path.exists("/sys/kernel/mm/transparent_hugepage"):
-        pytest.skip("sanitizers have a malloc of their own, and a kernel may have no huge pages")
+    skip_with_sanitizers("have a malloc of their own")
+    if not os.path.exists("/sys/kernel/mm/transparent_hugepage"):
+        pytest.skip("this kernel has no huge pages")
     t.clip("long.avi", seconds=20, size="384x288")
     child = t.start("render", "long.avi", "-o", "out.png")
     advised = False

@@ -9,7 +9,7 @@ import signal
 import time
 
 import pytest
-from harness import check, nightly_except
+from harness import check, nightly_except, skip_with_sanitizers
 from test_archive import archive, complete, outputs, sidecar
 
 LIBC = ctypes.CDLL(None, use_errno=True)
@@ -38,8 +38,7 @@ def walls():
     """For what takes the whole sandbox."""
     if landlock() == 0 or not has_seccomp():
         pytest.skip("this kernel lacks Landlock or seccomp")
-    if "ASAN_OPTIONS" in os.environ:
-        pytest.skip("sanitizers need what a sandbox refuses")
+    skip_with_sanitizers("need what a sandbox refuses")
 
 
 def without(features, t, *arguments):
@@ -50,8 +49,7 @@ def without(features, t, *arguments):
 
 def hijacked():
     """The environment in which clips take over the workers that open them."""
-    if "ASAN_OPTIONS" in os.environ:
-        pytest.skip("sanitizers let no library be loaded before theirs")
+    skip_with_sanitizers("let no library be loaded before theirs")
     return {**os.environ, "LD_PRELOAD": os.environ["VVR_HIJACK"]}
 
 

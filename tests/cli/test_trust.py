@@ -7,7 +7,7 @@ import signal
 import time
 
 import pytest
-from harness import check, http_server, lock_name, send
+from harness import check, http_server, lock_name, send, skip_with_sanitizers
 from test_archive import QUICK
 
 SMALL = ("--size", "320x200", "--backend", "software", "--quiet")
@@ -142,6 +142,7 @@ def test_what_is_damaged_is_no_wrong_address(t):
 
 
 def test_too_few_files_are_said(t):
+    skip_with_sanitizers("open files of their own")
     t.clip("clip.avi", seconds=1)
     few = (4, 4)  # three are open, the log takes the fourth
     t.vvr("info", "clip.avi", "--log-file", "log.txt", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, few)).expect(
@@ -215,6 +216,7 @@ def test_archive_writes_through_no_link(t):
 
 def test_what_is_no_sidecar_stops_no_archive(t):
     """A pipe that nobody writes to, a device, and a file of holes with the right beginning."""
+    skip_with_sanitizers("reserve more addresses than the limit here allows")
     t.old_clips("a.avi", "b.avi")
     t.path("out").mkdir()
     for name in ("q.json", "a.avi.json", "index.2026-11-21.js"):

@@ -1,7 +1,9 @@
 """The sources obey the rules of includes.py, meanings.py and tables.py, and what breaks one is found."""
 
+import os
 import pathlib
 import re
+import subprocess
 import sys
 
 import includes
@@ -85,6 +87,17 @@ def said(rules, folder, sources):
 def test_the_sources_obey(rules, sources):
     found = rules.complaints(SOURCE)
     assert not found, "\n" + "\n".join(found)
+
+
+SCRIPTS = [script for script in sorted((SOURCE / "scripts").iterdir()) if script.is_file() and os.access(script, os.X_OK)]
+
+
+@pytest.mark.parametrize("script", [script for script in SCRIPTS if "/lib.sh" in script.read_text(encoding="utf-8")], ids=lambda script: script.name)
+def test_a_script_explains_itself_and_does_nothing_else(script):
+    ran = subprocess.run([script, "--help"], capture_output=True, text=True, check=True, env={"PATH": "/usr/bin:/bin"}, timeout=10)
+    comment = script.read_text(encoding="utf-8").split("\n", 2)[1].removeprefix("# ")
+    assert ran.stdout.splitlines()[0] == comment
+    assert ran.stderr == ""
 
 
 @OF_RULES
