@@ -285,6 +285,14 @@ std::vector<video::Frame> relit_like_first(std::vector<video::Frame> frames, con
     return frames;
 }
 
+/// The grey levels of seven of the frames, which tell whether the camera shakes.
+std::vector<video::Frame> frames_for_shake(std::span<const video::Frame> frames) {
+    const std::size_t count = std::min<std::size_t>(frames.size(), 7);
+    std::vector<video::Frame> some(count);
+    for (std::size_t k = 0; k < count; ++k) some[k].grey = frames[k * frames.size() / count].grey;
+    return some;
+}
+
 std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
     return clip.sample(frames_for_median);
 }
@@ -334,7 +342,7 @@ Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOp
     // A filter that shows the video itself or its motion must show the camera's motion too.
     const bool is_compared = options.filter->traits.object;
     const bool aligns = is_compared && options.stabilize->aligns;
-    reference.shakes = aligns && camera_shakes(relit_like_first(frames, *options.illumination));
+    reference.shakes = aligns && camera_shakes(relit_like_first(frames_for_shake(frames), *options.illumination));
     // Before the light is compared: of pixels that show different places, it would seem to have lost contrast.
     if (reference.shakes) align(frames);
     frames = relit_like_first(std::move(frames), *options.illumination);

@@ -43,9 +43,6 @@ constexpr double least_agreeing = 0.25;  // share of the points that were found 
 // Pixels; from here on, edges appear in the difference.
 constexpr double least_shake = 0.5;
 
-// The number of the reference's frames that are tested for camera shake.
-constexpr std::size_t frames_to_test = 6;
-
 /// The mean of the largest set of shifts that agree.
 Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
     const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
@@ -162,10 +159,9 @@ void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plan
 bool camera_shakes(std::span<const video::Frame> frames) {
     if (frames.size() < 2) return false;
     const Stabilizer stabilizer(planes_of(frames.front()));
-    const std::size_t count = std::min(frames.size() - 1, frames_to_test);
-    std::array<char, frames_to_test> moved{};
-    oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-        moved[k] = is_visible(stabilizer.shift_of(frames[1 + k * (frames.size() - 1) / count].grey)) ? 1 : 0;
+    std::vector<char> moved(frames.size());
+    oneapi::tbb::parallel_for(std::size_t{1}, frames.size(), [&](std::size_t k) {
+        moved[k] = is_visible(stabilizer.shift_of(frames[k].grey)) ? 1 : 0;
     });
     // A single frame may be damaged.
     return std::ranges::count(moved, 1) >= 2;

@@ -59,8 +59,8 @@ class Stabilizer {
 /// Sets pixels outside the visible area to 0.
 void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plane);
 
-/// Whether the camera shakes: it moves by half a pixel or more between frames of one scene, most of the time or now and
-/// then.
+/// Whether the camera shakes: it moves by half a pixel or more from the first of the frames to at least two others.
+/// \param frames of one scene in the same light; only their grey levels are used
 bool camera_shakes(std::span<const video::Frame> frames);
 
 /// Aligns all frames to the median position of the camera.
