@@ -221,13 +221,13 @@ namespace {
 
 constexpr std::size_t fewest_frames = 8;
 
-// Every third frame is enough.
-constexpr std::size_t frame_step = 3;
+// About this many, spread over the clip, are enough.
+constexpr std::size_t enough_frames = 10;
 
 // The share of the frames that counts, and the factor that makes the largest of their differences a median: 0.67 σ /
-// 0.45 σ for Gaussian noise.
-constexpr double share = 0.35;
-constexpr double to_median = 1.5;
+// 0.32 σ for Gaussian noise. Where somebody stands at a counter, the scene may be empty in no more than a quarter.
+constexpr double share = 0.25;
+constexpr double to_median = 2.1;
 
 // The share of the frames that show the empty scene even where an object lies for most of the clip. The noise is at
 // most this multiple of the noise in these frames, plus some grey levels: larger deviations are the object.
@@ -238,10 +238,11 @@ constexpr int max_excess = 2;
 }  // namespace
 
 Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth) {
-    std::vector<Plane<std::uint8_t>> differences((frames.size() + frame_step - 1) / frame_step);
-    if (differences.size() < fewest_frames) return {};
+    if (frames.size() < fewest_frames) return {};
+    const std::size_t step = std::max<std::size_t>(1, frames.size() / enough_frames);
+    std::vector<Plane<std::uint8_t>> differences((frames.size() + step - 1) / step);
     oneapi::tbb::parallel_for(std::size_t{0}, differences.size(), [&](std::size_t k) {
-        const video::Frame& frame = frames[k * frame_step];
+        const video::Frame& frame = frames[k * step];
         differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
     });
     const auto rank_of = [&](double part) {
