@@ -75,8 +75,8 @@ Planes median_reference(std::span<const video::Frame> frames);
 Planes lasting_reference(std::span<const video::Frame> frames);
 
 /// The usual deviation of each pixel from the empty scene, grey levels: camera noise, and more where leaves sway or
-/// edges tremble. It is roughly the median deviation, taken from the quarter of the frames that deviate least, so that an
-/// object that is present most of the time doesn't count; from fewer frames where an object stays even longer.
+/// edges tremble. It is roughly the median deviation, taken from the quarter of the frames that deviate least, so that
+/// an object that is present most of the time doesn't count; from fewer frames where an object stays even longer.
 /// \param frames under the same light and, if the camera shakes, aligned
 /// \param scene the empty scene, smoothed by `smooth` as the frames will be
 /// \returns empty if there are too few frames
