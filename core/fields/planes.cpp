@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -28,7 +29,41 @@ Plane<T> smooth_plane(const Plane<T>& plane, double sigma) {
     return result;
 }
 
+// Pixels between the samples that decide whether a picture has colours.
+constexpr int sampling = 3;
+
+// Levels; compression tints grey pixels by up to 2, and scenes with little colour have 12 or more.
+constexpr int least_tint_of_colour = 6;
+
+/// How often a channel is by -255 to 255 levels brighter than green.
+using Tints = std::array<int, 511>;
+
+/// Whether more than one in twenty differ from the median by `least_tint_of_colour` or more.
+bool vary(const Tints& tints) {
+    const int count = std::accumulate(tints.begin(), tints.end(), 0);
+    int below = 0;
+    auto median = tints.begin();
+    while (2 * (below + *median) < count) below += *median++;
+    const auto most = static_cast<std::ptrdiff_t>(least_tint_of_colour - 1);
+    const auto first = median - std::min(most, median - tints.begin());
+    const auto last = median + std::min(most + 1, tints.end() - median);
+    return 20 * (count - std::accumulate(first, last, 0)) > count;
+}
+
 }  // namespace
+
+bool has_colours(const Planes& picture) {
+    Tints blue{};
+    Tints red{};
+    for (int j = 0; j < picture.colour.height(); j += sampling) {
+        for (int i = 0; i < picture.colour.width(); i += sampling) {
+            const auto [b, g, r] = picture.colour.at(i, j);
+            ++blue[static_cast<std::size_t>(255 + b - g)];
+            ++red[static_cast<std::size_t>(255 + r - g)];
+        }
+    }
+    return vary(blue) || vary(red);
+}
 
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma) {
     return {smooth_plane(grey, sigma), smooth_plane(colour, sigma)};

@@ -21,6 +21,10 @@ inline int brightness_of(const Bgr& colour) {
     return (colour[0] + 2 * colour[1] + colour[2]) / 4;
 }
 
+/// Whether a picture has colours: more than one in twenty of its pixels differ from the usual tint. An infrared camera
+/// writes grey frames into a video with colour channels, often with a slight tint.
+bool has_colours(const Planes& picture);
+
 /// Gaussian smoothing with σ = `sigma` pixels; 0 = none. Camera noise is uncorrelated between pixels: the default of
 /// 0.7 reduces it to a third, and objects keep their outlines.
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma);

@@ -190,8 +190,8 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     empty.colour = Plane<Bgr>(pair_size);
     for (std::size_t i = 0; i < empty.colour.pixels().size(); ++i) {
         const auto level = empty.grey.pixels()[i];
-        empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + 20),
-                                    static_cast<std::uint8_t>(level + 40)};
+        empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + level / 4),
+                                    static_cast<std::uint8_t>(level + level / 2)};
     }
     video::Frame frame = empty;
     const auto darken = [&](int left, double b, double g, double r) {
@@ -218,6 +218,43 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     darken(5, 0.68, 0.65, 0.64);
     options.shadows = "keep";
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0);
+}
+
+// An infrared camera writes grey frames with colour channels: every dark thing keeps their "colour".
+TEST(Shadows, AreUnknownWhereNothingHasAColour) {
+    video::Frame empty = dark_texture();
+    empty.colour = Plane<Bgr>(pair_size);
+    std::ranges::transform(empty.grey.pixels(), empty.colour.pixels().begin(), [](std::uint8_t level) {
+        const auto tinted = static_cast<std::uint8_t>(level + 9);
+        return Bgr{tinted, level, level};
+    });
+    video::Frame frame = empty;
+    for (int j = 10; j < 40; ++j) {
+        for (int i = 5; i < 25; ++i) {
+            for (std::uint8_t& level : frame.colour.at(i, j)) level = static_cast<std::uint8_t>(0.6 * level);
+        }
+    }
+    const fields::FieldOptions options{.illumination = "none"};
+    EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0) << "a coat in the night";
+    for (video::Frame* const picture : {&frame, &empty}) {
+        test::fill(picture->colour, {50, 0, 60, pair_size.height}, Bgr{40, 90, 160});  // a door
+    }
+    EXPECT_EQ(object_in(frame, empty, options).at(15, 25), 0) << "there are colours, and none changed";
+}
+
+TEST(Planes, FewColouredPixelsAreNoColours) {
+    constexpr Size size{100, 60};
+    const auto picture = [&](const Bgr& tint, int coloured_columns) {
+        fields::Planes planes{Plane<std::uint8_t>(size), Plane<Bgr>(size, tint)};
+        test::fill(planes.colour, {0, 0, coloured_columns, size.height}, Bgr{40, 90, 160});
+        return planes;
+    };
+    EXPECT_FALSE(fields::has_colours(picture({80, 80, 80}, 0)));
+    EXPECT_FALSE(fields::has_colours(picture({110, 80, 70}, 0))) << "an even tint";
+    EXPECT_FALSE(fields::has_colours(picture({110, 80, 70}, 3))) << "a clock in colour";
+    EXPECT_TRUE(fields::has_colours(picture({110, 80, 70}, 12)));
+    EXPECT_FALSE(fields::has_colours({Plane<std::uint8_t>(size, 80), {}}));
+    EXPECT_FALSE(fields::has_colours({}));
 }
 
 TEST(Difference, SmallestPictures) {
