@@ -35,12 +35,18 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
 
 /// Takes stills from the empty scene for objects that it contains: those left for most of the clip, and those taken
 /// away.
-void take_stills_from_scene(std::span<const events::Event> events, const Plane<Bgr>& scene, glance::Crops& crops) {
-    const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
-    for (const events::Event& event : events) {
+void take_stills_from_scene(const Observation& seen, glance::Crops& crops) {
+    const auto frame_of = [&](const Plane<Bgr>& scene) {
+        return video::Frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
+    };
+    const video::Frame usual = frame_of(seen.scene);
+    const auto& mode = seen.summary.reference.infrared;
+    const video::Frame infrared = mode ? frame_of(mode->colour) : usual;
+    for (const events::Event& event : seen.findings.events) {
         const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
-        crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene}, frame);
+        crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene},
+                   event.infrared ? infrared : usual);
     }
 }
 
@@ -62,7 +68,7 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 void conclude(const Plan& plan, ObservationBuilder& builder) {
     Observation& seen = builder.seen;
     builder.set_findings(builder.finder->finish());
-    take_stills_from_scene(seen.findings.events, seen.scene, seen.crops);
+    take_stills_from_scene(seen, seen.crops);
     builder.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen.findings.events), plan.job.output.events);
@@ -177,7 +183,7 @@ void ObservationBuilder::identify() {
 
 fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
-        if (finder) finder->set_scene(scene.planes());
+        if (finder) finder->set_scene(scene.planes(), scene.infrared ? scene.infrared->planes() : fields::Planes{});
     };
 }
 
@@ -190,7 +196,7 @@ const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& fra
                                                    bool moves) {
     if (finder) {
         events::TrackedFrame tracked =
-            finder->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+            finder->add({field.scalar, frame->grey, frame->colour, field.infrared}, {field.index, field.pts});
         labels_ = std::move(tracked.labels);
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
         for (const events::TrackPortrait& best : tracked.portraits) {

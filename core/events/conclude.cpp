@@ -57,6 +57,14 @@ class Conclusion {
   private:
     const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
 
+    /// The stretch before, if there is one. Those in the camera's other mode show another scene, and don't count.
+    std::optional<std::size_t> stretch_before(const Tracklet& own) const {
+        for (std::size_t k = own.stretch; k > 0; --k) {
+            if (span_.stretches[k - 1].infrared == stretch_of(own).infrared) return k - 1;
+        }
+        return std::nullopt;
+    }
+
     /// Whether it was there when its stretch began. Then nobody knows what it did before.
     bool was_there_first(const Tracklet& own) const {
         return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
@@ -99,11 +107,12 @@ class Conclusion {
         return off < thresholds.stationary.apart * std::max(thresholds.least_length, b.length);
     }
 
-    /// Whether it stood there in all frames of all stretches that are long enough to tell.
+    /// Whether it stood there in all frames of all stretches of this mode that are long enough to tell.
     bool was_always_there(const Candidate& candidate) const {
         if (!candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
             const Stretch& stretch = span_.stretches[k];
+            if (stretch.infrared != stretch_of(candidate.whole).infrared) continue;
             const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * thresholds.stationary.stay;
             if (k != candidate.whole.stretch && can_settle && !stood_in(k, candidate.whole, true)) return false;
         }
@@ -144,8 +153,8 @@ class Conclusion {
     void judge_ghost(Candidate& candidate) {
         Tracklet& own = candidate.whole;
         candidate.kind = EventKind::taken;
-        const bool was_never_there =
-            candidate.from_first && (own.stretch == 0 || stood_in(own.stretch - 1, own, false));
+        const std::optional<std::size_t> before = stretch_before(own);
+        const bool was_never_there = candidate.from_first && (!before || stood_in(*before, own, false));
         if (!was_never_there) {
             own.stays.clear();
             return;
@@ -240,10 +249,10 @@ class Conclusion {
     /// else that is new after a gap may be a change of light or of the camera's view.
     bool was_there_before(const Tracklet& own) const {
         if (!was_there_first(own)) return false;
-        return own.stretch == 0 || std::ranges::any_of(in_stretch_[own.stretch - 1], [&](std::size_t k) {
-                   return candidates_[k].wanted && candidates_[k].to_last &&
-                          is_at_same_place(candidates_[k].whole, own);
-               });
+        const std::optional<std::size_t> before = stretch_before(own);
+        return !before || std::ranges::any_of(in_stretch_[*before], [&](std::size_t k) {
+            return candidates_[k].wanted && candidates_[k].to_last && is_at_same_place(candidates_[k].whole, own);
+        });
     }
 
     /// Whether an object can have brought or taken a thing: it is large enough, whoever takes a thing comes from
@@ -399,6 +408,7 @@ class Conclusion {
             event.into = place_of(own.into, k);
             if (row_of(event.kind).is_thing) event.by = event.from;
             event.portrait = own.portrait;
+            event.infrared = stretch_of(own).infrared;
             if (own.in_scene && own.settled) {
                 event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
             }

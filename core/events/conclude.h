@@ -9,10 +9,11 @@
 
 namespace vvr::events {
 
-/// Consecutive frames without a gap.
+/// Consecutive frames without a gap, in one mode of the camera.
 struct Stretch {
     Moment first;
     Moment last;
+    bool infrared = false;
 };
 
 /// The observed part of a clip.

@@ -42,9 +42,10 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
 
 TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
-    if (stretches_.empty() || follows_gap(now)) {
+    if (stretches_.empty() || follows_gap(now) || sight.infrared != infrared_) {
         restart();
-        stretches_.push_back({now, now});
+        stretches_.push_back({now, now, sight.infrared});
+        infrared_ = sight.infrared;
     }
     last_ = stretches_.back().last = now;
     record_share(sight.field, now);
@@ -248,7 +249,7 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
             track.see(blobs.patches[b], looks[b], sight, now);
-            track.look_for_novelty(sight, scene_, now);
+            track.look_for_novelty(sight, scene(), now);
             track.set_near({});
             continue;
         }
@@ -281,7 +282,7 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
     }
     Track& track = begun.emplace_back(next_++, origin, field_);
     track.see(blob, look, sight, now);
-    track.look_for_novelty(sight, scene_, now);
+    track.look_for_novelty(sight, scene(), now);
 }
 
 /// Finds each of several tracks within their shared blob.
@@ -339,7 +340,7 @@ void EventFinder::merge_stationary(Track& part) {
 void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (track.is_over()) return;
     const bool certain = track.is_confirmed();
-    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, scene_, now);
+    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, scene(), now);
     tracklet.stretch = stretches_.size() - 1;
     // Tracklets of rain and leaves are dropped: in a stream of days they would fill the memory.
     const bool jumps = !tracklet.settled && tracklet.continuous < thresholds.event.continuous;

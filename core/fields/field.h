@@ -119,6 +119,7 @@ struct Field {
     Flow flow;                     ///< empty if not requested; 0 far from objects unless requested there
     std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
+    bool infrared = false;         ///< compared with the empty scene of the camera's infrared mode
 };
 
 }  // namespace vvr::fields

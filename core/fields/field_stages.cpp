@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include <opencv2/core.hpp>
+
+#include "core/base/cv_view.h"
 #include "core/fields/blobs.h"
 #include "core/fields/motion.h"
 #include "core/fields/seeds.h"
@@ -23,7 +26,8 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
 
 /// Whether there is neither a gap nor a jump of the light between two frames.
 bool continuous(const PipelineFrame& a, const PipelineFrame& b) {
-    return std::abs(a.frame->index - b.frame->index) == 1 && !illumination_jumps(a.levels, b.levels);
+    return std::abs(a.frame->index - b.frame->index) == 1 && a.infrared == b.infrared &&
+           !illumination_jumps(a.levels, b.levels);
 }
 
 /// The neighbourhood without frames beyond a gap or a jump of the light: flow methods assume constant brightness.
@@ -39,6 +43,11 @@ Neighbourhood continuous_part(Neighbourhood neighbours, int reach) {
     return neighbours;
 }
 
+/// The number of pixels that belong to an object.
+int covered(const Plane<std::uint8_t>& object) {
+    return cv::countNonZero(cv_view(object));
+}
+
 }  // namespace
 
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
@@ -51,30 +60,50 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
                         options.flow.method.is_folder()) {
     if (options.second != nullptr) second_.emplace(activate(*options.second, options, std::nullopt));
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
-    if (needs_reference(options)) {
-        const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
-        object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_,
-                                                 row_.traits.darker || second_traits.darker);
-    }
-    if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
+    scene_ = stage_of(scene.reference);
+    if (scene.reference.infrared) infrared_ = stage_of(*scene.reference.infrared);
     needs_age_ = flow_ != nullptr && options.seeds.order->needs_age;
-    stateful_ =
-        row_.traits.in_order || second_traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
+    stateful_ = row_.traits.in_order || second_traits.in_order || needs_age_ ||
+                (scene_.object != nullptr && scene_.object->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || second_traits.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
+FieldStages::SceneStage FieldStages::stage_of(const Reference& scene) const {
+    SceneStage stage;
+    if (needs_reference(options_)) {
+        const int threshold =
+            row_.traits.object ? options_.threshold.value_or(row_.traits.threshold) : object_threshold;
+        const bool darker = row_.traits.darker || (second_ && second_->row->traits.darker);
+        stage.object = std::make_unique<ObjectFinder>(options_, threshold, scene, region_, darker);
+    }
+    if (scene.shakes) stage.stabilizer = std::make_unique<Stabilizer>(scene);
+    return stage;
+}
+
 std::shared_ptr<PipelineFrame> FieldStages::begin(video::Frame frame) const {
-    auto shot = std::make_shared<PipelineFrame>();
-    if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
-    shot->frame = std::make_shared<const video::Frame>(std::move(frame));
-    shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
-    if (object_ && !object_->adapts()) store_object(*shot, object_->find(shot->smooth));
+    std::shared_ptr<PipelineFrame> shot;
+    if (infrared_) {
+        shot = compared(frame, *infrared_);
+        shot->infrared = true;
+    }
+    // The camera was in the mode in whose scene the frame fits better.
+    std::shared_ptr<PipelineFrame> usual = compared(std::move(frame), scene_);
+    if (!shot || covered(usual->object) <= covered(shot->object)) shot = std::move(usual);
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
 }
 
-void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) const {
+std::shared_ptr<PipelineFrame> FieldStages::compared(video::Frame frame, const SceneStage& scene) const {
+    auto shot = std::make_shared<PipelineFrame>();
+    if (scene.stabilizer) shot->visible = scene.stabilizer->align(frame, scene.stabilizer->shift_of(frame.grey));
+    shot->frame = std::make_shared<const video::Frame>(std::move(frame));
+    shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
+    if (scene.object && !scene.object->adapts()) store_object(*shot, scene.object->find(shot->smooth));
+    return shot;
+}
+
+void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) {
     shot.object = std::move(found.values);
     shot.darker = std::move(found.darker);
     if (shot.visible) clear_outside_overlap(*shot.visible, shot.object);
@@ -82,7 +111,7 @@ void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) const {
 
 Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     if (shot) {
-        if (object_ && object_->adapts()) store_object(*shot, object_->find_and_adapt(shot->smooth));
+        if (scene_.object && scene_.object->adapts()) store_object(*shot, scene_.object->find_and_adapt(shot->smooth));
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
@@ -104,6 +133,7 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     Field field;
     field.index = here.frame->index;
     field.pts = here.frame->pts;
+    field.infrared = here.infrared;
     field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (second_) field.second = second_traits.in_order ? here.second : filtered(*second_, here, before, {});
@@ -113,7 +143,7 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     const Neighbourhood connected = continuous_part(neighbours, reach_);
     // If the filter needs the difference object, that is used: the filter's values may also mark uncovered pixels,
     // which are no object.
-    const Plane<std::uint8_t> moves = moving(connected, object_ ? here.object : field.scalar);
+    const Plane<std::uint8_t> moves = moving(connected, scene_.object ? here.object : field.scalar);
     field.flow = flow_of(connected, moves);
     if (requested) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
     if (traits.flow) field.scalar = filtered(first_, here, before, field.flow);

@@ -25,6 +25,7 @@ struct PipelineFrame {
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, if needed
     Plane<std::uint8_t> darker;      ///< as FoundObject::darker
+    bool infrared = false;           ///< compared with the empty scene of the camera's infrared mode
     Quantiles levels{};              ///< of the frame's grey; they show jumps of the light
     Plane<std::uint8_t> foreground;  ///< output of a filter that needs the frames in order
     Plane<std::uint8_t> second;      ///< output of the second filter
@@ -63,7 +64,15 @@ class FieldStages {
     Field finish(const Neighbourhood& neighbours) const;
 
   private:
-    void store_object(PipelineFrame& shot, FoundObject&& found) const;
+    /// What is known of an empty scene.
+    struct SceneStage {
+        std::unique_ptr<ObjectFinder> object;    ///< null if the difference object isn't needed
+        std::unique_ptr<Stabilizer> stabilizer;  ///< null unless the camera shakes
+    };
+
+    SceneStage stage_of(const Reference& scene) const;
+    std::shared_ptr<PipelineFrame> compared(video::Frame frame, const SceneStage& scene) const;
+    static void store_object(PipelineFrame& shot, FoundObject&& found);
     /// A filter and its parameters.
     struct ActiveFilter {
         const FilterRow* row;
@@ -85,8 +94,8 @@ class FieldStages {
     Plane<std::uint8_t> region_;
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
-    std::unique_ptr<ObjectFinder> object_;  ///< null if the difference object isn't needed
-    std::optional<Stabilizer> stabilizer_;  ///< if the camera shakes
+    SceneStage scene_;
+    std::optional<SceneStage> infrared_;  ///< if the camera changes to infrared and back
     bool needs_age_ = false;
     bool stateful_ = false;
     int reach_ = 0;

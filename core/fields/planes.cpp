@@ -52,12 +52,12 @@ bool vary(const Tints& tints) {
 
 }  // namespace
 
-bool has_colours(const Planes& picture) {
+bool has_colours(const Plane<Bgr>& picture) {
     Tints blue{};
     Tints red{};
-    for (int j = 0; j < picture.colour.height(); j += sampling) {
-        for (int i = 0; i < picture.colour.width(); i += sampling) {
-            const auto [b, g, r] = picture.colour.at(i, j);
+    for (int j = 0; j < picture.height(); j += sampling) {
+        for (int i = 0; i < picture.width(); i += sampling) {
+            const auto [b, g, r] = picture.at(i, j);
             ++blue[static_cast<std::size_t>(255 + b - g)];
             ++red[static_cast<std::size_t>(255 + r - g)];
         }

@@ -23,7 +23,7 @@ inline int brightness_of(const Bgr& colour) {
 
 /// Whether a picture has colours: more than one in twenty of its pixels differ from the usual tint. An infrared camera
 /// writes grey frames into a video with colour channels, often with a slight tint.
-bool has_colours(const Planes& picture);
+bool has_colours(const Plane<Bgr>& picture);
 
 /// Gaussian smoothing with σ = `sigma` pixels; 0 = none. Camera noise is uncorrelated between pixels: the default of
 /// 0.7 reduces it to a third, and objects keep their outlines.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <memory>
 
 #include <oneapi/tbb/blocked_range.h>
@@ -336,9 +338,33 @@ constexpr std::array reference_rows{
                  lasting_reference, false, true},
 };
 
-Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
-                const LivingFinder& find_living) {
-    std::vector<video::Frame> frames = row.sample(clip);
+// A scene of fewer frames would hold whoever passes in one of them.
+constexpr std::ptrdiff_t fewest_of_mode = 3;
+
+// A quarter of fewer frames is one frame, which doesn't show what lasts.
+constexpr std::size_t fewest_for_lasting = 8;
+
+// Grey levels between the darkest and the brightest twentieth of a picture; with less, the camera is covered.
+constexpr float least_contrast = 20;
+
+bool is_infrared(const video::Frame& frame) {
+    if (has_colours(frame.colour)) return false;
+    const Quantiles levels = quantiles_of(frame.grey);
+    return levels.back() - levels.front() >= least_contrast;
+}
+
+/// Takes the frames out that a camera made in its infrared mode. Takes none if there are too few of these or of others.
+std::vector<video::Frame> take_infrared(std::vector<video::Frame>& frames) {
+    const auto count = std::ranges::count_if(frames, is_infrared);
+    if (std::min(count, std::ssize(frames) - count) < fewest_of_mode) return {};
+    const auto infrared = std::ranges::stable_partition(frames, std::not_fn(is_infrared));
+    std::vector<video::Frame> taken(std::make_move_iterator(infrared.begin()), std::make_move_iterator(infrared.end()));
+    frames.erase(infrared.begin(), infrared.end());
+    return taken;
+}
+
+Reference learn_from(std::vector<video::Frame> frames, const SceneOfFrames scene, const FieldOptions& options,
+                     const LivingFinder& find_living) {
     Reference reference;
     // A filter that shows the video itself or its motion must show the camera's motion too.
     const bool is_compared = options.filter->traits.object;
@@ -347,10 +373,25 @@ Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOp
     // Before the light is compared: of pixels that show different places, it would seem to have lost contrast.
     if (reference.shakes) align(frames);
     frames = relit_like_first(std::move(frames), *options.illumination);
-    static_cast<Planes&>(reference) = row.scene(frames);
+    static_cast<Planes&>(reference) = scene(frames);
     if (frames.empty()) return reference;
     if (find_living) look_behind(frames, find_living, reference);
     reference.noise = noise_of(frames, smoothed(reference.grey, reference.colour, options.smooth), options.smooth);
+    return reference;
+}
+
+Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
+                const LivingFinder& find_living) {
+    std::vector<video::Frame> frames = row.sample(clip);
+    std::vector<video::Frame> infrared;
+    if (!row.adapts) infrared = take_infrared(frames);
+    if (infrared.empty()) return learn_from(std::move(frames), row.scene, options, find_living);
+    const auto learn_mode = [&](std::vector<video::Frame> of_mode) {
+        const SceneOfFrames scene = of_mode.size() < fewest_for_lasting ? median_reference : row.scene;
+        return learn_from(std::move(of_mode), scene, options, find_living);
+    };
+    Reference reference = learn_mode(std::move(frames));
+    reference.infrared = std::make_shared<const Reference>(learn_mode(std::move(infrared)));
     return reference;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ struct Reference : Planes {
 
     Plane<std::uint8_t> noise{};  ///< result of `noise_of`; empty if there were too few frames
     bool shakes = false;          ///< the camera shakes, and stabilization is on
+
+    /// The empty scene of the frames without colours, if the camera changes between colour and infrared during the
+    /// clip; else null.
+    std::shared_ptr<const Reference> infrared{};
 };
 
 /// What is known of a scene before the first frame.
@@ -37,14 +42,17 @@ struct EmptyScene {
 /// Whether these options need the empty scene: for the filter, or for the seeds' area.
 bool needs_reference(const FieldOptions& options);
 
+/// Makes the empty scene of frames that are in order of time.
+using SceneOfFrames = Planes (*)(std::span<const video::Frame> frames);
+
 /// One row of the table of references: the source of the empty scene.
 struct ReferenceRow {
     std::string_view name;
     std::string_view help;
     std::vector<video::Frame> (*sample)(video::FrameSource& clip);  ///< frames to learn from, in order of time
-    Planes (*scene)(std::span<const video::Frame> frames);          ///< the empty scene of these frames
-    bool needs_whole_clip = false;                                  ///< not possible for streams
-    bool adapts = false;                                            ///< follows slow changes of the scene
+    SceneOfFrames scene;
+    bool needs_whole_clip = false;  ///< not possible for streams
+    bool adapts = false;            ///< follows slow changes of the scene
 };
 
 /// "median", "first", "running".
@@ -59,8 +67,8 @@ using LivingFinder = std::function<std::vector<PixelBox>(const video::Frame&)>;
 void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene);
 
 /// Makes the empty scene of a clip, by a row of the table or from a picture file (scaled to the field's size). Changes
-/// of light are compensated if the options say so; frames of a shaking camera are aligned. Leaves the clip at its first
-/// frame.
+/// of light are compensated if the options say so; frames of a shaking camera are aligned. If some frames have colours
+/// and others none, each kind gives its own scene. Leaves the clip at its first frame.
 /// \param find_living may be empty; then whoever stands there for long may be in the scene
 /// \throws Error io or not_video for a picture that can't be read
 Reference make_reference(video::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living = {});

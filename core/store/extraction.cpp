@@ -78,6 +78,13 @@ Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     return plane;
 }
 
+fields::Reference read_scene(const std::filesystem::path& path, Size size) {
+    fields::Planes scene{Plane<std::uint8_t>(size), read_colour(path, size)};
+    std::ranges::transform(scene.colour.pixels(), scene.grey.pixels().begin(),
+                           [](const Bgr& bgr) { return static_cast<std::uint8_t>(fields::brightness_of(bgr)); });
+    return scene;
+}
+
 struct CloseFile {
     // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the std::unique_ptr with this deleter owns it
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -139,7 +146,7 @@ DataFolder::~DataFolder() {
 bool DataFolder::remove_data() const {
     bool removed = true;
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
-                             stored::first, stored::last}) {
+                             stored::infrared, stored::first, stored::last}) {
         std::error_code error;
         fs::remove_all(folder_ / name, error);
         removed = removed && !error;
@@ -157,7 +164,7 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
 }
 
 void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
-    StoredFrame stored{field.index, field.pts, {}};
+    StoredFrame stored{field.index, field.pts, {}, field.infrared};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
     write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters compute flow for every frame.
@@ -174,11 +181,13 @@ void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
 
 void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
     write(stored::last, bytes_of(encode_colour(last_)));
+    const auto write_scene = [&](const char* name, const fields::Reference& scene) {
+        write(name, bytes_of(scene.colour.empty() ? encode_grey(scene.grey) : encode_colour(scene.colour)));
+    };
     manifest.reference = !reference.grey.empty();
-    if (manifest.reference) {
-        write(stored::reference,
-              bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
-    }
+    manifest.infrared = reference.infrared != nullptr;
+    if (manifest.reference) write_scene(stored::reference, reference);
+    if (manifest.infrared) write_scene(stored::infrared, *reference.infrared);
     manifest.flow_every = flow_every_;
     manifest.colour = true;
     manifest.frames = frames_;
@@ -280,6 +289,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
     fields::Field field;
     field.index = frame.index;
     field.pts = frame.pts;
+    field.infrared = frame.infrared;
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
     const bool asked = frame.index % needs.every == 0;
     const auto fail = [](const fs::path& file, const std::string& what) {
@@ -345,10 +355,11 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;
     const Part& some = parts_.front();
     if (some.manifest.colour && some.manifest.reference) {
-        summary.reference.colour = read_colour(some.folder / stored::reference, field_size());
-        summary.reference.grey = Plane<std::uint8_t>(field_size());
-        std::ranges::transform(summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
-                               [](const Bgr& bgr) { return static_cast<std::uint8_t>(fields::brightness_of(bgr)); });
+        summary.reference = read_scene(some.folder / stored::reference, field_size());
+        if (some.manifest.infrared) {
+            summary.reference.infrared =
+                std::make_shared<const fields::Reference>(read_scene(some.folder / stored::infrared, field_size()));
+        }
         if (needs.scene) needs.scene(summary.reference);
     }
     for (const Part& part : parts_) {

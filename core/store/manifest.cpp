@@ -121,7 +121,8 @@ StoredFrame read_frame(const Json& json, std::size_t number, const std::string& 
     StoredFrame frame;
     frame.index = reader.integer("index", 0, max_count);
     frame.pts = reader.seconds("pts");
-    if (json.contains("seeds")) frame.seeds = reader.integer("seeds", 0, max_count);
+    if (reader.has("seeds")) frame.seeds = reader.integer("seeds", 0, max_count);
+    if (reader.has("infrared")) frame.infrared = reader.flag("infrared");
     return frame;
 }
 
@@ -189,6 +190,7 @@ std::string format_manifest(const Manifest& manifest) {
                     {"damaged", manifest.damaged},
                     {stored::colour, manifest.colour},
                     {"reference", manifest.reference},
+                    {"infrared", manifest.infrared},
                     {"settings", settings}};
     std::string text = json_text(head, 2);
     text.erase(text.rfind('\n'));  // the closing brace
@@ -197,6 +199,7 @@ std::string format_manifest(const Manifest& manifest) {
     for (const StoredFrame& frame : manifest.frames) {
         Json entry{{"index", frame.index}, {"pts", frame.pts}};
         if (frame.seeds) entry["seeds"] = *frame.seeds;
+        if (frame.infrared) entry["infrared"] = true;
         text += (&frame == &manifest.frames.front() ? "\n    " : ",\n    ") + entry.dump();
     }
     return text + "\n  ]\n}\n";
@@ -227,6 +230,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     manifest.damaged = reader.integer("damaged", 0, max_count);
     manifest.colour = reader.flag(stored::colour);
     manifest.reference = reader.flag("reference");
+    if (reader.has("infrared")) manifest.infrared = reader.flag("infrared");  // missing in older extractions
     const Reader settings = reader.object("settings");
     for (const auto& [option, value] : reader.at("settings").items()) {
         manifest.settings.emplace_back(option, settings.text(option.c_str()));

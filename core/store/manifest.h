@@ -19,6 +19,7 @@ struct StoredFrame {
     std::int64_t index = 0;             ///< in the clip
     double pts = 0;                     ///< seconds from the clip's first frame
     std::optional<std::int64_t> seeds;  ///< number of seeds; none = no flow and no seeds
+    bool infrared = false;              ///< as `fields::Field::infrared`
 
     friend bool operator==(const StoredFrame&, const StoredFrame&) = default;
 };
@@ -32,6 +33,7 @@ struct Manifest {
     std::int64_t damaged = 0;  ///< packets in or next to these frames that did not decode
     bool colour = false;       ///< whether every frame's picture is stored
     bool reference = false;    ///< whether there was a reference (the empty scene)
+    bool infrared = false;     ///< whether there was another of the camera's infrared mode
     std::vector<std::pair<std::string, std::string>> settings;  ///< options by long name, as text
     std::vector<StoredFrame> frames;                            ///< consecutive
 };
@@ -44,6 +46,7 @@ inline constexpr const char* flow = "flow";
 inline constexpr const char* seeds = "seeds";
 inline constexpr const char* colour = "color";
 inline constexpr const char* reference = "reference.png";
+inline constexpr const char* infrared = "infrared.png";
 inline constexpr const char* first = "first.png";
 inline constexpr const char* last = "last.png";
 

@@ -262,6 +262,71 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
     EXPECT_EQ(early[1].last.frame, 199);
 }
 
+/// What is found in 400 frames of a camera that changes to infrared in the middle.
+std::vector<events::Event> events_at_dusk(
+    const fields::Planes& infrared,
+    const std::function<void(int, Plane<std::uint8_t>& field, Plane<std::uint8_t>& picture)>& paint) {
+    const fields::Planes day{Plane<std::uint8_t>({120, 90}, 90), {}};
+    events::EventFinder finder({120, 90});
+    finder.set_scene(day, infrared);
+    for (int f = 0; f < 400; ++f) {
+        const bool dark = f >= 200;
+        Plane<std::uint8_t> field({120, 90});
+        Plane<std::uint8_t> picture = dark ? infrared.grey : day.grey;
+        paint(f, field, picture);
+        finder.add({field, picture, {}, dark}, at(f));
+    }
+    return finder.finish().events;
+}
+
+/// Somebody who goes to the right, with the left side at `left`.
+void paint_walker(int left, Plane<std::uint8_t>& field, Plane<std::uint8_t>& picture) {
+    fill(field, {left, 15, left + 12, 55}, 100);
+    fill(picture, {left, 15, left + 12, 55}, 200);
+}
+
+TEST(Infrared, EndsWhatIsFollowed) {
+    const fields::Planes infrared{Plane<std::uint8_t>({120, 90}, 30), {}};
+    const auto events = events_at_dusk(infrared, [](int f, auto& field, auto& picture) {
+        fill(field, {f / 3 - 10, 30, f / 3, 50}, 100);
+        fill(picture, {f / 3 - 10, 30, f / 3, 50}, 200);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[0].last.frame, 199);
+    EXPECT_FALSE(events[0].infrared);
+    EXPECT_EQ(events[1].first.frame, 200);
+    EXPECT_TRUE(events[1].infrared);
+}
+
+TEST(Infrared, HasItsOwnEmptyScene) {
+    const fields::Planes infrared{Plane<std::uint8_t>({120, 90}, 30), {}};
+    const auto events = events_at_dusk(infrared, [](int f, auto& field, auto& picture) {
+        if (f >= 260) fill(field, {60, 60, 72, 70}, 120);
+        if (f >= 260) fill(picture, {60, 60, 72, 70}, 90);  // as bright as the floor at day
+        paint_walker(2 * (f - 230), field, picture);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    EXPECT_NEAR(static_cast<double>(events[1].first.frame), 260, 5);
+}
+
+TEST(Infrared, SaysNothingOfWhatIsInTheSceneOfTheDay) {
+    // It is in the scene, as it was put down early in the night; until then the fields show its ghost.
+    fields::Planes infrared{Plane<std::uint8_t>({120, 90}, 30), {}};
+    fill(infrared.grey, {60, 60, 72, 70}, 220);
+    const auto events = events_at_dusk(infrared, [](int f, auto& field, auto& picture) {
+        const bool ghost = f >= 200 && f < 260;
+        if (ghost) fill(field, {60, 60, 72, 70}, 130);
+        if (ghost) fill(picture, {60, 60, 72, 70}, 30);
+        paint_walker(2 * (f - 230), field, picture);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    EXPECT_TRUE(events[1].in_scene);
+    EXPECT_NEAR(static_cast<double>(events[1].first.frame), 260, 5);
+    EXPECT_EQ(events[1].last.frame, 399);
+}
+
 TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
     const fields::Planes scene{Plane<std::uint8_t>({120, 90}, 90), {}};
     const auto events_of_patch = [&](int to) {

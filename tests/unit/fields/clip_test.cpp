@@ -68,6 +68,72 @@ TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
     for (const int p : summary.reference.grey.pixels()) ASSERT_NEAR(p, 50, 1);
 }
 
+/// A camera that changes to infrared: first orange and blue stripes, then broader grey ones. A walker goes through
+/// both.
+class Dusk : public testing::Test {
+  protected:
+    static constexpr Size size{64, 48};
+    static constexpr int count = 24;
+
+    static Bgr by_day(int i, int) { return i / 4 % 2 == 0 ? Bgr{40, 110, 190} : Bgr{170, 90, 60}; }
+    static Bgr by_night(int i, int) { return i / 10 % 2 == 0 ? Bgr{60, 60, 60} : Bgr{130, 130, 130}; }
+    static Bgr covered(int, int) { return {5, 5, 5}; }
+
+    static int walker(int frame) { return 4 * (frame % 14); }
+
+    /// \param last from the frame `dusk` on
+    fields::FieldSummary run(int dusk, Bgr (*last)(int, int), const fields::FieldSink& sink) const {
+        std::filesystem::create_directory(folder_ / "clip");
+        for (int f = 0; f < count; ++f) {
+            std::ofstream file(folder_ / ("clip/" + std::to_string(1000 + f) + ".ppm"), std::ios::binary);
+            file << "P6\n" << size.width << " " << size.height << "\n255\n";
+            for (int j = 0; j < size.height; ++j) {
+                for (int i = 0; i < size.width; ++i) {
+                    const bool somebody = i >= walker(f) && i < walker(f) + 8 && j >= 16 && j < 28;
+                    const Bgr pixel = somebody ? Bgr{250, 250, 250} : (f < dusk ? by_day : last)(i, j);
+                    for (const std::size_t channel : {2U, 1U, 0U}) file.put(static_cast<char>(pixel[channel]));
+                }
+            }
+        }
+        video::SourceOptions in_colour;
+        in_colour.colour = true;
+        fields::FieldOptions options{.threads = 2};
+        return fields::compute_fields(*video::open_source(folder_ / "clip", in_colour), options, sink);
+    }
+
+  private:
+    test::TempFolder folder_;
+};
+
+TEST_F(Dusk, EachModeHasItsEmptyScene) {
+    const fields::FieldSummary summary = run(14, by_night, [&](const video::SharedFrame& frame, fields::Field&& field) {
+        const auto f = static_cast<int>(frame->index);
+        EXPECT_EQ(field.infrared, f >= 14) << f;
+        EXPECT_NE(field.scalar.at(walker(f) + 4, 24), 0) << f;
+        EXPECT_EQ(field.scalar.at((walker(f) + 30) % 64, 24), 0) << f;
+    });
+    ASSERT_NE(summary.reference.infrared, nullptr);
+    EXPECT_NEAR(summary.reference.colour.at(1, 2)[2], 190, 2);
+    EXPECT_NEAR(summary.reference.infrared->colour.at(1, 2)[2], 60, 2);
+}
+
+TEST_F(Dusk, FewFramesAreNoMode) {
+    const auto frames = [](const video::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
+    EXPECT_EQ(run(count - 2, by_night, frames).reference.infrared, nullptr);
+    EXPECT_EQ(run(2, by_night, frames).reference.infrared, nullptr);
+}
+
+TEST_F(Dusk, ACoveredCameraIsNotInInfrared) {
+    const fields::FieldSummary summary =
+        run(14, covered, [&](const video::SharedFrame& frame, const fields::Field& field) {
+            EXPECT_FALSE(field.infrared);
+            if (frame->index >= 14) {
+                EXPECT_GT(test::lit(field.scalar), size.width * size.height / 5);
+            }
+        });
+    EXPECT_EQ(summary.reference.infrared, nullptr);
+}
+
 TEST_F(Clip, DecodedPicturesAreThereOnlyInTheSink) {
     std::vector<video::SharedFrame> kept;
     run({.threads = 2, .full_size = true}, [&](const video::SharedFrame& frame, fields::Field&&) {

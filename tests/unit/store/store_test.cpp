@@ -81,6 +81,36 @@ TEST_F(Store, GivesBackWhatItTook) {
     EXPECT_EQ(summary.frames, 10);
 }
 
+TEST_F(Store, KeepsTheSceneOfEachMode) {
+    const auto scene_of = [](const Bgr& colour) {
+        const auto grey = static_cast<std::uint8_t>(fields::brightness_of(colour));
+        return fields::Reference(fields::Planes{Plane<std::uint8_t>(size, grey), Plane<Bgr>(size, colour)});
+    };
+    fields::Reference day = scene_of({20, 90, 200});
+    day.infrared = std::make_shared<const fields::Reference>(scene_of({70, 70, 70}));
+    {
+        store::DataFolder data(folder / "dusk", 2);
+        for (std::int64_t i = 0; i < 4; ++i) {
+            fields::Field field = field_of(i);
+            field.infrared = i >= 2;
+            data.add(frame_of(i), field);
+        }
+        store::Manifest manifest = manifest_of();
+        manifest.colour = true;
+        data.close(manifest, day);
+    }
+    const std::vector<std::string> parts{folder / "dusk"};
+    store::StoredFields stored(parts);
+    const fields::FieldSummary summary =
+        stored.read({.every = 2}, [&](const video::SharedFrame& frame, const fields::Field& field) {
+            EXPECT_EQ(field.infrared, frame->index >= 2);
+        });
+    EXPECT_TRUE(test::same(summary.reference.colour, day.colour));
+    ASSERT_NE(summary.reference.infrared, nullptr);
+    EXPECT_TRUE(test::same(summary.reference.infrared->colour, day.infrared->colour));
+    EXPECT_TRUE(test::same(summary.reference.infrared->grey, day.infrared->grey));
+}
+
 TEST_F(Store, WithoutCloseNothingStays) {
     {
         store::DataFolder data(folder / "a", 1);
