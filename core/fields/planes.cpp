@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <numbers>
 #include <numeric>
 
@@ -35,34 +36,55 @@ constexpr int sampling = 3;
 // Levels; compression tints grey pixels by up to 2, and scenes with little colour have 12 or more.
 constexpr int least_tint_of_colour = 6;
 
+// Levels by which a camera may tint all of a grey picture.
+constexpr int most_tint_of_grey = 12;
+
 /// How often a channel is by -255 to 255 levels brighter than green.
 using Tints = std::array<int, 511>;
 
-/// Whether more than one in twenty differ from the median by `least_tint_of_colour` or more.
-bool vary(const Tints& tints) {
+/// Whether the median is a colour, or more than one in twenty differ from it by `least_tint_of_colour` or more.
+bool are_colours(const Tints& tints) {
     const int count = std::accumulate(tints.begin(), tints.end(), 0);
     int below = 0;
     auto median = tints.begin();
     while (2 * (below + *median) < count) below += *median++;
+    if (count > 0 && std::abs(median - tints.begin() - 255) > most_tint_of_grey) return true;
     const auto most = static_cast<std::ptrdiff_t>(least_tint_of_colour - 1);
     const auto first = median - std::min(most, median - tints.begin());
     const auto last = median + std::min(most + 1, tints.end() - median);
     return 20 * (count - std::accumulate(first, last, 0)) > count;
 }
 
-}  // namespace
-
-bool has_colours(const Plane<Bgr>& picture) {
+bool has_colours_in(const Plane<Bgr>& picture, const PixelBox& part) {
     Tints blue{};
     Tints red{};
-    for (int j = 0; j < picture.height(); j += sampling) {
-        for (int i = 0; i < picture.width(); i += sampling) {
+    for (int j = part.top; j < part.bottom; j += sampling) {
+        for (int i = part.left; i < part.right; i += sampling) {
             const auto [b, g, r] = picture.at(i, j);
             ++blue[static_cast<std::size_t>(255 + b - g)];
             ++red[static_cast<std::size_t>(255 + r - g)];
         }
     }
-    return vary(blue) || vary(red);
+    return are_colours(blue) || are_colours(red);
+}
+
+}  // namespace
+
+bool has_colours(const Plane<Bgr>& picture) {
+    return has_colours_in(picture, {0, 0, picture.width(), picture.height()});
+}
+
+bool has_colours_everywhere(const Plane<Bgr>& picture) {
+    constexpr int parts = 3;  // along each side
+    int coloured = 0;
+    for (int y = 0; y < parts; ++y) {
+        for (int x = 0; x < parts; ++x) {
+            const PixelBox part{x * picture.width() / parts, y * picture.height() / parts,
+                                (x + 1) * picture.width() / parts, (y + 1) * picture.height() / parts};
+            coloured += has_colours_in(picture, part) ? 1 : 0;
+        }
+    }
+    return 3 * coloured >= 2 * parts * parts;
 }
 
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma) {

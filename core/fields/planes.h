@@ -21,9 +21,12 @@ inline int brightness_of(const Bgr& colour) {
     return (colour[0] + 2 * colour[1] + colour[2]) / 4;
 }
 
-/// Whether a picture has colours: more than one in twenty of its pixels differ from the usual tint. An infrared camera
-/// writes grey frames into a video with colour channels, often with a slight tint.
+/// Whether a picture has colours: its usual tint is more than slight, or more than one in twenty of its pixels have
+/// another. An infrared camera writes grey frames into a video with colour channels, often with a slight tint.
 bool has_colours(const Plane<Bgr>& picture);
+
+/// Whether most parts of a picture have colours, so that they are those of the scene: a red car in the fog fills few.
+bool has_colours_everywhere(const Plane<Bgr>& picture);
 
 /// Gaussian smoothing with σ = `sigma` pixels; 0 = none. Camera noise is uncorrelated between pixels: the default of
 /// 0.7 reduces it to a third, and objects keep their outlines.

@@ -355,8 +355,9 @@ bool is_infrared(const video::Frame& frame) {
 
 /// Takes the frames out that a camera made in its infrared mode. Takes none if there are too few of these or of others.
 std::vector<video::Frame> take_infrared(std::vector<video::Frame>& frames) {
-    const auto count = std::ranges::count_if(frames, is_infrared);
-    if (std::min(count, std::ssize(frames) - count) < fewest_of_mode) return {};
+    const auto by_day = [](const video::Frame& frame) { return has_colours_everywhere(frame.colour); };
+    if (std::ranges::count_if(frames, is_infrared) < fewest_of_mode) return {};
+    if (std::ranges::count_if(frames, by_day) < fewest_of_mode) return {};
     const auto infrared = std::ranges::stable_partition(frames, std::not_fn(is_infrared));
     std::vector<video::Frame> taken(std::make_move_iterator(infrared.begin()), std::make_move_iterator(infrared.end()));
     frames.erase(infrared.begin(), infrared.end());
@@ -384,7 +385,7 @@ Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOp
                 const LivingFinder& find_living) {
     std::vector<video::Frame> frames = row.sample(clip);
     std::vector<video::Frame> infrared;
-    if (!row.adapts) infrared = take_infrared(frames);
+    if (!row.adapts && options.illumination->compensates) infrared = take_infrared(frames);
     if (infrared.empty()) return learn_from(std::move(frames), row.scene, options, find_living);
     const auto learn_mode = [&](std::vector<video::Frame> of_mode) {
         const SceneOfFrames scene = of_mode.size() < fewest_for_lasting ? median_reference : row.scene;

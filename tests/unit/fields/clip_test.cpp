@@ -81,8 +81,10 @@ class Dusk : public testing::Test {
 
     static int walker(int frame) { return 4 * (frame % 14); }
 
-    /// \param last from the frame `dusk` on
-    fields::FieldSummary run(int dusk, Bgr (*last)(int, int), const fields::FieldSink& sink) const {
+    /// \param last the scene from the frame `dusk` on
+    /// \param first the scene until then
+    fields::FieldSummary run(int dusk, Bgr (*last)(int, int), const fields::FieldSink& sink,
+                             const std::string& illumination = "global", Bgr (*first)(int, int) = by_day) const {
         std::filesystem::create_directory(folder_ / "clip");
         for (int f = 0; f < count; ++f) {
             std::ofstream file(folder_ / ("clip/" + std::to_string(1000 + f) + ".ppm"), std::ios::binary);
@@ -90,14 +92,14 @@ class Dusk : public testing::Test {
             for (int j = 0; j < size.height; ++j) {
                 for (int i = 0; i < size.width; ++i) {
                     const bool somebody = i >= walker(f) && i < walker(f) + 8 && j >= 16 && j < 28;
-                    const Bgr pixel = somebody ? Bgr{250, 250, 250} : (f < dusk ? by_day : last)(i, j);
+                    const Bgr pixel = somebody ? Bgr{250, 250, 250} : (f < dusk ? first : last)(i, j);
                     for (const std::size_t channel : {2U, 1U, 0U}) file.put(static_cast<char>(pixel[channel]));
                 }
             }
         }
         video::SourceOptions in_colour;
         in_colour.colour = true;
-        fields::FieldOptions options{.threads = 2};
+        const fields::FieldOptions options{.illumination = illumination, .threads = 2};
         return fields::compute_fields(*video::open_source(folder_ / "clip", in_colour), options, sink);
     }
 
@@ -115,12 +117,21 @@ TEST_F(Dusk, EachModeHasItsEmptyScene) {
     ASSERT_NE(summary.reference.infrared, nullptr);
     EXPECT_NEAR(summary.reference.colour.at(1, 2)[2], 190, 2);
     EXPECT_NEAR(summary.reference.infrared->colour.at(1, 2)[2], 60, 2);
+    const auto frames = [](const video::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
+    EXPECT_EQ(run(14, by_night, frames, "none").reference.infrared, nullptr);
 }
 
 TEST_F(Dusk, FewFramesAreNoMode) {
     const auto frames = [](const video::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
     EXPECT_EQ(run(count - 2, by_night, frames).reference.infrared, nullptr);
     EXPECT_EQ(run(2, by_night, frames).reference.infrared, nullptr);
+}
+
+TEST_F(Dusk, AColouredCarIsNoMode) {
+    const auto car = [](int i, int j) { return i < 40 && j > 20 ? Bgr{30, 40, 200} : by_night(i, j); };
+    const fields::FieldSummary summary = run(
+        14, car, [](const auto&, const auto&) {}, "global", by_night);
+    EXPECT_EQ(summary.reference.infrared, nullptr);
 }
 
 TEST_F(Dusk, ACoveredCameraIsNotInInfrared) {

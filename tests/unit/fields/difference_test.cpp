@@ -250,9 +250,10 @@ TEST(Planes, FewColouredPixelsAreNoColours) {
         return colour;
     };
     EXPECT_FALSE(fields::has_colours(picture({80, 80, 80}, 0)));
-    EXPECT_FALSE(fields::has_colours(picture({110, 80, 70}, 0))) << "an even tint";
-    EXPECT_FALSE(fields::has_colours(picture({110, 80, 70}, 3))) << "a clock in colour";
-    EXPECT_TRUE(fields::has_colours(picture({110, 80, 70}, 12)));
+    EXPECT_FALSE(fields::has_colours(picture({90, 80, 74}, 0))) << "a slight tint";
+    EXPECT_FALSE(fields::has_colours(picture({90, 80, 74}, 3))) << "a clock in colour";
+    EXPECT_TRUE(fields::has_colours(picture({90, 80, 74}, 12)));
+    EXPECT_TRUE(fields::has_colours(picture({110, 80, 70}, 0))) << "all of it is blue";
     EXPECT_FALSE(fields::has_colours({}));
 }
 
