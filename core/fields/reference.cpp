@@ -358,9 +358,9 @@ std::vector<video::Frame> take_infrared(std::vector<video::Frame>& frames) {
     const auto by_day = [](const video::Frame& frame) { return has_colours_everywhere(frame.colour); };
     if (std::ranges::count_if(frames, is_infrared) < fewest_of_mode) return {};
     if (std::ranges::count_if(frames, by_day) < fewest_of_mode) return {};
-    const auto infrared = std::ranges::stable_partition(frames, std::not_fn(is_infrared));
-    std::vector<video::Frame> taken(std::make_move_iterator(infrared.begin()), std::make_move_iterator(infrared.end()));
-    frames.erase(infrared.begin(), infrared.end());
+    const auto infrared = std::stable_partition(frames.begin(), frames.end(), std::not_fn(is_infrared));
+    std::vector<video::Frame> taken(std::make_move_iterator(infrared), std::make_move_iterator(frames.end()));
+    frames.erase(infrared, frames.end());
     return taken;
 }
 
