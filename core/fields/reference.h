@@ -83,12 +83,14 @@ Planes median_reference(std::span<const video::Frame> frames);
 Planes lasting_reference(std::span<const video::Frame> frames);
 
 /// The usual deviation of each pixel from the empty scene, grey levels: camera noise, and more where leaves sway or
-/// edges tremble. It is roughly the median deviation, taken from the quarter of the frames that deviate least, so that
-/// an object that is present most of the time doesn't count; from fewer frames where an object stays even longer.
+/// edges tremble. It is roughly the median deviation, taken from the quarter of the frames that deviate least (from the
+/// third if the camera shakes), so that an object that is present most of the time doesn't count; from fewer frames
+/// where an object stays even longer.
 /// \param frames under the same light and, if the camera shakes, aligned
 /// \param scene the empty scene, smoothed by `smooth` as the frames will be
 /// \returns empty if there are too few frames
-Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth);
+Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth,
+                             bool shakes = false);
 
 /// A reference that follows slow changes of the scene in a stream of any length. It doesn't adapt where there is an
 /// object, so a bag left behind never becomes background. If somebody stands in the scene while it is learned and walks
