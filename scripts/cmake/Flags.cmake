@@ -3,6 +3,10 @@ add_library(vvr_flags INTERFACE)
 target_include_directories(vvr_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(vvr_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  # The scripts of the web pages are strings of 100 KB, which every compiler takes.
+  target_compile_options(vvr_flags INTERFACE -Wno-overlength-strings)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
   # From GCC 13 on, these take references to members, moved optionals, and code of fmt that never runs for faults.
   target_compile_options(vvr_flags INTERFACE -Wno-dangling-reference -Wno-maybe-uninitialized -Wno-array-bounds
