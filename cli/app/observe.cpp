@@ -35,8 +35,8 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
 
 /// Takes stills from the empty scene for objects that it contains: those left for most of the clip, and those taken
 /// away.
-void take_stills_from_scene(const Observation& seen, glance::Crops& crops) {
-    const auto frame_of = [&](const Plane<Bgr>& scene) {
+void take_stills_from_scene(Observation& seen) {
+    const auto frame_of = [](const Plane<Bgr>& scene) {
         return video::Frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
     };
     const video::Frame usual = frame_of(seen.scene);
@@ -45,8 +45,8 @@ void take_stills_from_scene(const Observation& seen, glance::Crops& crops) {
     for (const events::Event& event : seen.findings.events) {
         const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
-        crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene},
-                   event.infrared ? infrared : usual);
+        seen.crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene},
+                        event.infrared ? infrared : usual);
     }
 }
 
@@ -68,7 +68,7 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 void conclude(const Plan& plan, ObservationBuilder& builder) {
     Observation& seen = builder.seen;
     builder.set_findings(builder.finder->finish());
-    take_stills_from_scene(seen, seen.crops);
+    take_stills_from_scene(seen);
     builder.identify();
     const std::vector<events::Event> events =
         events::choose_events(std::move(seen.findings.events), plan.job.output.events);

@@ -125,9 +125,9 @@ std::span<const ShadowRow> shadow_kinds() {
 
 std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
                                          std::uint8_t faint) {
-    if (!has_colours(frame.colour) || !has_colours(empty.colour)) return {};
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return {};
+    if (!has_colours(frame.colour) || !has_colours(empty.colour)) return {};
     // The votes in the points' bounding box, with a margin of one pixel without votes. Points are ordered by rows.
     const auto [left, right] = std::ranges::minmax(points, {}, &Point::i);
     const int i0 = left.i - 1;

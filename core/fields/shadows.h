@@ -26,8 +26,8 @@ struct ShadowPixel {
 };
 
 /// Removes cast shadows from `object`: pixels that are darker than the scene by nearly the same ratio in all channels,
-/// down to a little less than half (after Horprasert, Harwood and Davis, ICCV 1999). Does nothing
-/// where the frame or the scene has no colours: there a shadow looks like any dark object.
+/// down to a little less than half (after Horprasert, Harwood and Davis, ICCV 1999). Does nothing where
+/// the frame or the scene has no colours: there a shadow looks like any dark object.
 /// \param empty the empty scene in the light of `frame`
 /// \param faint smaller values of the object may be a shadow's soft edge
 /// \returns the removed pixels, by rows

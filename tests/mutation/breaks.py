@@ -70,7 +70,7 @@ BREAKS = [
           "kind == EventKind::taken ? bearer.end.place : bearer.begin.place",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
     Break("core/events/conclude.cpp", "span_.stretches[k - 1].infrared == stretch_of(own).infrared", "k > 0",
-          "Infrared.SaysNothingOfWhatIsInTheSceneOfTheDay"),
+          "Infrared.AGhostAtTheChangeIsAThingPutDownLater"),
     Break("core/events/identify.cpp", "*other = places[**other];", "*other = order[**other];",
           "Claims.OfAPersonInTheEmptySceneAreOfWhoStoodThere"),
     Break("core/events/path.cpp", "other.last.frame >= stay.first.frame;", "other.last.frame > stay.last.frame;",

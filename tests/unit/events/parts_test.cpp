@@ -310,7 +310,7 @@ TEST(Infrared, HasItsOwnEmptyScene) {
     EXPECT_NEAR(static_cast<double>(events[1].first.frame), 260, 5);
 }
 
-TEST(Infrared, SaysNothingOfWhatIsInTheSceneOfTheDay) {
+TEST(Infrared, AGhostAtTheChangeIsAThingPutDownLater) {
     // It is in the scene, as it was put down early in the night; until then the fields show its ghost.
     fields::Planes infrared{Plane<std::uint8_t>({120, 90}, 30), {}};
     fill(infrared.grey, {60, 60, 72, 70}, 220);
