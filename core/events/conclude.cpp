@@ -72,11 +72,7 @@ class Conclusion {
 
     /// Whether it is digits of the camera's clock.
     bool is_overlay(const PixelBox& box) const {
-        return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) {
-            const PixelBox both = intersection(box, clock);
-            const double all = std::max(1, box.width() * box.height());
-            return !both.empty() && both.width() * both.height() >= thresholds.most * all;
-        });
+        return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) { return is_mostly_inside(box, clock); });
     }
 
     /// Marks objects at the first and last moment of their stretch, before ghosts are corrected.
@@ -197,10 +193,7 @@ class Conclusion {
             const std::optional<PixelBox> other = box_at(whole, seconds, frame);
             if (!own || !other) continue;
             const PixelBox near = other->inflated(1 + other->width() / 8, 1 + other->height() / 8);
-            const PixelBox both = intersection(near, *own);
-            if (both.empty()) continue;
-            const double all = std::max(1.0, static_cast<double>(own->width()) * own->height());
-            if (both.width() * both.height() >= thresholds.most * all) ++inside;
+            if (is_mostly_inside(*own, near)) ++inside;
         }
         return inside >= thresholds.most * samples;
     }
@@ -255,15 +248,17 @@ class Conclusion {
         });
     }
 
-    /// Whether an object can have brought or taken a thing: it is large enough, whoever takes a thing comes from
-    /// elsewhere, and whoever leaves one goes elsewhere. Somebody who stood there only uncovers the place, and somebody
-    /// who ends there is the thing.
-    static bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) {
-        const glm::dvec2 place = kind == EventKind::taken ? bearer.begin.place : bearer.end.place;
-        const glm::ivec2 low(glm::floor(place - 0.5 * bearer.size));
-        const glm::ivec2 high(glm::ceil(place + 0.5 * bearer.size));
+    /// Whether an object can have brought or taken a thing: whoever takes a thing comes from elsewhere, and whoever
+    /// leaves one goes elsewhere. Somebody who stood there only uncovers the place, and somebody who ends there is the
+    /// thing.
+    bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) const {
+        const TrackEnd& end = kind == EventKind::taken ? bearer.begin : bearer.end;
+        const PixelBox& place = thing.settled->patch.box;
+        if (end.at_border && !touches_border(place, span_.field)) return true;
+        const glm::ivec2 low(glm::floor(end.place - 0.5 * bearer.size));
+        const glm::ivec2 high(glm::ceil(end.place + 0.5 * bearer.size));
         const int around = static_cast<int>(std::max(thresholds.least_length, thing.length));
-        return !thing.settled->patch.box.inflated(around, around).intersects({low.x, low.y, high.x, high.y});
+        return !place.inflated(around, around).intersects({low.x, low.y, high.x, high.y});
     }
 
     /// Finds who put a thing down or took it. A thing that appears with nobody beside it is light, a caption or a

@@ -313,10 +313,23 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     }
 }
 
+/// If the track left the picture shortly before, ends it, and goes on with the thing that it left behind.
+void EventFinder::part_with_bearer(Track& track, const FrameView& sight, const Moment& now) {
+    if (!track.departed()) return;
+    Track bearer = *track.departed();
+    if (now.seconds - bearer.seen().seconds > 2 * thresholds.stationary.stay) return;
+    Track thing(next_++, {bearer.number(), bearer.usual_area(), true}, field_);
+    thing.see(track.patch(), Appearance(track.patch(), sight), sight, now);
+    thing.look_for_novelty(sight, scene(), now);
+    end(bearer, false, bearer.seen());
+    track = std::move(thing);
+}
+
 void EventFinder::settle(const FrameView& sight, const Moment& now) {
     for (Track& track : tracks_) {
         if (track.state() != State::moving || track.seen().frame != now.frame) continue;
         if (!track.has_settled(steadiness_, flicker_, now)) continue;
+        part_with_bearer(track, sight, now);
         track.settle(steadiness_, flicker_, sight, now);
         track.set_changed(share_at(track.still_since()));
         merge_stationary(track);

@@ -86,6 +86,7 @@ class EventFinder {
     void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
                const FrameView& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now);
+    void part_with_bearer(Track& track, const FrameView& sight, const Moment& now);
     void settle(const FrameView& sight, const Moment& now);
     void merge_stationary(Track& part);
     void end(Track& track, bool taken, const Moment& now);

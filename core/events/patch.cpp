@@ -22,6 +22,15 @@ PixelBox box_of_objects(const Plane<std::uint8_t>& field, const glm::ivec2& reac
 
 }  // namespace
 
+bool touches_border(const PixelBox& box, Size field) {
+    return box.left <= 1 || box.top <= 1 || box.right >= field.width - 1 || box.bottom >= field.height - 1;
+}
+
+bool is_mostly_inside(const PixelBox& box, const PixelBox& other) {
+    const PixelBox both = intersection(box, other);
+    return !both.empty() && both.width() * both.height() >= thresholds.most * box.width() * box.height();
+}
+
 Patch joined(const Patch& a, const Patch& b) {
     const PixelBox box = bounding_box(a.box, b.box);
     Patch whole{.box = box, .values = Plane<std::uint8_t>({box.width(), box.height()}), .area = 0, .centre = {}};

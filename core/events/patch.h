@@ -66,6 +66,12 @@ Patch part_of(const Patch& patch, Wanted wanted) {
     return part;
 }
 
+/// Whether the box is at the border of a field of this size, or within one pixel of it.
+bool touches_border(const PixelBox& box, Size field);
+
+/// Whether at least half (`thresholds.most`) of `box` is inside `other`.
+bool is_mostly_inside(const PixelBox& box, const PixelBox& other);
+
 /// The objects of one field.
 struct Blobs {
     Plane<int> labels;  ///< 1 + index in `patches`, also for pixels within `reach`; 0 = none

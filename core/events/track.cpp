@@ -51,10 +51,6 @@ double mean_gradient(const Patch& patch, const FrameView& sight) {
 
 }  // namespace
 
-bool Track::touches_border(const PixelBox& box) const {
-    return box.left <= 1 || box.top <= 1 || box.right >= field_.width - 1 || box.bottom >= field_.height - 1;
-}
-
 glm::ivec2 Track::shift_at(const Moment& now) const {
     return glm::ivec2(glm::round(expected_at(now) - patch_.centre));
 }
@@ -73,7 +69,8 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
         first_ = now;
         low_ = place;
         high_ = place;
-        begin_ = {now, place, {}, touches_border(box)};
+        begin_ = {now, place, {}, touches_border(box, field_)};
+        first_box_ = box;
     }
     seen_ = now;
     box_ = bounding_box(box_, box);
@@ -86,6 +83,7 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
 
 void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
+    look_for_departure(patch, sight.field);
     if (state_ == State::merged || growth > thresholds.track.abrupt || growth < 1 / thresholds.track.abrupt)
         recent_.clear();
     recent_.push_back({now, patch.centre});
@@ -106,6 +104,7 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     follow(usual_size_.x, size.x);
     follow(usual_size_.y, size.y);
     follow(usual_area_, patch.area);
+    peak_area_ = std::max<double>(patch.area, peak_area_ * std::exp(-since / thresholds.track.adapts_in));
     place_ = patch.centre;
     place_at_ = now;
     patch_ = patch;
@@ -116,6 +115,16 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     ++alone_;
     record_position(now, patch.box, patch.centre, patch.area);
     take_portrait(sight, patch, now);
+}
+
+void Track::look_for_departure(const Patch& patch, const Plane<std::uint8_t>& field) {
+    const bool at_border = touches_border(patch.box, field_);
+    const bool came_off = !at_border && touches_border(patch_.box, field_);
+    if (at_border || came_off) departed_.reset();
+    if (!came_off || patch.area >= thresholds.most * peak_area_) return;
+    // What stood here before as it does now was only occluded.
+    if (settled_ && part_alike(settled_->patch, field) >= stationary.undisturbed) return;
+    departed_ = std::make_shared<const Track>(*this);
 }
 
 void Track::look_for_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
@@ -142,7 +151,7 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const F
     const glm::dvec2 found_at = template_.patch.centre + glm::dvec2(share.shift);
     glm::dvec2 place = found ? found_at : expected;
     // Within the blob it may be anywhere; it may leave the blob only at the border of the picture.
-    const bool leaves = touches_border(blob.box) && touches_border(patch_.box);
+    const bool leaves = touches_border(blob.box, field_) && touches_border(patch_.box, field_);
     if (!leaves) {
         const glm::dvec2 low(blob.box.left, blob.box.top);
         const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
@@ -178,6 +187,26 @@ bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, co
     return steady >= stationary.settled_part * patch_.area && flicker.of(patch_) < thresholds.pixel.flicker;
 }
 
+/// Forgets what was before a moment: until then, the track was the bearer.
+void Track::begin_again(const Moment& still, const Moment& now) {
+    first_ = still;
+    box_ = patch_.box;
+    low_ = high_ = patch_.centre;
+    begin_ = {still, patch_.centre, {}, touches_border(patch_.box, field_)};
+    if (first_velocity_) *first_velocity_ = glm::dvec2();
+    path_ = Path();
+    path_.add(first_, patch_.centre, patch_.area);
+    stays_ = Stays(stationary.stay);
+    portrait_.reset();
+    sightings_ = static_cast<int>(now.frame - still.frame);
+}
+
+/// Whether the object that settled again has the pixels that it had, and no others.
+bool Track::is_unchanged(const Patch& before, const Plane<std::uint8_t>& field) const {
+    const Patch both = part_of(patch_, [&](int i, int j) { return before.at(i, j) != 0; });
+    return both.area >= stationary.undisturbed * patch_.area && part_alike(before, field) >= stationary.undisturbed;
+}
+
 void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now) {
     const bool young = now.seconds - first_.seconds < 2 * stationary.stay;
     const bool small = patch_.area < thresholds.most * origin_.area;
@@ -195,19 +224,15 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
     const Moment still_since = nearly_last_of(std::move(since));
     Moment still = still_since;
     const double length = std::max({thresholds.least_length, usual_size_.x, usual_size_.y});
-    const double moved = glm::distance(low_, high_) / length;
-    if (out_of_another) {
-        // Before that moment, the track was the bearer.
-        first_ = still;
-        box_ = patch_.box;
-        low_ = high_ = patch_.centre;
-        begin_ = {still, patch_.centre, {}, touches_border(patch_.box)};
-        if (first_velocity_) *first_velocity_ = glm::dvec2();
-        path_ = Path();
-        path_.add(first_, patch_.centre, patch_.area);
-        stays_ = Stays(stationary.stay);
-        portrait_.reset();
-        sightings_ = static_cast<int>(now.frame - still.frame);
+    double moved = glm::distance(low_, high_) / length;
+    // What was only occluded, and looks as before, stands as before: it did not move by itself.
+    const bool was_occluded = settled_ && is_unchanged(settled_->patch, sight.field);
+    if (was_occluded) {
+        state_ = stood_as_;
+    } else if (out_of_another) {
+        // Where its first blob already covered its place, the bearer's parts moved in that blob.
+        if (is_mostly_inside(patch_.box, first_box_)) moved = 0;
+        begin_again(still, now);
         state_ = State::appeared;
     } else {
         // An object that never moved is a ghost, or appeared there.
@@ -222,7 +247,7 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
             still = open->first;
         }
     }
-    settled_ = Settled{patch_, still_since, {.moved = moved, .flicker = flicker.of(patch_)}, {}};
+    if (!was_occluded) settled_ = Settled{patch_, still_since, {.moved = moved, .flicker = flicker.of(patch_)}, {}};
     still_ = StillPicture(patch_, field_);
     velocity_ = {};
     place_ = patch_.centre;
@@ -275,6 +300,7 @@ void Track::update_stationary(const FrameView& sight, const Moment& now, bool wh
 
 void Track::resume_motion(const Moment& now) {
     risen_ = now;
+    stood_as_ = state_;
     // A plain surface looks still for a while after it starts to move, because it covers itself.
     stay_.last = last_whole_;
     stays_.add_exactly(stay_);
@@ -290,7 +316,7 @@ void Track::join(const Track& piece) {
 void Track::take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth) {
     if (now.seconds < portrait_due_) return;
     portrait_due_ = now.seconds + thresholds.claim.sampled;
-    if (touches_border(patch.box)) worth *= hindered;
+    if (touches_border(patch.box, field_)) worth *= hindered;
     const double score =
         worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
@@ -311,7 +337,8 @@ Tracklet Track::finish(std::optional<std::size_t> into, const fields::Planes& sc
     const PixelBox last_box = translated(patch_, glm::ivec2(glm::round(velocity_ * 0.2))).box;
     result.path = path_.points();
     result.areas = path_.areas();
-    result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_, touches_border(last_box)};
+    result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_,
+                  touches_border(last_box, field_)};
     result.begin.velocity = first_velocity_.value_or(velocity_);
     result.length = std::max(usual_size_.x, usual_size_.y);
     result.size = usual_size_;

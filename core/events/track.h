@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include "core/events/appearance.h"
@@ -99,6 +100,10 @@ class Track {
     /// Continues the track without a detection, at its predicted place.
     void miss(const Moment& now);
 
+    /// The track as it was when it left the picture, if what has been seen since is what it left behind: less than half
+    /// of it, that came off the border in a blob of its own and has not been back. Null if it did not leave.
+    std::shared_ptr<const Track> departed() const { return departed_; }
+
     /// Whether enough of its pixels have been steady for long enough.
     bool has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const;
 
@@ -152,15 +157,18 @@ class Track {
     void record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
     glm::dvec2 expected_at(const Moment& now) const { return place_ + velocity_ * (now.seconds - place_at_.seconds); }
     void move_to(const glm::dvec2& place, const Moment& now);
+    void look_for_departure(const Patch& patch, const Plane<std::uint8_t>& field);
     PixelBox moved_box_at(const Moment& now) const;
     bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
+    void begin_again(const Moment& still, const Moment& now);
+    bool is_unchanged(const Patch& before, const Plane<std::uint8_t>& field) const;
     void take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth = 1);
-    bool touches_border(const PixelBox& box) const;
 
     std::size_t number_;
     Origin origin_;
     Size field_;
     State state_ = State::moving;
+    State stood_as_ = State::standing;  ///< before it last moved again
     std::optional<std::size_t> near_;
 
     Patch patch_;
@@ -170,13 +178,15 @@ class Track {
     Moment first_;
     Moment seen_;
     PixelBox box_;
-    glm::dvec2 low_{};  ///< low_ and high_: corners of the box around all its places
+    PixelBox first_box_;  ///< of its first detection
+    glm::dvec2 low_{};    ///< low_ and high_: corners of the box around all its places
     glm::dvec2 high_{};
     int sightings_ = 0;
     int alone_ = 0;            ///< detections with its own blob
     int continuous_ = 0;       ///< of these, detections at the last or predicted place
     glm::dvec2 usual_size_{};  ///< running mean of the box's width and height, field pixels
     double usual_area_ = 0;
+    double peak_area_ = 0;   ///< of the last seconds: it decays
     glm::dvec2 place_{};     ///< current centre, also while it is unseen
     Moment place_at_;        ///< time of `place_`
     glm::dvec2 velocity_{};  ///< field pixels per second
@@ -190,6 +200,7 @@ class Track {
     StillPicture still_;
     std::optional<Moment> alone_at_;  ///< now, while it is whole and nobody is near
     std::optional<Moment> uncovered_;
+    std::shared_ptr<const Track> departed_;
     Path path_;
     Stays stays_{thresholds.stationary.stay};
     std::optional<Portrait> portrait_;

@@ -77,6 +77,10 @@ BREAKS = [
           "Stays.ThatAreKnownExactlyReplaceThoseTheyMeet"),
     Break("core/events/track.cpp", "(std::ssize(moments) - 1) * 9 / 10", "(std::ssize(moments) - 1) * 1 / 10",
           "EventFinder.ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken"),
+    Break("core/events/conclude.cpp", "if (end.at_border && !touches_border(place, span_.field)) return true;", "",
+          "EventFinder.WhoLeavesThePictureIsNotTheThingThatStays"),
+    Break("core/events/track.cpp", "if (was_occluded) {", "if (!was_occluded) {",
+          "EventFinder.ABagThatWasHiddenForAnInstantIsTheSameBag"),
     # core/space
     Break("core/space/camera.cpp", "std::max({x.half() / tan_x, y.half() / tan_y, 1e-9 - z.low})", "std::max({x.half() / tan_x, 1e-9 - z.low})",
           "FitCamera.HoldsEveryPointAndTouchesTheMargins"),

@@ -173,6 +173,54 @@ TEST(EventFinder, WhoStoodThereFromTheFirstFrameMayLeaveAThing) {
     EXPECT_NEAR(static_cast<double>(events[1].first.frame), 110, 10);
 }
 
+/// A large person comes from the left, stands at the lower border, and leaves to the right in a few frames.
+void paint_large_person(int f, Plane<std::uint8_t>& field) {
+    const int x = f < 104 ? f - 40 : f < 160 ? 64 : 64 + 3 * (f - 160);
+    if (x < 120) fill(field, {x, 8, x + 40, 90}, 120);
+}
+
+TEST(EventFinder, WhoLeavesThePictureIsNotTheThingThatStays) {
+    const auto events = events_of(400, [](int f, auto& field) {
+        paint_large_person(f, field);
+        if (f >= 140) fill(field, {88, 66, 108, 80}, 220);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[0].kind, events::EventKind::stood);
+    EXPECT_NEAR(static_cast<double>(events[0].last.frame), 178, 4) << "it is out of the picture from frame 179 on";
+    ASSERT_EQ(events[0].stays.size(), 1U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    EXPECT_NEAR(static_cast<double>(events[1].first.frame), 140, 4);
+    EXPECT_EQ(events[1].by, 0U) << "it goes elsewhere, though its last place is beside the thing";
+}
+
+// The first blob of the bag's track has a part of the person, which takes its centre far away.
+TEST(EventFinder, ABagDoesNotMoveBecausePartsOfItsBearerDo) {
+    const auto events = events_of(400, [](int f, auto& field) {
+        paint_large_person(f, field);
+        if (f >= 140) fill(field, {70, 70, 80, 78}, 220);
+        if (f >= 171 && f < 174) fill(field, {70, 40, 100, 70}, 120);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    ASSERT_TRUE(events[1].evidence);
+    EXPECT_LT(events[1].evidence->moved, 0.1);
+}
+
+// Nobody knows whether it moves while something covers it, until it is seen again as before.
+TEST(EventFinder, ABagThatWasHiddenForAnInstantIsTheSameBag) {
+    const auto events = events_of(430, [](int f, auto& field) {
+        paint_large_person(f, field);
+        if (f >= 140) fill(field, {70, 66, 84, 78}, 220);
+        if (f >= 360 && f < 368) fill(field, {50, 50, 104, 90}, 60);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    EXPECT_NEAR(static_cast<double>(events[1].first.frame), 140, 4);
+    EXPECT_EQ(events[1].last.frame, 429);
+    ASSERT_TRUE(events[1].evidence);
+    EXPECT_NEAR(events[1].evidence->alone, (360 - 180) / 25.0, 0.5);
+}
+
 TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
     const auto events = events_of(200, [](int f, auto& field) {
         fill(field, {110 - f, 34, 122 - f, 74}, 210);
