@@ -66,8 +66,8 @@ BREAKS = [
     # core/events
     Break("core/events/association.cpp", "if (*most < thresholds.association.shared_part * tracks", "if (*most > thresholds.association.shared_part * tracks",
           "Associate.LetsTwoShareABlob"),
-    Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin.place : bearer.end.place",
-          "kind == EventKind::taken ? bearer.end.place : bearer.begin.place",
+    Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
+          "kind == EventKind::taken ? bearer.end : bearer.begin",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
     Break("core/events/conclude.cpp", "span_.stretches[k - 1].infrared == stretch_of(own).infrared", "k > 0",
           "Infrared.AGhostAtTheChangeIsAThingPutDownLater"),
