@@ -1,8 +1,8 @@
 """How often `vvr render` finds a bag that was left or taken: bags are pasted into real footage.
 
-Each bag appears behind a person whom `vvr` follows, a part of a second before they go on, and stays until the end. Whatever is in
-front of it hides it. With --backwards the video runs backwards, and the bag is taken. A claim is true if its box and the bag's
-share a third of the smaller one, and if it begins within 4 s or a tenth of the clip of the time when the bag came in sight.
+Each bag appears at the feet of a person whom `vvr` follows, behind them, and stays until the end. Whatever is in front of it hides
+it. With --backwards the video runs backwards, and the bag is taken. A claim is true if its box and the bag's share a third of the
+smaller one, and if it begins within 4 s or a tenth of the clip of the time when the bag came in sight.
 Claims that `vvr` makes about the clip itself don't count. The whole clip is kept in memory, uncompressed.
 
 Usage: pasted_bags.py VVR CLIP [--bags 12] [--seed 1] [--backwards]"""
@@ -66,11 +66,21 @@ def write(name, clip, frames):
         sys.exit(f"pasted_bags.py: {' '.join(command)} ended with {child.returncode}")
 
 
-def report_of(vvr, name):
+def report_of(vvr, name, *options):
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
-        subprocess.run([vvr, "render", name, "--report", report, "--quiet"], check=True)
+        subprocess.run([vvr, "render", name, "--report", report, "--quiet", *options], check=True)
         return json.loads(report.read_text())
+
+
+def people_of(vvr, name):
+    """[(frame, from 0; the frames of the track: first, last; (x, y, width, height))] of all that moves, frame by frame"""
+    with tempfile.TemporaryDirectory() as folder:
+        tracks = pathlib.Path(folder) / "tracks.txt"
+        events = report_of(vvr, name, "--tracks", tracks)["events"]
+        lines = [[float(value) for value in line.split(",")[:6]] for line in tracks.read_text().splitlines()]
+    spans = {event["number"]: (event["first"]["frame"], event["last"]["frame"]) for event in events if event["kind"] in ("moved", "stood")}
+    return [(int(frame) - 1, spans[number], box) for frame, number, *box in lines if number in spans]
 
 
 def blurred(mask, reach):
@@ -80,30 +90,16 @@ def blurred(mask, reach):
     return windows.mean((2, 3))
 
 
-def feet_of(clip, seconds, place):
-    """The top and the bottom of whoever is at the place, in pixels; None if nobody is."""
-    height, width = clip.scene.shape[:2]
-    x, y = place["x"], place["y"]
-    top = max(0, int(y - 0.45 * height))
-    columns = slice(max(0, int(x - 0.08 * width)), int(x + 0.08 * width))
-    frame = clip.frames[int(seconds * clip.fps)].astype(np.float32)
-    differs = np.abs(frame - clip.scene).max(2)[top:int(y + 0.45 * height), columns] > SHADE
-    rows = np.nonzero(differs)[0]
-    if len(rows) < 60:
+def make_bag(clip, person, dice):
+    """A bag at the feet of somebody; None if it would be too small, or would not be alone for long."""
+    frame, (first, last), (x, y, across, tall) = person
+    seconds = frame / clip.fps
+    goes_on = frame >= first + clip.fps and frame + 1.5 * clip.fps <= last
+    if not goes_on or not 3 <= seconds <= clip.seconds - 16 or not 20 <= tall <= 0.85 * clip.scene.shape[0]:
         return None
-    return top + np.percentile(rows, 3), top + np.percentile(rows, 97)
-
-
-def make_bag(clip, event, point, dice):
-    """A bag at the feet of somebody; None if it would be too small, or in nobody's way."""
-    seconds, place = point["seconds"], point["place"]
-    follows = seconds >= max(3, event["first"]["seconds"] + 1) and seconds + 1.5 <= event["last"]["seconds"]
-    feet = feet_of(clip, seconds, place) if follows and seconds + 16 <= clip.seconds else None
-    if not feet or not 20 <= feet[1] - feet[0] <= 0.85 * clip.scene.shape[0]:
-        return None
-    size = (feet[1] - feet[0]) * dice.uniform(0.2, 0.33)
+    size = tall * dice.uniform(0.2, 0.33)
     width, height = max(7, int(size * dice.uniform(0.7, 1.2))), max(7, int(size * dice.uniform(0.6, 1)))
-    left, top = int(place["x"] + width * (dice.uniform(-0.3, 0.3) - 0.5)), int(feet[1] - height)
+    left, top = int(x + across / 2 + width * (dice.uniform(-0.3, 0.3) - 0.5)), int(y + tall - height)
     if left < 4 or top < 4 or left + width > clip.scene.shape[1] - 4 or top + height > clip.scene.shape[0] - 4:
         return None
     behind = clip.scene[top:top + height, left:left + width].mean((0, 1))
@@ -158,18 +154,17 @@ def main():
     kind = "taken" if options.backwards else "left"
     step = -1 if options.backwards else 1
     clip, dice = read(options.clip), random.Random(options.seed)
-    points = [(event, point) for event in report_of(options.vvr, options.clip)["events"] for point in event["path"]
-              if event["kind"] in ("moved", "stood")]
-    dice.shuffle(points)
+    people = people_of(options.vvr, options.clip)
+    dice.shuffle(people)
     found = claims = pasted = 0
     with tempfile.TemporaryDirectory() as folder:
         name = str(pathlib.Path(folder) / "clip.mp4")
         write(name, clip, clip.frames[::step])
         own = [box for box, _ in claims_of(report_of(options.vvr, name), kind)]
-        for event, point in points:
+        for person in people:
             if pasted == options.bags:
                 break
-            bag = make_bag(clip, event, point, dice)
+            bag = make_bag(clip, person, dice)
             frames, seen = paste(clip, bag) if bag else (None, None)
             if seen is None or seen > clip.seconds - 12:
                 continue
