@@ -220,36 +220,68 @@ void label_numbers(const Objects& objects, const std::set<std::size_t>& numbered
     }
 }
 
-void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
-                 const image::Rgba& background, labels::Lettering& lettering) {
+namespace {
+
+/// A mark across a trail where a stay begins or ends.
+struct StayMark {
+    double seconds = 0;
+    glm::dvec2 place{};
+    PixelBox box;
+    image::Rgba colour{};
+};
+
+/// The marks of the longest stay of each of the most important objects that stood long enough.
+std::vector<StayMark> stay_marks(const Objects& objects, const Trails& trails, const glm::dvec2& half) {
     constexpr std::size_t max_marked = 6;
     constexpr double min_share = 0.05;  // of the longest event; shorter stays are dots on the trail
     double longest = 0;
     for (const events::Event& event : objects.events)
         longest = std::max(longest, event.last.seconds - event.first.seconds);
-    const double width = sheet.small / 6.5;
-    const glm::dvec2 up(0, sheet.small * 0.9);
-    std::size_t marked = 0;
+    std::vector<StayMark> marks;
     for (const std::size_t k : by_importance(objects.events)) {
         const events::Event& event = objects.events[k];
-        const image::Rgba colour = objects.colour_of(k);
         const std::vector<events::Stay> stays = stationary_times(event);
         const auto stay =
             std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
         if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, min_share * longest))
             continue;
-        if (marked++ == max_marked) return;
-        for (const Moment& at : {stay->first, stay->last}) {
-            const glm::dvec2 place = trails.pixel(event, at.seconds);
-            lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
-            lettering.strokes.push_back({place - up, place + up, width, colour});
-            for (const double down : {-1.7, 1.7}) {
-                labels::Label label =
-                    labels::make_centred_label(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
-                                               place.y + down * sheet.small, colour);
-                label.halo = background;
-                if (lettering.add(label, sheet.between, 1)) break;
-            }
+        if (marks.size() == 2 * max_marked) break;
+        for (const double seconds : {stay->first.seconds, stay->last.seconds}) {
+            const glm::dvec2 place = trails.pixel(event, seconds);
+            const glm::ivec2 low(glm::floor(place - half));
+            const glm::ivec2 high(glm::ceil(place + half));
+            marks.push_back({seconds, place, {low.x, low.y, high.x, high.y}, objects.colour_of(k)});
+        }
+    }
+    return marks;
+}
+
+}  // namespace
+
+void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                 const image::Rgba& background, labels::Lettering& lettering) {
+    const double width = sheet.small / 6.5;
+    const glm::dvec2 up(0, sheet.small * 0.9);
+    const std::vector<StayMark> marks = stay_marks(objects, trails, {width, up.y});
+    for (const StayMark& mark : marks) {
+        lettering.strokes.push_back({mark.place - up, mark.place + up, 1.8 * width, background});
+        lettering.strokes.push_back({mark.place - up, mark.place + up, width, mark.colour});
+    }
+    for (const StayMark& mark : marks) {
+        const std::string text = labels::format_moment(mark.seconds, objects.clock);
+        const auto label_at = [&](const glm::dvec2& lines) {
+            const glm::dvec2 at = mark.place + lines * static_cast<double>(sheet.small);
+            labels::Label label = labels::make_centred_label(text, sheet.small, at.x, at.y, mark.colour);
+            label.halo = background;
+            return label;
+        };
+        // On another mark, it would be read as that mark's time.
+        const auto is_clear = [&](const labels::Label& label) {
+            return std::ranges::none_of(marks, [&](const StayMark& other) { return other.box.intersects(label.box); });
+        };
+        for (const glm::dvec2& lines : {glm::dvec2(0, -1.7), glm::dvec2(0, 1.7), glm::dvec2(-2, 0), glm::dvec2(2, 0)}) {
+            const labels::Label label = label_at(lines);
+            if (is_clear(label) && lettering.add(label, sheet.between, 1)) break;
         }
     }
 }

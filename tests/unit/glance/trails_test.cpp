@@ -9,11 +9,11 @@ namespace {
 constexpr Size field{64, 48};
 constexpr int frames = 100;
 
-/// 100 frames, ten per second.
-bricks::Volume empty_volume() {
+/// 100 frames.
+bricks::Volume empty_volume(double rate = 10) {
     bricks::Volume volume(field, {frames});
     for (int i = 0; i < frames; ++i) {
-        volume.add({i, i / 10.0, Plane<std::uint8_t>(field), {}, {}}, {});
+        volume.add({i, i / rate, Plane<std::uint8_t>(field), {}, {}}, {});
     }
     return volume;
 }
@@ -63,6 +63,46 @@ TEST(Directions, OfWhatNobodySawAreNone) {
     glance::Objects objects;
     objects.events = {hidden};
     EXPECT_TRUE(glance::direction_arrows(objects, volume, *layout, 0.1).empty());
+}
+
+// On the mark of another moment, a time would be read as that moment's.
+TEST(Stays, HaveTheirTimesBesideTheirOwnMarks) {
+    const bricks::Volume volume = empty_volume(2.5);
+    const auto layout = space::make_layout("horseshoe", space::shape_for(field));
+    const labels::Sheet sheet = labels::arrange_sheet({640, 400}, {.ruler = true});
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i <= 16; ++i) {
+        for (const double x : {0.0, 1.0}) points.push_back(layout->p_from_c({x, x, i / 16.0}));
+    }
+    const space::Camera camera =
+        space::fit_camera({}, points, sheet.between.size()).within(sheet.between, sheet.picture);
+    const glance::Trails trails(volume, *layout, camera, sheet.picture);
+    std::size_t labelled = 0;
+    for (int begin = 0; begin < 37; ++begin) {
+        for (const double row : {6.0, 16.0, 24.0, 40.0}) {
+            glance::Objects objects;
+            events::Event event = walker();
+            event.path = {{{0, 0}, {32, row}}, {{99, 39.6}, {32, row}}};
+            event.last = {99, 39.6};
+            event.stays = {{{0, 1.0 * begin}, {0, begin + 2.1}, {32, row}, {}}};
+            objects.events = {event};
+            objects.numbers = {1};
+            objects.colours = {{0, 0, 1}};
+            labels::Lettering lettering;
+            glance::label_stays(objects, trails, sheet, {1, 1, 1, 1}, lettering);
+            ASSERT_EQ(lettering.strokes.size(), 4U);
+            labelled += lettering.labels.size();
+            for (const labels::Label& label : lettering.labels) {
+                for (const labels::Stroke& mark : lettering.strokes) {
+                    const glm::ivec2 low(glm::min(mark.from, mark.to));
+                    const glm::ivec2 high(glm::max(mark.from, mark.to));
+                    EXPECT_FALSE(label.box.intersects({low.x, low.y, high.x + 1, high.y + 1}))
+                        << begin << " s, row " << row;
+                }
+            }
+        }
+    }
+    EXPECT_GT(labelled, 200U) << "of 296";
 }
 
 TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
