@@ -1,8 +1,8 @@
 """How often `vvr render` finds a bag that was left or taken: bags are pasted into real footage.
 
 Each bag appears at the feet of a person whom `vvr` follows, behind them, and stays until the end. Whatever is in front of it hides
-it. With --backwards the video runs backwards, and the bag is taken. A claim is true if its box and the bag's share a third of the
-smaller one, and if it begins within 4 s or a tenth of the clip of the time when the bag came in sight.
+it. With --backwards the video runs backwards, and the bag is taken. claim_truth.py says when a claim is true; the bag begins when
+less than a tenth of it is hidden.
 Claims that `vvr` makes about the clip itself don't count. The whole clip is kept in memory, uncompressed.
 
 Usage: pasted_bags.py VVR CLIP [--bags 12] [--seed 1] [--backwards]"""
@@ -16,6 +16,8 @@ import tempfile
 from dataclasses import dataclass
 
 import numpy as np
+
+from claim_truth import box_of, is_true, same_place
 
 SHADE = 28  # grey levels: what differs by more from the median of the frames is a person, or another object
 
@@ -132,15 +134,8 @@ def paste(clip, bag):
     return frames, seen
 
 
-def overlap(a, b):
-    width = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
-    height = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
-    return max(width, 0) * max(height, 0) / min(a[2] * a[3], b[2] * b[3])
-
-
 def claims_of(report, kind):
-    boxes = [(event, [event["box"][key] for key in ("x", "y", "width", "height")]) for event in report["events"]]
-    return [(box, event["first"]["seconds"]) for event, box in boxes if event["kind"] == kind]
+    return [event for event in report["events"] if event["kind"] == kind]
 
 
 def main():
@@ -160,7 +155,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         name = str(pathlib.Path(folder) / "clip.mp4")
         write(name, clip, clip.frames[::step])
-        own = [box for box, _ in claims_of(report_of(options.vvr, name), kind)]
+        own = [box_of(event) for event in claims_of(report_of(options.vvr, name), kind)]
         for person in people:
             if pasted == options.bags:
                 break
@@ -170,9 +165,10 @@ def main():
                 continue
             pasted += 1
             write(name, clip, frames[::step])
-            told = [one for one in claims_of(report_of(options.vvr, name), kind) if all(overlap(one[0], box) < 1 / 3 for box in own)]
+            told = [event for event in claims_of(report_of(options.vvr, name), kind)
+                    if not any(same_place(event, box) for box in own)]
             since = clip.seconds - seen if options.backwards else seen
-            true = [one for one in told if overlap(one[0], bag.box) >= 1 / 3 and abs(one[1] - since) <= max(4, clip.seconds / 10)]
+            true = [event for event in told if is_true(event, bag.box, since, clip.seconds)]
             found += bool(true)
             claims += len(told)
             print(f"{kind} at {since:5.1f} s, {bag.box[2]:3}x{bag.box[3]:<3} at {bag.box[0]},{bag.box[1]}: "

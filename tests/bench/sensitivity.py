@@ -17,6 +17,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from claim_truth import is_true  # noqa: E402
 from measure import table  # noqa: E402
 from threshold_table import numbers  # noqa: E402
 
@@ -60,23 +61,13 @@ def idf1(events, truth):
     return 2 * true / max(1, sum(map(len, truth.values())) + sum(map(len, paths)))
 
 
-def overlap(a, b):
-    """The share of the smaller box that is also in the other."""
-    width = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
-    height = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
-    return max(width, 0) * max(height, 0) / max(min(a[2] * a[3], b[2] * b[3]), 1)
-
-
 def claims(found, truth):
-    """(claims, true ones, real things, found ones) of one clip. A claim is true where it shares a third of the smaller
-    box with the truth, and begins within 4 s or a tenth of the clip of it."""
-    slack = max(4, found["seconds"] / 10)
+    """(claims, true ones, real things, found ones) of one clip."""
     told = [event for event in found["events"] if event["kind"] in ("left", "taken")]
     true, met = set(), set()
     for event in told:
-        box = [event["box"][key] for key in ("x", "y", "width", "height")]
         for n, real in enumerate(truth.get(event["kind"], [])):
-            if overlap(box, real[:4]) >= 1 / 3 and abs(event["first"]["seconds"] - real[4]) <= slack:
+            if is_true(event, real[:4], real[4], found["seconds"]):
                 true.add(event["number"])
                 met.add((event["kind"], n))
     return np.array([len(told), len(true), len(truth.get("left", [])) + len(truth.get("taken", [])), len(met)])

@@ -173,20 +173,22 @@ TEST(EventFinder, WhoStoodThereFromTheFirstFrameMayLeaveAThing) {
     EXPECT_NEAR(static_cast<double>(events[1].first.frame), 110, 10);
 }
 
-/// A large person comes from the left, stands at the lower border, and leaves to the right in a few frames.
-void paint_large_person(int f, Plane<std::uint8_t>& field) {
-    const int x = f < 104 ? f - 40 : f < 160 ? 64 : 64 + 3 * (f - 160);
-    if (x < 120) fill(field, {x, 8, x + 40, 90}, 120);
+/// A large person comes from the left, stands at the lower border, puts down a bag in frame 140, and leaves to the
+/// right in a few frames: from frame 179 on, they are out of the picture. \param more what else each field shows
+std::vector<events::Event> events_of_bag(const PixelBox& bag, const Paint& more) {
+    return events_of(430, [&](int f, auto& field) {
+        const int x = f < 104 ? f - 40 : f < 160 ? 64 : 64 + 3 * (f - 160);
+        if (x < 120) fill(field, {x, 8, x + 40, 90}, 120);
+        if (f >= 140) fill(field, bag, 220);
+        more(f, field);
+    });
 }
 
 TEST(EventFinder, WhoLeavesThePictureIsNotTheThingThatStays) {
-    const auto events = events_of(400, [](int f, auto& field) {
-        paint_large_person(f, field);
-        if (f >= 140) fill(field, {88, 66, 108, 80}, 220);
-    });
+    const auto events = events_of_bag({88, 66, 108, 80}, [](int, auto&) {});
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].kind, events::EventKind::stood);
-    EXPECT_NEAR(static_cast<double>(events[0].last.frame), 178, 4) << "it is out of the picture from frame 179 on";
+    EXPECT_NEAR(static_cast<double>(events[0].last.frame), 178, 4);
     ASSERT_EQ(events[0].stays.size(), 1U);
     EXPECT_EQ(events[1].kind, events::EventKind::left);
     EXPECT_NEAR(static_cast<double>(events[1].first.frame), 140, 4);
@@ -195,9 +197,7 @@ TEST(EventFinder, WhoLeavesThePictureIsNotTheThingThatStays) {
 
 // The first blob of the bag's track has a part of the person, which takes its centre far away.
 TEST(EventFinder, ABagDoesNotMoveBecausePartsOfItsBearerDo) {
-    const auto events = events_of(400, [](int f, auto& field) {
-        paint_large_person(f, field);
-        if (f >= 140) fill(field, {70, 70, 80, 78}, 220);
+    const auto events = events_of_bag({70, 70, 80, 78}, [](int f, auto& field) {
         if (f >= 171 && f < 174) fill(field, {70, 40, 100, 70}, 120);
     });
     ASSERT_EQ(events.size(), 2U);
@@ -208,9 +208,7 @@ TEST(EventFinder, ABagDoesNotMoveBecausePartsOfItsBearerDo) {
 
 // Nobody knows whether it moves while something covers it, until it is seen again as before.
 TEST(EventFinder, ABagThatWasHiddenForAnInstantIsTheSameBag) {
-    const auto events = events_of(430, [](int f, auto& field) {
-        paint_large_person(f, field);
-        if (f >= 140) fill(field, {70, 66, 84, 78}, 220);
+    const auto events = events_of_bag({70, 66, 84, 78}, [](int f, auto& field) {
         if (f >= 360 && f < 368) fill(field, {50, 50, 104, 90}, 60);
     });
     ASSERT_EQ(events.size(), 2U);

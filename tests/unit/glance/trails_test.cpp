@@ -28,6 +28,15 @@ events::Event walker() {
     return event;
 }
 
+/// A camera that shows the whole layout in a part of the picture.
+space::Camera camera_on(const space::Layout& layout, const PixelBox& part, Size picture) {
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i <= 16; ++i) {
+        for (const double x : {0.0, 1.0}) points.push_back(layout.p_from_c({x, x, i / 16.0}));
+    }
+    return space::fit_camera({}, points, part.size()).within(part, picture);
+}
+
 TEST(Trails, AreWhereTheVolumeShowsTheObject) {
     const bricks::Volume volume = empty_volume();
     const auto layout = space::make_layout("horseshoe", space::shape_for(field));
@@ -70,12 +79,7 @@ TEST(Stays, HaveTheirTimesBesideTheirOwnMarks) {
     const bricks::Volume volume = empty_volume(2.5);
     const auto layout = space::make_layout("horseshoe", space::shape_for(field));
     const labels::Sheet sheet = labels::arrange_sheet({640, 400}, {.ruler = true});
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i <= 16; ++i) {
-        for (const double x : {0.0, 1.0}) points.push_back(layout->p_from_c({x, x, i / 16.0}));
-    }
-    const space::Camera camera =
-        space::fit_camera({}, points, sheet.between.size()).within(sheet.between, sheet.picture);
+    const space::Camera camera = camera_on(*layout, sheet.between, sheet.picture);
     const glance::Trails trails(volume, *layout, camera, sheet.picture);
     std::size_t labelled = 0;
     for (int begin = 0; begin < 37; ++begin) {
@@ -109,11 +113,7 @@ TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
     const auto layout = space::make_layout("horseshoe", space::shape_for(field));
     const Size picture{1280, 800};
     const PixelBox part{100, 230, 1180, 620};
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i <= 16; ++i) {
-        for (const double x : {0.0, 1.0}) points.push_back(layout->p_from_c({x, x, i / 16.0}));
-    }
-    const space::Camera camera = space::fit_camera({}, points, part.size()).within(part, picture);
+    const space::Camera camera = camera_on(*layout, part, picture);
     const PixelBox area{200, 0, 1080, 660};
     const PixelBox hollow = glance::map_box(*layout, camera, picture, area, 4.0 / 3);
     EXPECT_GT(hollow.width(), 120);
