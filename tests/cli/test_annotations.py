@@ -183,9 +183,8 @@ def test_keyframes_of_a_series_stand_in_each_brick(t):
         return {level for level, count in collections.Counter(pixels).items() if count > 1500}
     t.render("levels.mkv", *look, output="ends.{brick}.png").expect(0, "4 pictures")
     for count in (1, 2):
-        t.render("levels.mkv", *look, "--keyframes", str(count), output=f"k{count}.{{brick}}.png").expect(0, "4 pictures")
-        check("key frame" not in t.render("levels.mkv", *look, "--keyframes", str(count), output="w.{brick}.png").err,
-              "a warning about key frames")
+        said = t.render("levels.mkv", *look, "--keyframes", str(count), output=f"k{count}.{{brick}}.png").expect(0, "4 pictures")
+        check("key frame" not in said.err, "a warning about key frames")
         for brick in (1, 2, 3):
             more = len(levels(f"k{count}.{brick}.png")) - len(levels(f"ends.{brick}.png"))
             check(more >= 2 * count - 1, f"window {brick} with {count} key frames per brick has {more} more levels")

@@ -13,12 +13,10 @@ from harness import check, part_name
 
 def test_same_bytes_every_time(t):
     t.clip()
-    for name, threads in (("a.png", "1"), ("b.png", "1"), ("c.png", "5"), ("a.exr", "1"), ("b.exr", "1"), ("c.exr", "5")):
+    for name, threads in (("a.png", "1"), ("b.png", "1"), ("c.png", "5"), ("a.exr", "1"), ("b.exr", "5")):
         t.render("clip.avi", "--backend", "software", "--threads", threads, output=name).expect(0)
-    for ending in ("png", "exr"):
-        for other in ("b", "c"):
-            same = t.path(f"a.{ending}").read_bytes() == t.path(f"{other}.{ending}").read_bytes()
-            check(same, f"a.{ending} and {other}.{ending} differ")
+    for one, other in (("a.png", "b.png"), ("a.png", "c.png"), ("a.exr", "b.exr")):
+        check(t.path(one).read_bytes() == t.path(other).read_bytes(), f"{one} and {other} differ")
 
 
 @pytest.mark.nightly

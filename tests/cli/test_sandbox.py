@@ -65,7 +65,7 @@ def hijack(t, mode, *arguments):
     return done, {name: int(error) for name, error in (line.split("\t") for line in lines)}
 
 
-@pytest.mark.parametrize("backend", ["software", "auto"])
+@pytest.mark.parametrize("backend", nightly_except(["software", "auto"], "auto"))
 def test_a_hijacked_worker_is_refused_all_but_its_clip_and_its_pictures(t, walls, backend):
     """Also where it may use a graphics card, whether there is one or not."""
     done, refused = hijack(t, "required", "--backend", backend)
