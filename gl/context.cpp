@@ -61,6 +61,8 @@ void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load
     }
     renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
     version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+    // llvmpipe has started its threads by now. The first picture would wait forever for one that it could not start.
+    if (renderer_.starts_with("llvmpipe")) check_threads(1);
 }
 
 void Context::listen(DriverMessages messages) {

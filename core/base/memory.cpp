@@ -1,11 +1,14 @@
 #include "core/base/memory.h"
 
 #include <cstddef>
+#include <latch>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <typeinfo>
+#include <vector>
 
 #include <malloc.h>
 #include <sys/mman.h>
@@ -75,6 +78,19 @@ bool is_out_of_memory(const std::exception& error) {
     // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their
     // own.
     return typeid(error) == typeid(std::runtime_error);
+}
+
+void check_threads(unsigned count) {
+    std::latch all_there(1);
+    std::vector<std::jthread> threads;
+    threads.reserve(count);
+    try {
+        for (unsigned i = 0; i < count; ++i) threads.emplace_back([&] { all_there.wait(); });
+    } catch (...) {
+        all_there.count_down();
+        throw;
+    }
+    all_there.count_down();
 }
 
 }  // namespace vvr

@@ -22,6 +22,11 @@ void trim_heap();
 /// that.
 bool is_out_of_memory(const std::exception& error);
 
+/// Checks that `count` threads can be started at the same time, and ends them. To be called before or after a library
+/// starts its own, if it would wait forever for those that it can't start.
+/// \throws std::system_error if they can't; `is_out_of_memory` is true for it
+void check_threads(unsigned count);
+
 /// Calls a function that may load a library: dlopen or a driver's. If a library throws while it is loaded, for example
 /// for lack of memory, the loader stays locked, and the next thread that loads a library waits forever. Therefore an
 /// exception ends the program (std::terminate).

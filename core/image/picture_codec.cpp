@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <latch>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include <dlfcn.h>
 
@@ -26,25 +24,10 @@ constexpr int search = 0;  // AddressSanitizer doesn't support RTLD_DEEPBIND
 constexpr int search = RTLD_DEEPBIND;
 #endif
 
-/// Checks that threads can be started. One of the dependencies, log4cplus, starts a thread per core when loaded, and
-/// at least four. If that fails, it aborts or hangs.
-/// \throws std::system_error if the threads can't be started
-void check_threads() {
-    const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
-    std::latch all_there(1);
-    std::vector<std::jthread> threads;
-    threads.reserve(wanted);
-    try {
-        for (unsigned i = 0; i < wanted; ++i) threads.emplace_back([&] { all_there.wait(); });
-    } catch (...) {
-        all_there.count_down();
-        throw;
-    }
-    all_there.count_down();
-}
-
 const PictureCodec& load() {
-    check_threads();
+    // One of the dependencies, log4cplus, starts a thread per core when loaded, and at least four. If that fails, it
+    // aborts or waits forever.
+    check_threads(std::max(4U, std::thread::hardware_concurrency()));
     // Never closed, because some of the dependencies crash when unloaded.
     constexpr int how = RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE | search;
     void* const library = while_loading([] { return dlopen(VVR_PICTURE_CODEC, how); });

@@ -90,6 +90,17 @@ def test_threads_that_are_short_end_it_with_status_5(walk):
         check(run.status in (0, 5) or log4cplus, f"{number}: {run}")
 
 
+def test_threads_that_the_rasteriser_cannot_have_end_it_with_status_5(walk):
+    """llvmpipe would wait for ever for a thread that it could not start."""
+    ended = set()
+    for number in range(1, 12):
+        walk.empty(PNG)
+        run = walk.run(PNG, f"pthread_create:{number}+", LP_NUM_THREADS="2")
+        check(run.status in (0, 5), f"{number}: {run}")
+        ended.add(run.status)
+    check(ended == {0, 5}, f"{ended}: too few or too many threads fail for this test to show anything")
+
+
 def test_threads_that_openexr_cannot_have_end_it_with_status_5(walk):
     """It says nothing then."""
     walk.learn(EXR)

@@ -45,7 +45,7 @@ def test_reading_a_shaking_camera(t):
 
 @pytest.mark.nightly
 def test_reading_flicker(t):
-    clip = filtered(t, scene(t, "walks_by", *SMALL), "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
+    clip = filtered(t, scene(t, "walks_by", *SMALL), "-vf", "eq=brightness='0.3*sin(2*PI*t*3)':eval=frame")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
     check(kinds(t, clip, "--illumination", "none") == [], "it makes no difference")
 

@@ -208,7 +208,7 @@ def test_recording_has_the_clock_of_the_day(t):
     # Across midnight, and in the zone of the machine: Frigate's names are in UTC.
     t.zone("Europe/Berlin")
     cut(t, begin=datetime.datetime(2026, 11, 21, 22, 59, 40))
-    look = ("--size", "640x400", "--backend", "software", "--page", "day.html")
+    look = ("--size", "640x400", "--backend", "software", "-o", "day.png", "--page", "day.html")
     report = report_of(t, "day", *look)
     texts = [label["text"] for label in report["labels"]]
     check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1; by file name)" in texts, f"{texts}")

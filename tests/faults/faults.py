@@ -238,11 +238,11 @@ class Walk:
         log.unlink(missing_ok=True)
         return Run(status, said, lines, time.monotonic() - begin)
 
-    def run(self, scene, fault=None):
+    def run(self, scene, fault=None, **more):
         begin = time.monotonic()
         variables = {"VVR_FAULT": fault, "VVR_FAULT_IN": scene.process, "VVR_FAULT_LOG": str(self.folder / "log"),
                      "LD_PRELOAD": self.library} if fault else {}
-        return self.end(self.start(scene, FONTCONFIG_FILE=str(self.fonts), **variables), begin)
+        return self.end(self.start(scene, FONTCONFIG_FILE=str(self.fonts), **variables, **more), begin)
 
     def learn(self, scene):
         """What a scene does without faults: its files, its words, its calls."""
