@@ -14,6 +14,7 @@
 #include "core/base/text.h"
 #include "core/events/colouring.h"
 #include "core/fields/field.h"
+#include "core/fields/region.h"
 #include "core/glance/portraits.h"
 #include "core/glance/scene_map.h"
 #include "core/glance/time_strip.h"
@@ -237,7 +238,9 @@ class Annotator {
     /// Writes into the middle of an empty volume, which would otherwise look like an error.
     void add_nothing_moves() {
         const PixelBox& box = sheet_.volume;
-        lettering_.add(labels::make_centred_label("nothing moves", sheet_.text * 2, (box.left + box.right) / 2.0,
+        const std::string text =
+            fields::has_region(plan_.job.fields) ? "nothing moves in the region of interest" : "nothing moves";
+        lettering_.add(labels::make_centred_label(text, sheet_.text * 2, (box.left + box.right) / 2.0,
                                                   (box.top + box.bottom) / 2.0, pale_),
                        sheet_.between, 0);
     }

@@ -15,6 +15,7 @@
 #include "cli/app/report.h"
 #include "core/base/text.h"
 #include "core/events/event.h"
+#include "core/fields/region.h"
 #include "core/labels/time_ticks.h"
 #include "core/store/manifest.h"
 
@@ -136,6 +137,12 @@ void log_warnings(const RunContext& context, const std::vector<std::string>& adv
     }
     if (composed.nothing_moves && summary.frames < 2) {
         observer.warn(fmt::format("'{}' has only one frame, so nothing can move and the volume is empty", name));
+    } else if (composed.nothing_moves && has_region(plan.job.fields)) {
+        observer.warn(
+            fmt::format("'{}': nothing moves in the region of interest, so the volume is empty; a larger region, "
+                        "or a lower threshold, may show more",
+                        name),
+            {"roi", "mask", "threshold"});
     } else if (composed.nothing_moves) {
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold may show more", name),
                       {"threshold"});

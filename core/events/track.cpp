@@ -287,9 +287,9 @@ void Track::update_stationary(const FrameView& sight, const Moment& now, bool wh
     stay_.last = now;
     pixels_ = patch_;
     record_position(now, patch_.box, patch_.centre, patch_.area);
-    const bool alone = whole && !beside;
-    if (alone && alone_at_) settled_->evidence.alone += now.seconds - alone_at_->seconds;
-    alone_at_ = alone ? std::optional(now) : std::nullopt;
+    // Not only while it is whole: a shadow that counted as a part of it may have gone.
+    if (!beside && alone_at_) settled_->evidence.alone += now.seconds - alone_at_->seconds;
+    alone_at_ = beside ? std::nullopt : std::optional(now);
     if (whole) {
         still_.add(sight, now);
         last_whole_ = now;

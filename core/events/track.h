@@ -198,7 +198,7 @@ class Track {
     Moment risen_;       ///< when it last moved again
     Moment last_whole_;  ///< when it was last stationary and not occluded
     StillPicture still_;
-    std::optional<Moment> alone_at_;  ///< now, while it is whole and nobody is near
+    std::optional<Moment> alone_at_;  ///< now, while it is in view and nobody is near
     std::optional<Moment> uncovered_;
     std::shared_ptr<const Track> departed_;
     Path path_;

@@ -339,7 +339,9 @@ std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
 }
 
 constexpr std::array reference_rows{
-    ReferenceRow{"median", "the median of the clip; where something came to stay, the median of what was there before",
+    ReferenceRow{"median",
+                 "the median of the clip; where something came to stay, the median of what was there before, if that "
+                 "lasted for a quarter of the clip",
                  spread_over_clip, lasting_reference, true},
     ReferenceRow{"first", "the first frame", first_frame, median_reference},
     ReferenceRow{"running", "learned from the first seconds, then adapted to slow changes", first_seconds,

@@ -177,6 +177,10 @@ void validate_region(std::string_view setting, const std::string& text) {
     if (is_polygon_list(text) || is_polygon_file(text)) polygons_of(setting, text);
 }
 
+bool has_region(const FieldOptions& options) {
+    return !options.roi.empty() || !options.mask.empty();
+}
+
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {
     if (options.roi.empty() && options.mask.empty() && options.overlays.empty()) return {};
     Plane<std::uint8_t> region =

@@ -9,6 +9,9 @@
 
 namespace vvr::fields {
 
+/// Whether the options leave a part of the picture out.
+bool has_region(const FieldOptions& options);
+
 /// The region of interest, in the field's size: 255 inside `options.roi` and outside `options.mask` and
 /// `options.overlays`, 0 elsewhere. Empty if nothing is ignored.
 ///

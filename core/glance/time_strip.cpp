@@ -161,7 +161,7 @@ class Strip {
     }
 
     std::vector<std::string> texts_without_objects() const {
-        if (nothing_moved_) return {"Nothing moved"};
+        if (nothing_moved_) return {"No objects"};
         const int percent = std::max(1, static_cast<int>(std::lround(100 * found_.largest_share)));
         return {fmt::format("Changes in up to {} % of the picture, but none could be identified as an object", percent),
                 fmt::format("Changes in up to {} % of the picture, no object", percent)};

@@ -91,6 +91,10 @@ test('cross-sections, and places in them', () => {
     near(pointIn(slanted, 0.5, 0.5), 5, 3.75);
     const trail = trailOf(sections, {path: [[0, 0.5, 0.5], [125, 0, 0]]}, steady());
     assert.deepEqual(trail.map(point => point.map(Math.round)), [[5, 5], [50, 50]]);
+    // A thing that lies there has two places only, but its path follows the arc.
+    const bent = [[0, ...square], [10, ...square.map(value => value + 100)], [20, ...square]];
+    const still = trailOf(bent, {path: [[0, 0.5, 0.5], [500, 0.5, 0.5]]}, steady());
+    assert.deepEqual(still.map(point => point.map(Math.round)), [[5, 5], [105, 105], [5, 5]]);
 });
 
 test('texts have room, the first ones first', () => {

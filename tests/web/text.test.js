@@ -20,7 +20,7 @@ table('durations with tenths', spanOf, [[0, '0.0 s'], [8.44, '8.4 s'], [59.9, '5
                                         [3600, '1:00 h'], [3720, '1:02 h'], [50_400, '14:00 h']]);
 table('short durations', shortSpanOf, [[8.44, '8.4 s'], [10, '10 s'], [41.6, '42 s'], [59.6, '1:00 min'], [185, '3:05 min'], [3720, '1:02 h']]);
 table('times of a clip', clipTime, [[0, '0:00.0'], [75.25, '1:15.2'], [0.3, '0:00.3'], [59.99, '0:59.9'], [3599.9, '59:59.9'], [3600, '1:00:00.0'], [36_610.5, '10:10:10.5']]);
-table('times of a clip without tenths', seconds => clipTime(seconds, false), [[75.9, '1:15'], [3661, '1:01:01']]);
+table('times of a clip without tenths', seconds => clipTime(seconds, false), [[75.4, '1:15'], [75.9, '1:16'], [59.6, '1:00'], [3661, '1:01:01']]);
 table('two digits', digits, [[0, '00'], [7, '07'], [12, '12'], [123, '123']]);
 table('counts', count => many(count, 'clip'), [[0, '0 clips'], [1, '1 clip'], [2024, '2,024 clips']]);
 

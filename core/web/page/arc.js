@@ -40,7 +40,8 @@ export function pointIn([x0, y0, x1, y1, x2, y2, x3, y3], u, v) {
 }
 
 /**
- * An event's path in the picture.
+ * An event's path in the picture. Between two places it goes through each cross-section, as the picture is straight only
+ * from one of these to the next.
  * @param {Section[]} sections
  * @param {{path: number[][]}} event
  * @param {import('./timeline.js').Timeline} time
@@ -49,9 +50,23 @@ export function pointIn([x0, y0, x1, y1, x2, y2, x3, y3], u, v) {
 export function trailOf(sections, event, time) {
     /** @type {[number, number][]} */
     const points = [];
-    for (const [frame, x, y] of event.path) {
-        const corners = sectionAt(sections, time.secondsOf(frame));
+    const add = (/** @type {number} */ seconds, /** @type {number} */ x, /** @type {number} */ y) => {
+        const corners = sectionAt(sections, seconds);
         if (corners) points.push(pointIn(corners, x, y));
+    };
+    /** @type {number[] | null} */
+    let before = null;
+    for (const [frame, x, y] of event.path) {
+        const seconds = time.secondsOf(frame);
+        if (before) {
+            const [begin, fromX, fromY] = before;
+            for (const [between] of sections.filter(([at]) => at > begin && at < seconds)) {
+                const share = (between - begin) / (seconds - begin);
+                add(between, fromX + share * (x - fromX), fromY + share * (y - fromY));
+            }
+        }
+        add(seconds, x, y);
+        before = [seconds, x, y];
     }
     return points;
 }

@@ -38,12 +38,12 @@ export function shortSpanOf(seconds) {
 }
 
 /**
- * 75.25 as 1:15.2. Tenths are truncated, as clocks do.
+ * 75.25 as 1:15.2. Tenths are truncated, as clocks do; without them, the time is rounded, as in the picture.
  * @param {number} seconds
  * @param {boolean} [tenths]
  */
 export function clipTime(seconds, tenths = true) {
-    const all = Math.floor(seconds * 10 + 1e-4);
+    const all = tenths ? Math.floor(seconds * 10 + 1e-4) : 10 * Math.round(seconds);
     const whole = Math.floor(all / 10);
     const hours = Math.floor(whole / 3600);
     const minutes = Math.floor(whole / 60) % 60;

@@ -219,6 +219,17 @@ TEST(EventFinder, ABagThatWasHiddenForAnInstantIsTheSameBag) {
     EXPECT_NEAR(events[1].evidence->alone, (360 - 180) / 25.0, 0.5);
 }
 
+// A shadow that counted as a part of it goes: nobody is near all the same.
+TEST(EventFinder, ABagIsAloneThoughAPartOfItIsSeenNoMore) {
+    const auto events = events_of_bag({80, 66, 100, 80}, [](int f, auto& field) {
+        if (f >= 140 && f < 230) fill(field, {100, 66, 108, 80}, 160);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, events::EventKind::left);
+    ASSERT_TRUE(events[1].evidence);
+    EXPECT_GT(events[1].evidence->alone, (430 - 230) / 25.0);
+}
+
 TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
     const auto events = events_of(200, [](int f, auto& field) {
         fill(field, {110 - f, 34, 122 - f, 74}, 210);
