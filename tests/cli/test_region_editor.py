@@ -235,5 +235,5 @@ def test_a_picture_is_an_area_where_it_is_128_or_brighter(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=0x7f7f7f:size=10x10", "-frames:v", "1", "grey127.png")
     t.render("clip.mkv", "--roi", "grey128.png", "--show", "volume", output="in.png").expect(0)
     t.render("clip.mkv", "--show", "volume", output="all.png").expect(0)
-    t.render("clip.mkv", "--roi", "grey127.png", "--show", "volume", output="out.png").expect(0, "nothing moves")
+    t.render("clip.mkv", "--roi", "grey127.png", "--show", "volume", output="out.png").expect(0, "nothing moves in the region of interest")
     check(t.rgb("in.png") == t.rgb("all.png"), "grey 128 does not count")

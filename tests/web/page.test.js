@@ -31,6 +31,7 @@ test('frames and seconds are each other’s inverse', () => {
     assert.deepEqual([time.frameAt(-1), time.frameAt(1e9)], [0, 249]);
     assert.deepEqual([time.clamped(-3), time.clamped(17), time.clamped(999)], [0, 17, 249]);
     near(time.ends, 10);
+    assert.equal(time.span(), '0:00 to 0:10');
     near(time.lasts, 9.96);
 });
 

@@ -33,7 +33,7 @@ function drawSummary() {
     const seen = time.secondsSeen();
     const lost = time.gaps.length ? ` of video, no signal for ${spanOf(time.ends - time.begins - seen)}` : '';
     const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
-    const span = `${time.clockOf(time.begins, false)} to ${time.clockOf(time.ends, false)}, ${frames}, ${spanOf(seen)}${lost}`;
+    const span = `${time.span()}, ${frames}, ${spanOf(seen)}${lost}`;
     const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';
     at('summary').textContent = data.clock === null ? `${span}; ${data.told}`
         : `${time.dayOf(time.begins)}, ${span}; times${zone}, ${data.told}`;

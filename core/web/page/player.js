@@ -273,7 +273,7 @@ export function drawJump() {
 
 function jumpToTyped() {
     const seconds = momentOf(jump.value, state.time);
-    if (seconds === null) return tell(`“${jump.value}” is no time of this clip. It has ${state.time.clockOf(state.time.begins, false)} to ${state.time.clockOf(state.time.ends, false)}.`);
+    if (seconds === null) return tell(`“${jump.value}” is no time of this clip. It has ${state.time.span()}.`);
     set({jumping: false});
     goTo(state.time.frameAt(Math.min(seconds, state.time.secondsOf(state.time.lastFrame))));
 }
