@@ -182,7 +182,7 @@ bool has_region(const FieldOptions& options) {
 }
 
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {
-    if (options.roi.empty() && options.mask.empty() && options.overlays.empty()) return {};
+    if (!has_region(options) && options.overlays.empty()) return {};
     Plane<std::uint8_t> region =
         options.roi.empty() ? Plane<std::uint8_t>(field, 255) : area(setting::roi.name, options.roi, field, video);
     if (!options.mask.empty()) {

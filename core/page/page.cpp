@@ -106,6 +106,11 @@ double end_of(const std::vector<ConstantRateFrames>& times) {
     return last.at(last.first + last.count);
 }
 
+double last_frame_of(const std::vector<ConstantRateFrames>& times) {
+    const ConstantRateFrames& last = times.back();
+    return last.at(last.first + last.count - 1);
+}
+
 std::int64_t frames_in(const std::vector<ConstantRateFrames>& times) {
     std::int64_t frames = 0;
     for (const ConstantRateFrames& steady : times) frames += steady.count;
@@ -142,6 +147,8 @@ std::string make_page(const PageContent& content) {
     };
     const double begin = content.moments.times.front().begin;
     const double end = end_of(content.moments.times);
+    // Times of the clip are those of the picture's title, as in the script: of the first and the last frame.
+    const double until = content.clock ? end + 1e-4 : last_frame_of(content.moments.times);
     return fill(
         web::page_html,
         {
@@ -151,8 +158,8 @@ std::string make_page(const PageContent& content) {
             {"name", shown(content.name)},
             {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
             {"file", shown(content.file)},
-            {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
-                                    labels::format_moment(std::floor(end + 1e-4), content.clock),
+            {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(begin, content.clock),
+                                    labels::format_moment(until, content.clock),
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
             {"way", time_direction(content.settings)},
             {"list", list_of(content)},

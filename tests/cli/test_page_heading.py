@@ -70,6 +70,13 @@ def test_page_heading_of_a_camera_that_the_name_tells(t):
     check((heading, file) == ("cam7 · Tue 17 Nov 2026, 07:15", "cam7_2026-11-17_07-15-00.avi"), f"{heading}; {file}")
 
 
+def test_page_heading_ends_with_the_picture(t):
+    """Times of a clip are rounded in both, and are those of its frames: the last of 27 is at 2.6 s."""
+    t.clip(seconds=3)
+    t.render("clip.avi", "--end", "27f", output="out.html").expect(0)
+    check(words_of(t, "out.html")[2] == "0:00 to 0:03, 27 frames; time of day not known", str(words_of(t, "out.html")))
+
+
 @pytest.mark.nightly
 def test_page_heading_of_a_stream(t):
     page_of(t, "file.html", 3, "--title", "gate")
