@@ -114,7 +114,8 @@ std::string as_text(const Facts& facts) {
     line("bricks", fmt::to_string(extent.bricks));
     line("memory", fmt::format("at most about {} MB", extent.bytes / 1'000'000));
     if (time) line("time", text_of(*time));
-    if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
+    if (!files.empty())
+        text += counted(std::ssize(files), "file") + (files.size() > 1 ? ", in the order of time" : "") + "\n";
     for (const video::Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
     return text;
 }

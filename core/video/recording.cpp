@@ -95,6 +95,13 @@ std::ptrdiff_t sort_once(Files& files) {
                     name));
 }
 
+/// Checks that a file that doesn't look like one is a video. Other files are checked when they are read.
+void require_video(const std::string& name) {
+    std::error_code none;
+    if (!fs::is_regular_file(name, none) || is_list(name) || is_video_name(name)) return;
+    Demuxer(open_input(name), Demuxer::Kind::video, 25);  // throws
+}
+
 // ---- Related files
 
 bool are_alike(const ClipHeader& a, const ClipHeader& b) {
@@ -210,17 +217,20 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
         }
         return true;
     };
-    const std::string files = undated == std::ssize(recording.segments)
-                                  ? "the names of its files do not say"
-                                  : fmt::format("the names of {} do not say", counted(undated, "file"));
+    const auto warn = [&](std::string_view rest) {
+        if (recording.segments.size() == 1) return;  // it has no order
+        const std::string files = undated == std::ssize(recording.segments)
+                                      ? "the names of its files do not say"
+                                      : fmt::format("the names of {} do not say", counted(undated, "file"));
+        recording.warnings.push_back(fmt::format("'{}': {} when it was recorded{}", recording.name, files, rest));
+    };
     if (try_times(ClockSource::container, 0.4, [](const SegmentHeader& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
-        recording.warnings.push_back(
-            fmt::format("'{}': {} when it was recorded; vvr orders them by the creation times in their containers and "
-                        "shows no times of day (--start-time container shows these)",
-                        recording.name, files));
+        warn(
+            "; vvr orders them by the creation times in their containers and shows no times of day (--start-time "
+            "container shows these)");
         return;
     }
     // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
@@ -228,16 +238,12 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             if (file.header.length <= 0) return std::nullopt;
             return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
-        recording.warnings.push_back(
-            fmt::format("'{}': {} when it was recorded, nor do their containers; vvr orders them by their modification "
-                        "times and shows no times of day (--start-time modified shows these)",
-                        recording.name, files));
+        warn(
+            ", nor do their containers; vvr orders them by their modification times and shows no times of day "
+            "(--start-time modified shows these)");
         return;
     }
-    recording.warnings.push_back(
-        fmt::format("'{}': {} when it was recorded, and their creation and modification times contradict each other; "
-                    "vvr orders them by their names",
-                    recording.name, files));
+    warn(", and their creation and modification times contradict each other; vvr orders them by their names");
 }
 
 /// Sorts by start time. A file without one stays behind its predecessor by name.
@@ -308,6 +314,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     std::vector<std::string> files;
     for (const std::string& name : names) {
         if (is_single_source(name)) refuse_part(name);
+        require_video(name);
         add_files(name, files);
     }
     const std::ptrdiff_t repeats = sort_once(files);

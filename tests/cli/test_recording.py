@@ -130,6 +130,19 @@ def test_recording_reads_a_repeated_file_once(t):
     check(len(report["segments"]) == 4, f"{report['segments']}")
 
 
+def test_recording_of_one_file_has_no_order(t):
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc=size=64x48:rate=10:duration=1", "-c:v", "mpeg4", "door.avi")
+    for names in (("door.avi", "door.avi"), (".",)):
+        done = t.vvr("info", *names).expect(0, out=None)
+        check("1 file\n" in done.out and "order" not in done.out, done.out)
+
+
+def test_recording_names_what_is_no_video(t):
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc=size=64x48:rate=10:duration=1", "-c:v", "mpeg4", "door.avi")
+    t.write("other/events.csv", b"a,b\n1,2\n")
+    t.render("door.avi", "other/events.csv").expect(3, "'other/events.csv' is not a video", code="not-video")
+
+
 def test_recording_says_what_overlaps(t):
     whole_clip(t)
     cut(t)
