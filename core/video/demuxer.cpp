@@ -293,6 +293,7 @@ bool Demuxer::read(AVPacket& packet) {
 
 bool Demuxer::read_any(AVPacket& packet) {
     if (watchdog_) watchdog_->feed();
+    const std::int64_t before = damaged_;
     for (int errors = 0; errors < max_read_errors;) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
@@ -306,6 +307,7 @@ bool Demuxer::read_any(AVPacket& packet) {
             return true;
         }
     }
+    damaged_ = before + 1;  // each attempt failed at the same packet
     return false;
 }
 

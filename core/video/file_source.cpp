@@ -88,6 +88,7 @@ std::vector<std::string> FileSource::problems() const {
             fmt::format("'{}': timestamps jump by {:.0f} years between two frames; later times are unreliable",
                         info_.name, years(jump_)));
     }
+    if (unread_ > damaged()) problems.push_back(text_of_unread(info_.name));
     if (reader_.fell_back()) problems.push_back(text_of_fallback(*options_.hwaccel, info_.codec));
     return problems;
 }
@@ -136,11 +137,15 @@ std::vector<Frame> FileSource::sample(int count) {
     reader_.close();
     KeyFrames keys(count);
     keys.scan(reader_.input(), options_.rate, 0);
+    unread_ = keys.unread();
     Scaler scale(*this);
     auto frames = keys.decode(options_.rate, scale);
     const bool all = info_.decodes == Choice<FrameChoiceRow>(frame_choices().front());
     if (frames.empty() && all) frames = sample_needed(reader_.input(), options_, count, scale);
-    if (frames.empty()) return FrameSource::sample(count);
+    if (frames.empty()) {
+        frames = sample_all(count);
+        unread_ = reader_.damaged();
+    }
     rewind();
     return frames;
 }

@@ -44,6 +44,7 @@ class FileSource final : public FrameSource {
     double last_time_ = 0;           ///< time of the last returned frame, seconds
     double jump_ = 0;                ///< longest implausible jump between two timestamps, seconds
     SeekPoint start_;
+    std::int64_t unread_ = 0;  ///< packets that `sample` could not read
 
     std::int64_t index_ = 0;               ///< index of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded by the constructor, not yet returned

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 #include "core/video/container.h"
 #include "core/video/decoder.h"
@@ -33,6 +35,7 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
         if (!copy) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
         sampler_.keep(at, {files_.size() - 1, at, std::move(copy)});
     }
+    unread_ += demuxer.damaged();
     end_ = last < first ? begin : begin + last - first + demuxer.frame_duration();
     return end_;
 }
@@ -70,7 +73,8 @@ std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
 
 namespace {
 
-/// The presentation timestamps of the sampled frames, ascending. Empty if a packet has none, or two have the same.
+/// The presentation timestamps of the sampled frames, ascending. Empty if a packet has none or can't be read, or if two
+/// have the same.
 std::vector<std::int64_t> sampled_stamps(const Input& input, double rate, int count) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
     std::vector<std::int64_t> stamps;
@@ -79,6 +83,7 @@ std::vector<std::int64_t> sampled_stamps(const Input& input, double rate, int co
         if (packet->pts == AV_NOPTS_VALUE) return {};
         if (!(packet->flags & AV_PKT_FLAG_DISCARD)) stamps.push_back(packet->pts);
     }
+    if (demuxer.damaged() > 0) return {};
     std::ranges::sort(stamps);
     if (std::ranges::adjacent_find(stamps) != stamps.end()) return {};
     StampClock clock(demuxer.frame_duration());
@@ -110,6 +115,10 @@ std::vector<Frame> sample_needed(const Input& input, const SourceOptions& option
     }
     const bool complete = frames.size() == stamps.size() && decoder.damaged() == 0 && !decoder.stopped();
     return complete ? std::move(frames) : std::vector<Frame>{};
+}
+
+std::string text_of_unread(const std::string& name) {
+    return fmt::format("'{}': vvr learned the empty scene without a part of the file that it could not read", name);
 }
 
 }  // namespace vvr::video

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,9 @@ class KeyFrames {
     /// \returns the time of its end, seconds; `begin` if no packet has a timestamp
     double scan(const Input& input, double rate, double begin);
 
+    /// Packets that the scans could not read.
+    std::int64_t unread() const { return unread_; }
+
     /// Decodes the frames, in order. Empty if there are too few key frames, if they are unevenly spread, or if they
     /// don't decode on their own. Call it only once.
     std::vector<Frame> decode(double rate, Scaler& scale);
@@ -89,6 +93,7 @@ class KeyFrames {
     TimeSampler<KeyPacket> sampler_;
     std::vector<Input> files_;
     std::int64_t seen_ = 0;
+    std::int64_t unread_ = 0;
     double begin_ = 0;  ///< of the first file, seconds
     double end_ = 0;    ///< of the last file, seconds
 };
@@ -97,5 +102,8 @@ class KeyFrames {
 /// with B frames, about half.
 /// \returns nothing if the packets don't tell which frames these are, or if something is damaged
 std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale);
+
+/// A problem: a part of the file could not be read for the samples from which the empty scene is learned.
+std::string text_of_unread(const std::string& name);
 
 }  // namespace vvr::video

@@ -112,6 +112,10 @@ class FrameSource {
     /// most `count`, and otherwise more than count / 3. Restarts at the first frame. Holds at most `count` frames in
     /// memory. `Frame::index` is not set.
     virtual std::vector<Frame> sample(int count);
+
+  protected:
+    /// As `sample` by decoding every frame, but stays at the end.
+    std::vector<Frame> sample_all(int count);
 };
 
 /// Opens a video: a file, a URL, `-` for a stream on stdin, or a sequence of pictures given as a folder, a glob

@@ -25,13 +25,18 @@
 namespace vvr::video {
 
 std::vector<Frame> FrameSource::sample(int count) {
+    std::vector<Frame> frames = sample_all(count);
+    rewind();
+    return frames;
+}
+
+std::vector<Frame> FrameSource::sample_all(int count) {
     rewind();
     Scaler scale(*this);
     TimeSampler<Frame> sampler(count);
     while (const auto decoded = next()) {
         if (sampler.wants(decoded->pts)) sampler.keep(decoded->pts, scale(*decoded));
     }
-    rewind();
     return sampler.take();
 }
 

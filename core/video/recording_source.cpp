@@ -154,6 +154,7 @@ std::vector<std::string> RecordingSource::problems() const {
                                        counted(trimmed_.frames, "frame"), trimmed_.seconds));
     }
     problems.insert(problems.end(), problems_.begin(), problems_.end());
+    if (unread_ > damaged()) problems.push_back(text_of_unread(info_.name));
     return problems;
 }
 
@@ -230,8 +231,14 @@ void RecordingSource::rewind() {
 std::vector<Frame> RecordingSource::sample(int count) {
     rewind();
     const bool many = std::ssize(recording_.segments) >= std::max(count, static_cast<int>(few));
+    unread_ = 0;
     std::vector<Frame> frames = many ? sample_segments(count) : sample_key_frames(count);
-    return frames.empty() ? FrameSource::sample(count) : frames;
+    if (frames.empty()) {
+        frames = sample_all(count);
+        unread_ = damaged();
+        rewind();
+    }
+    return frames;
 }
 
 /// The first frames of evenly spread segments.
@@ -254,7 +261,7 @@ std::vector<Frame> RecordingSource::sample_segments(int count) const {
     return frames;
 }
 
-std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
+std::vector<Frame> RecordingSource::sample_key_frames(int count) {
     KeyFrames keys(count);
     std::optional<double> end;
     for (const Segment& segment : recording_.segments) {
@@ -264,6 +271,7 @@ std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
             if (error.kind() == ErrorKind::limit) throw;
         }
     }
+    unread_ = keys.unread();
     Scaler scale(field_size_, options_.colour);
     return keys.decode(options_.rate, scale);
 }

@@ -39,7 +39,7 @@ class RecordingSource final : public FrameSource {
     void count_overlap();
     void estimate_length();
     std::vector<Frame> sample_segments(int count) const;
-    std::vector<Frame> sample_key_frames(int count) const;
+    std::vector<Frame> sample_key_frames(int count);
 
     Recording recording_;
     SourceOptions options_;
@@ -56,6 +56,7 @@ class RecordingSource final : public FrameSource {
     double segment_end_ = 0;  ///< end of the last frame read, seconds of the segment
     double last_ = 0;         ///< time of the last returned frame, seconds
     std::int64_t index_ = -1;
+    std::int64_t unread_ = 0;    ///< packets that `sample` could not read
     std::int64_t damaged_ = 0;   ///< in the finished segments
     std::int64_t left_out_ = 0;  ///< frames of this segment that overlap the previous one
     OmittedFrames trimmed_;      ///< small overlaps between consecutive files

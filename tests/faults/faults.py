@@ -154,6 +154,23 @@ def is_whole_png(data):
     return False
 
 
+def is_whole_exr(data):
+    """Its table of chunks, which is written last, is complete, and the last chunk ends the file."""
+    def number(at, size):
+        return int.from_bytes(data[at:at + size], "little")
+
+    at = 8
+    while data[at:at + 1] not in (b"", b"\0"):  # an attribute: name, type, size, value
+        kind = data.find(b"\0", at) + 1
+        size = data.find(b"\0", kind) + 1
+        if kind == 0 or size == 0:
+            return False
+        at = size + 4 + number(size, 4)
+    table = at + 1
+    chunks = [number(place, 8) for place in range(table, number(table, 8), 8)]
+    return len(chunks) > 0 and min(chunks) > table and max(chunks) + 8 + number(max(chunks) + 4, 4) == len(data)
+
+
 def without_measures(value):
     if isinstance(value, dict):
         return {key: without_measures(inner) for key, inner in value.items()
@@ -273,6 +290,8 @@ class Walk:
             return True
         if name.endswith(".png"):
             return is_whole_png(data)
+        if name.endswith(".exr"):
+            return is_whole_exr(data)
         if name.endswith(".avi"):  # as long as its header says
             return data[:4] == b"RIFF" and int.from_bytes(data[4:8], "little") + 8 == len(data)
         if name.endswith(".flo"):  # the same; the last flow of fewer frames is another one
