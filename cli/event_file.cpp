@@ -85,6 +85,11 @@ void EventFile::reopen_moved_file() {
     if (file_ >= 0) ::close(file_);
     file_ = open_at_end(path_);
     is_open_line_ = false;
+    struct stat status {};
+    if (file_ < 0 || ::fstat(file_, &status) != 0 || fault_of(file_, status, is_open_line_).empty()) return;
+    ::close(file_);
+    file_ = -1;
+    errno = EEXIST;  // another program's file has taken the name
 }
 
 /// \returns 0, or the error as in errno

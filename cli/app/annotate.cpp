@@ -224,15 +224,20 @@ class Annotator {
     }
 
     void add_ruler() {
+        if (!plan_.shows(Part::ruler)) return;
         const labels::TimeEdge& edge = composed_.framing.edge;
-        if (plan_.shows(Part::ruler)) {
-            labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_,
-                               sheet_, rgba(plan_.job.look.theme.fast), lettering_);
-            // Before the ticks: they matter most where the time axis jumps.
-            labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
-                                 pale_, lettering_);
-        }
-        labels::label_ruler(seen_.volume, *plan_.layout, edge, composed_.ticks, camera_, sheet_, ink_, lettering_);
+        labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_, sheet_,
+                           rgba(plan_.job.look.theme.fast), lettering_);
+        const std::span<const labels::TimeTick> ticks = composed_.ticks;
+        const auto label = [&](std::span<const labels::TimeTick> some) {
+            labels::label_ticks(seen_.volume, *plan_.layout, edge, some, camera_, sheet_, ink_, lettering_);
+        };
+        // The texts that matter most come first, as later ones have to fit between them.
+        if (!ticks.empty()) label(ticks.first(1));
+        if (ticks.size() > 1) label(ticks.last(1));
+        labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
+                             pale_, lettering_);
+        if (ticks.size() > 2) label(ticks.subspan(1, ticks.size() - 2));
     }
 
     /// Writes into the middle of an empty volume, which would otherwise look like an error.
@@ -248,10 +253,9 @@ class Annotator {
     void add_explanation() {
         // Only the default layout is an arc.
         const bool is_arc = plan_.job.layout == space::layouts().front();
-        const bool varies = !composed_.compressed_idle.empty() ||
-                            (seen_.volume.is_nonuniform() && !labels::time_gaps(seen_.volume).empty());
-        const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
-                                             varies ? ", with room where something moves" : "");
+        const std::string time =
+            fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
+                        labels::is_uneven(seen_.volume) ? ", with more room where something moves" : "");
         const std::array<std::string, 3> texts{
             time + ". Each cut through it is the camera's view at that moment. " +
                 (shares_colours(composed_) ? "A number is the same object everywhere; colours repeat."

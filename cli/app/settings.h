@@ -18,6 +18,12 @@
 // video in core/video/settings.h.
 namespace vvr::setting {
 
+inline constexpr Setting events{
+    .name = "events",
+    .unit = "LIST",
+    .help =
+        "kinds of events that the picture numbers, and that report, tables and page list; a time leaves out shorter "
+        "ones: moved,left,5s"};
 inline constexpr Setting detector{
     .name = "detector",
     .unit = "MODEL",

@@ -45,6 +45,7 @@ cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environm
                          const std::function<bool(options::CommandLine&)>& fill) {
     CommandAndLine all(row);
     if (!fill(all.line)) return cli::ExitStatus::done;
+    options::check_outputs_differ(all.line);
     options::check_no_input_overwritten(all.line);
     apply(all.log, environment.log);
     return all.command->run(all.line, {environment.log, environment.signals, all.log.quiet, environment.progress});

@@ -119,8 +119,10 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series) {
     // What is recorded can be given again: with --brick, there is no --window.
     if (line.has(setting::brick) && !series)
         std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
-    for (const OptionValue& option : line.given(picture_groups)) {
-        if (option.name == setting::preset.name) job.settings.emplace_back(option.name, option.value);
+    for (const OptionValue& option : line.given(all_groups)) {
+        // The trails of events that are left out are grey.
+        if (option.name == setting::preset.name || option.name == setting::events.name)
+            job.settings.emplace_back(option.name, option.value);
     }
     // The given settings of the fields, with which an extraction must agree.
     const auto record_given = [&](const Setting& setting, const auto&... value) {

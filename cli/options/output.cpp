@@ -47,9 +47,6 @@ constexpr Setting events_csv{"events-csv", "FILE",
                              "the events as a table with commas, one line per event; needs no -o"};
 constexpr Setting tracks{"tracks", "FILE",
                          "where each event's object is in each frame, in the format of MOT Challenge; needs no -o"};
-constexpr Setting events{
-    "events", "LIST",
-    "kinds of events in the report, in tables and on the page; a time leaves out shorter ones: moved,left,5s"};
 constexpr Setting events_to{
     "events-to", "FILE",
     "append a line of JSON for each event when it has ended, for other programs; a file, a named pipe, or - = "
@@ -63,48 +60,8 @@ constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
 }  // namespace text
 
-/// Whether both paths name the same file. It need not exist.
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code none;
-    if (std::filesystem::equivalent(a, b, none)) return true;
-    const auto whole = [&](const auto& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
-    };
-    return !a.empty() && !b.empty() && whole(a) == whole(b);
-}
-
-/// An output and the option that names it.
-struct Named {
-    const char* option;
-    const std::filesystem::path& path;
-    const char* better;  ///< a name to suggest instead
-};
-
-void check_names(const app::OutputOptions& options) {
-    const Named outputs[] = {
-        {"--report", options.report, "report.json"},     {"--events-csv", options.events_csv, "events.csv"},
-        {"--tracks", options.tracks, "tracks.txt"},      {"--page", options.page, "page.html"},
-        {"--still", options.still, "still.jpg"},         {"-o", options.path, "picture.png"},
-        {"--golden", options.golden.path, "golden.png"}, {"--diff", options.golden.comparison.diff, "diff.png"}};
-    for (const Named& a : outputs) {
-        for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
-            // check_golden checks these pairs.
-            if (&a - outputs > 4 || !same_file(a.path, b.path)) continue;
-            throw Error(ErrorCode::options_conflict,
-                        fmt::format("{} and {} both name '{}'; use another name for the {}, such as {}", a.option,
-                                    b.option, b.path.string(), a.option + 2, a.better));
-        }
-    }
-}
-
-/// Standard output can hold one picture or the report, not both.
 void check_standard_output(const app::OutputOptions& options) {
-    if (!is_standard_output(options.path)) return;
-    if (is_standard_output(options.report)) {
-        throw Error(ErrorCode::options_conflict,
-                    "-o and --report both write to standard output; name a file for one of them");
-    }
-    if (::isatty(STDOUT_FILENO) == 1) {
+    if (is_standard_output(options.path) && ::isatty(STDOUT_FILENO) == 1) {
         throw Error(ErrorCode::usage,
                     "-o -: standard output is a terminal; redirect it to a file or a program, or name a file");
     }
@@ -188,7 +145,7 @@ void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) 
 
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
     const AddOptions add(line, group);
-    add(text::events, choice);
+    add(setting::events, choice);
 }
 
 void add_events_to_option(CommandLine& line, Group group, std::filesystem::path& file) {
@@ -255,7 +212,6 @@ void check(const app::OutputOptions& options) {
     for (const std::filesystem::path* const table : {&options.events_csv, &options.tracks}) {
         if (!table->empty()) check_file_path(*table);
     }
-    check_names(options);
     check_companions(options);
     const std::string text = options.path.string();
     const bool compared = !options.golden.path.empty();
@@ -320,6 +276,35 @@ std::optional<FileId> id_of(const fs::path& path) {
     return FileId{status.st_dev, status.st_ino};
 }
 
+std::string flag_of(const OptionValue& option) {
+    return option.name == "output" ? "-o" : "--" + option.name;
+}
+
+bool is_blessed(const CommandLine& line) {
+    const std::vector<OptionValue> given = line.given(all_groups);
+    return std::ranges::find(given, text::bless.name, &OptionValue::name) != given.end();
+}
+
+/// Whether both paths name the same file. It need not exist. A device or a pipe may have several writers.
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code none;
+    if (fs::is_other(a, none)) return false;
+    if (fs::equivalent(a, b, none)) return true;
+    const auto whole = [&](const auto& path) { return fs::weakly_canonical(fs::absolute(path), none); };
+    return !a.empty() && !b.empty() && whole(a) == whole(b);
+}
+
+/// Whether a pattern may give a path, as 'out.{brick}.png' may give 'out.3.png'.
+bool may_name(const std::string& pattern, const fs::path& path) {
+    try {
+        const image::NamePattern names(pattern);
+        return names.has_field() && names.may_be(path.filename().string()) &&
+               same_file(fs::absolute(names.path()).parent_path(), fs::absolute(path).parent_path());
+    } catch (const Error&) {
+        return false;  // a check of the name itself reports the error
+    }
+}
+
 /// The existing files that a run would overwrite, each with its option and the name given.
 class Outputs {
   public:
@@ -352,8 +337,7 @@ class Outputs {
   private:
     void put(const fs::path& path, const OptionValue& option) {
         if (const std::optional<FileId> id = id_of(path)) {
-            const std::string flag = option.name == "output" ? "-o" : "--" + option.name;
-            files_.emplace(*id, std::pair(flag, option.value));
+            files_.emplace(*id, std::pair(flag_of(option), option.value));
         }
     }
 
@@ -380,10 +364,34 @@ class Outputs {
 
 }  // namespace
 
+void check_outputs_differ(const CommandLine& line) {
+    const bool blessed = is_blessed(line);
+    std::vector<OptionValue> outputs = line.values(all_groups);
+    std::error_code none;
+    std::erase_if(outputs, [&](const OptionValue& option) {
+        if (option.value.empty() || option.use == FileUse::written) return option.value.empty();
+        // check_no_input_overwritten protects a golden picture that is there.
+        return option.use != FileUse::compared || (!blessed && fs::exists(option.value, none));
+    });
+    for (auto a = outputs.begin(); a != outputs.end(); ++a) {
+        for (auto b = a + 1; b != outputs.end(); ++b) {
+            if (is_standard_output(a->value) && is_standard_output(b->value)) {
+                throw Error(ErrorCode::options_conflict,
+                            fmt::format("{} and {} both write to standard output; name a file for one of them",
+                                        flag_of(*a), flag_of(*b)));
+            }
+            const bool is_of_series = may_name(a->value, b->value);
+            if (!is_of_series && !may_name(b->value, a->value) && !same_file(a->value, b->value)) continue;
+            throw Error(ErrorCode::options_conflict,
+                        fmt::format("{} and {} both name '{}'; use another name for one of them", flag_of(*a),
+                                    flag_of(*b), is_of_series ? b->value : a->value));
+        }
+    }
+}
+
 void check_no_input_overwritten(const CommandLine& line) {
     Outputs outputs;
-    const std::vector<OptionValue> given = line.given(all_groups);
-    const bool blessed = std::ranges::find(given, "bless", &OptionValue::name) != given.end();
+    const bool blessed = is_blessed(line);
     std::vector<std::string> inputs = line.arguments();
     if (!line.config().file.empty()) inputs.push_back(line.config().file.string());
     for (const OptionValue& option : line.values(all_groups)) {

@@ -184,16 +184,26 @@ void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& lay
     }
 }
 
-void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
-                 const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
+void label_ticks(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
+                 std::span<const TimeTick> ticks, const space::Camera& camera, const Sheet& sheet,
                  const image::Rgba& colour, Lettering& lettering) {
-    const auto write = [&](const TimeTick& tick) {
+    for (const TimeTick& tick : ticks) {
         write_beside(tick.text, volume.t_of_seconds(tick.seconds), layout, edge, camera, sheet, colour, lettering);
-    };
-    if (ticks.empty()) return;
-    write(ticks.front());
-    if (ticks.size() > 1) write(ticks.back());
-    for (std::size_t i = 1; i + 1 < ticks.size(); ++i) write(ticks[i]);
+    }
+}
+
+bool is_uneven(const bricks::Volume& volume) {
+    if (!volume.is_nonuniform()) return false;
+    constexpr int samples = 32;
+    constexpr double visible = 0.02;  // of the whole edge
+    const double begin = volume.layer(0).pts;
+    const double end = volume.layer(volume.layers() - 1).last_pts;
+    for (int i = 1; i < samples; ++i) {
+        const double share = static_cast<double>(i) / samples;
+        const double t = volume.t_of_seconds(std::lerp(begin, end, share));
+        if (std::abs(t / volume.t_end() - share) > visible) return true;
+    }
+    return false;
 }
 
 }  // namespace vvr::labels

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,10 +81,12 @@ std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks
 void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
-/// Writes the ticks' texts beside their marks, first and last first; leaves out texts that would overlap or leave the
-/// sheet.
-void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
-                 const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
+/// Writes the ticks' texts beside their marks; leaves out texts that would overlap or leave the sheet.
+void label_ticks(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
+                 std::span<const TimeTick> ticks, const space::Camera& camera, const Sheet& sheet,
                  const image::Rgba& colour, Lettering& lettering);
+
+/// Whether the same time has visibly more room in some places than in others.
+bool is_uneven(const bricks::Volume& volume);
 
 }  // namespace vvr::labels

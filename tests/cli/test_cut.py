@@ -149,6 +149,7 @@ def test_cut_exactly_between_frames(t):
 def test_cut_takes_the_searches_options(t):
     clip = bag(t)
     t.vvr("render", clip, "--events", "left", "--report", "left.json").expect(0, "1 event")
+    check(t.json("left.json")["settings"]["events"] == "left", "what the picture marks is a setting of it")
     left = t.json("left.json")["events"][0]
     length = left["seconds"]
     for events, count in ((f"left,{length - 1}s", 1), (f"{length + 1}s,left", 0), (f"{length + 1}s", 0)):

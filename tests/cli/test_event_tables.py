@@ -52,5 +52,13 @@ def test_tables_of_one_name(t):
     clip(t)
     t.vvr("render", "clip.mkv", "--events-csv", "x", "--tracks", "x").expect(
         1, "--events-csv and --tracks both name 'x'", code="options-conflict")
+    for words, arguments in {
+        "-o and --report both name 'p.01.png'": ("render", "clip.mkv", "-o", "p.{brick:2}.png", "--report", "p.01.png"),
+        "-o and --log-file both name 'p.png'": ("render", "clip.mkv", "-o", "p.png", "--log-file", "./p.png"),
+        "-o and --events-to both name 'p.png'": ("watch", "clip.mkv", "-o", "p.png", "--events-to", "p.png"),
+        "-o and --report both write to standard output": ("render", "clip.mkv", "-o", "-", "--report", "-"),
+    }.items():
+        t.vvr(*arguments).expect(1, words, code="options-conflict")
+    t.expect_files("clip.mkv")
     t.vvr("render", "clip.mkv", "--tracks", "none/x").expect(2, "none/x", code="file-not-found")
     t.vvr("render", "clip.mkv", "--tracks", "clip.mkv").expect(1, "would overwrite the input", code="output-replaces-input")

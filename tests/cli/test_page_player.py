@@ -184,7 +184,7 @@ def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
         page.run("setPlaying(false); choose(null); set({events: events.map((event, k) => k === 2 ? {...event, from: 0} : event)})")
         page.run("document.querySelector('#events li:nth-child(3) .relation').click()")
         page.wait("the other", "return chosen === 0")
-        check(page.text_of("#events li:nth-child(3) .relation") == "came out of 1", page.text_of("#events .relation"))
+        check(page.text_of("#events li:nth-child(3) .relation") == "began in one outline with 1", page.text_of("#events .relation"))
 
 
 def test_page_plays_the_pieces_of_its_events_when_the_clip_is_gone(t):

@@ -145,7 +145,7 @@ def test_report_names_are_text(t):
 def test_report_has_a_file_of_its_own(t):
     t.clip()
     before = t.path("clip.avi").read_bytes()
-    t.render("clip.avi", "--report", "./out.png").expect(1, "--report", "-o", "'out.png'", "report.json", code="options-conflict")
+    t.render("clip.avi", "--report", "./out.png").expect(1, "--report", "-o", "'out.png'", "use another name", code="options-conflict")
     t.vvr("render", "clip.avi", "--golden", "g.png", "--report", "g.png").expect(
         1, "--report", "--golden", "'g.png'", code="options-conflict")
     t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi'", code="output-replaces-input")

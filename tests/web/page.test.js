@@ -131,8 +131,8 @@ test('counts of kinds and of classes', () => {
 test('an event in words', () => {
     assert.deepEqual(factsOf(events[1], steady(), kindOf('stood'), 'here 1.0 s'), ['1 s', 'person (87 %)', 'stood behind 3 s', 'here 1.0 s']);
     assert.deepEqual(factsOf(events[0], steady(), kindOf('moved'), ''), ['4 s']);
-    assert.deepEqual(relationsOf(events[2], kindOf('left')), [{place: 0, words: 'came out of'}, {place: 1, words: 'put down by'}]);
-    assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'went into'}]);
+    assert.deepEqual(relationsOf(events[2], kindOf('left')), [{place: 0, words: 'began in one outline with'}, {place: 1, words: 'put down by'}]);
+    assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'ended in one outline with'}]);
 });
 
 test('an event that began before a stream’s page does has its whole length', () => {

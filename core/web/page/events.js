@@ -149,13 +149,13 @@ export function factsOf(event, time, kind, answer) {
 }
 
 /**
- * Other events that belong to an event, with the words for it: "came out of".
+ * Other events that belong to an event, with the words for it: "began in one outline with".
  * @param {PageEvent} event
  * @param {Kind} kind
  */
 export function relationsOf(event, kind) {
     const relations = [];
-    for (const [place, words] of /** @type {[number | null, string][]} */ ([[event.from, 'came out of'], [event.into, 'went into'], [event.by, kind.by]])) {
+    for (const [place, words] of /** @type {[number | null, string][]} */ ([[event.from, 'began in one outline with'], [event.into, 'ended in one outline with'], [event.by, kind.by]])) {
         if (place !== null && place !== undefined) relations.push({place, words});
     }
     return relations;

@@ -19,7 +19,7 @@ const starred = at('starred', HTMLInputElement);
 const showHidden = at('showhidden', HTMLInputElement);
 
 /**
- * "came out of 5", each a link to its event.
+ * "began in one outline with 5", each a link to its event.
  * @param {import('./data.js').PageEvent} event
  */
 const linksOf = event => relationsOf(event, kindOf(event.kind)).map(({place, words}) => {

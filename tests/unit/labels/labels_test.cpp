@@ -208,7 +208,18 @@ TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
     };
     EXPECT_TRUE(tells("3:00 h without motion are shortened"));
     EXPECT_TRUE(tells("60 min idle"));
-    EXPECT_TRUE(tells("with room where something moves"));
+    EXPECT_TRUE(tells("with more room where something moves"));
+    EXPECT_TRUE(std::ranges::find(lettering.labels, "0:00", &labels::Label::text) != lettering.labels.end())
+        << "a pause begins there, too";
+}
+
+TEST(BusyTime, IsUnevenOnlyWhereThatShows) {
+    EXPECT_TRUE(labels::is_uneven(day_with_pauses(800)));
+    EXPECT_FALSE(labels::is_uneven(clip_of(100)));
+    bricks::Volume busy({32, 24}, {.capacity = 100, .nonuniform = true});
+    for (int i = 0; i < 100; ++i) busy.add({i, 0.1 * i, Plane<std::uint8_t>({32, 24}, 200), {}, {}}, {}, {}, true);
+    busy.settle();
+    EXPECT_FALSE(labels::is_uneven(busy)) << "something moves all the time";
 }
 
 TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
