@@ -156,7 +156,7 @@ std::pair<int, int> parse_share(std::string_view text) {
     const auto share = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(0, slash));
     const auto count = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(slash + 1));
     if (!share || !count || *share < 1 || *share > *count || *count > most)
-        refuse(text, "a share such as 2/8, the second of eight");
+        refuse(text, "a part such as 2/8, the second of eight");
     return {*share, *count};
 }
 
