@@ -145,7 +145,7 @@ class Watch final : public Command {
             const bool learns = reference != nullptr && reference->adapts;
             throw Error(ErrorCode::not_video,
                         fmt::format("'{}' ended before the first picture: {}", watch.name(),
-                                    learns ? "its first two seconds only served to learn the empty scene; watch it for "
+                                    learns ? "its first 50 frames only served to learn the empty scene; watch it for "
                                              "longer, or choose --reference first or a picture"
                                            : "watch it for longer, or choose a shorter --brick"));
         }
