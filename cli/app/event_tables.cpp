@@ -65,6 +65,14 @@ std::string tracks_table(const RunContext& context) {
         const auto [at, is_new] = boxes.try_emplace({one.frame, *events[one.track]}, one.box);
         if (!is_new) at->second = around(at->second, one.box);
     }
+    // The fields don't show an object that the empty scene has, so its track ends before it lies there.
+    for (std::size_t k = 0; k < seen.events->events.size(); ++k) {
+        const events::Event& event = seen.events->events[k];
+        if (!event.in_scene) continue;
+        for (std::int64_t frame = event.first.frame; frame <= event.last.frame; ++frame) {
+            boxes.try_emplace({frame, k}, event.in_scene->box);
+        }
+    }
     const VideoScale scale(plan.clip.field_size, seen.info.size);
     std::string text;
     for (const auto& [place, field_box] : boxes) {

@@ -160,6 +160,7 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const F
     if (found && time > 0) velocity_ += merged.correction * (found_at - expected) / std::max(time, 0.2);
     move_to(place, now);
     pixels_ = share.patch;
+    box_ = bounding_box(box_, pixels_.box);
     recent_.clear();
     if (found) {
         record_position(now, patch_.box, place, patch_.area);

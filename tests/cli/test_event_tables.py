@@ -42,6 +42,16 @@ def test_tables_agree_with_the_report(t):
     check(t.path("series.txt").read_text() == t.path("tracks.txt").read_text(), "another table")
 
 
+def test_tracks_have_what_the_empty_scene_shows(t):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    t.ffmpeg("-i", "bag.y4m", "-vf", "select=eq(n\\,220)", "-frames:v", "1", "with_bag.png")
+    t.vvr("render", "bag.y4m", *FAST, "--end", "285f", "--reference", "with_bag.png", "--report", "r.json", "--tracks", "tracks.txt").expect(0)
+    bag = t.json("r.json")["events"][1]
+    lines = [[int(value) for value in line.split(",")[:2]] for line in t.path("tracks.txt").read_text().splitlines()]
+    frames = [frame - 1 for frame, number in lines if number == 2]
+    check(bag["kind"] == "left" and frames == list(range(bag["first"]["frame"], 285)), f"{bag['first']} {frames}")
+
+
 def test_tables_without_events(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=10:duration=3", "-c:v", "ffv1", "still.mkv")
     t.vvr("render", "still.mkv", *FAST, "--events-csv", "events.csv", "--tracks", "tracks.txt").expect(0)
