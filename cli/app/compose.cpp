@@ -45,6 +45,7 @@ bool nothing_visible(const bricks::Volume& volume, const scene::TransferFunction
 
 glance::Objects objects_to_show(const Plan& plan, const Observation& seen) {
     glance::Objects objects;
+    objects.end = seen.end().seconds;
     objects.clock = plan.clock;
     if (!seen.events) return objects;
     objects.events = seen.events->events;

@@ -129,8 +129,10 @@ std::vector<events::Stay> stationary_times(const events::Event& event) {
     return {whole};
 }
 
-std::vector<std::string> time_texts(const events::Event& event, const WallClock& clock) {
+std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock) {
     const std::string begin = labels::format_moment(event.first.seconds, clock);
+    // Whether it was fetched is what a reader asks first.
+    if (event.kind == events::EventKind::left && event.last.seconds >= end) return {begin + ", still there", begin};
     return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
 }
 

@@ -25,6 +25,7 @@ struct Objects {
     std::vector<events::Event> events;
     std::vector<std::size_t> numbers;  ///< by event: its index in the report's list, plus 1
     std::vector<glm::vec3> colours;    ///< by event, sRGB
+    double end = 0;                    ///< time of the clip's last frame, seconds
     WallClock clock;
 
     image::Rgba colour_of(std::size_t event) const { return {colours[event], 1}; }
@@ -53,7 +54,8 @@ std::string deed_of(const events::Event& event);
 std::vector<events::Stay> stationary_times(const events::Event& event);
 
 /// The event's time, as texts of decreasing length: "0:06–0:28", "0:06".
-std::vector<std::string> time_texts(const events::Event& event, const WallClock& clock);
+/// \param end time of the clip's last frame, seconds
+std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock);
 
 /// Positions of a volume's objects in P-space and in a camera's picture. The arguments must outlive it.
 class Trails {

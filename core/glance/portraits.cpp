@@ -248,7 +248,7 @@ void label_portrait(const Objects& objects, const EventPortrait& portrait, const
         }
     };
     write(activity_texts(event), text_left, base, ink);
-    write(time_texts(event, objects.clock), still.left, base + line, pale);
+    write(time_texts(event, objects.end, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
 }
 

@@ -64,8 +64,13 @@ TEST(Words, SayWhatItDidAndWhen) {
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
     EXPECT_EQ(glance::activity_texts(event).front(), "stood 15 s in all");
-    EXPECT_EQ(glance::time_texts(event, {}).front(), "0:06–0:28");
-    EXPECT_EQ(glance::time_texts(event, 1'795'248'017).front(), "08:00:23–08:00:45");
+    EXPECT_EQ(glance::time_texts(event, 60, {}).front(), "0:06–0:28");
+    EXPECT_EQ(glance::time_texts(event, 60, 1'795'248'017).front(), "08:00:23–08:00:45");
+    EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06–0:28")
+        << "who walks is not there for long";
+    event.kind = events::EventKind::left;
+    EXPECT_EQ(glance::time_texts(event, 60, {}).front(), "0:06–0:28");
+    EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06, still there");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
