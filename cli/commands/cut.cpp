@@ -225,8 +225,10 @@ fs::path named(const CutJob& job, const Selection& selection, const app::Footage
     const bool is_folder = !job.path.has_filename() || fs::is_directory(job.path, none);
     if (!is_folder) return fs::path(job.path) += ending;
     const std::string stem = fs::path(first.file.path).stem().string();
-    const std::string what =
-        job.event ? fmt::format("event-{}", *job.event) : fmt::format("{:.3f}s", selection.span.start);
+    const video::FrameSpan& span = selection.span;
+    const std::string what = job.event        ? fmt::format("event-{}", *job.event)
+                             : span.first > 0 ? fmt::format("{}f", span.first)
+                                              : fmt::format("{:.3f}s", span.start);
     return job.path / fmt::format("{}-{}{}", stem, what, ending);
 }
 

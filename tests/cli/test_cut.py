@@ -108,6 +108,14 @@ def test_cut_copies_avi(t):
     check([round(p[0] * 10) for p in part] == list(range(17)), f"times {part}")
 
 
+def test_cut_names_pieces_in_a_folder_by_their_start(t):
+    t.clip("clip.avi")
+    t.path("to").mkdir()
+    for start in ("5f", "10f", "0.5s", "0f"):
+        t.vvr("cut", "clip.avi", "--start", start, "--end", "15f", "-o", "to").expect(0)
+    t.expect_files("clip.avi", "to", "to/clip-0.000s.avi", "to/clip-0.500s.avi", "to/clip-10f.avi", "to/clip-5f.avi")
+
+
 def test_cut_with_a_margin(t):
     clip = bag(t)
     came = events(t, clip)[1]
