@@ -253,8 +253,8 @@ std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places
         if (span.end && file.begin >= *span.end - slack) break;
         FootagePart part{file, span, overlaps};
         part.span.start = std::max(0.0, from - file.begin);
-        part.span.end.reset();
-        if (span.end && *span.end < file.end) part.span.end = *span.end - file.begin;
+        // The end of the span, not of the file: the file goes on after file.end if a search ended there.
+        if (span.end) part.span.end = *span.end - file.begin;
         parts.push_back(part);
     }
     return parts;

@@ -328,8 +328,9 @@ std::optional<PieceTimes> encode_piece(const PieceJob& job, Observer& observer, 
 FullFrame frame_of(const PieceJob& job, double seconds) {
     PieceJob rest = job;
     rest.span.start = seconds;
-    // Of files that overlap, the earlier one is used.
-    std::erase_if(rest.parts, [&](const FootagePart& part) { return part.file.end <= seconds; });
+    // Of files that overlap, the earlier one is used. The last may go on after file.end, if a search ended there.
+    const FootagePart* const last = rest.parts.empty() ? nullptr : &rest.parts.back();
+    std::erase_if(rest.parts, [&](const FootagePart& part) { return &part != last && part.file.end <= seconds; });
     if (!rest.parts.empty()) {
         FootagePart& first = rest.parts.front();
         first.span.start = std::max(first.span.start, seconds - first.file.begin - 0.0005);  // times are rounded

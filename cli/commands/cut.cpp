@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -106,8 +107,12 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     }
     const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
     const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
-    if (!footage.is_single) return {span, fields.source->info().segments, event, plan.job.settings};
-    return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer), event, plan.job.settings};
+    // A search that ended early does not know the files after that, which the margin may reach into.
+    std::vector<video::SegmentPlace> places = fields.source->info().segments;
+    if (places.empty() || places.back().path != footage.recording.segments.back().path) {
+        places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
+    }
+    return {span, std::move(places), event, plan.job.settings};
 }
 
 Selection read_event(const CutJob& job, const app::Footage& footage) {

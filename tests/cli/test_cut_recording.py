@@ -85,6 +85,21 @@ def test_cut_keeps_gaps_and_says_them(t):
             check(65 <= len(made) <= 68 and made == wanted[:len(made)], f"{len(made)} other pictures")
 
 
+def test_cut_keeps_the_margin_of_a_search_that_ended_early(t):
+    """A search that ends within a file knows neither how long that is nor what comes next; the margin reaches into both."""
+    segments(t)
+    t.vvr("render", "day", "--end", "6s", "--report", "r.json").expect(0)
+    number, event = list(enumerate(t.json("r.json")["events"], 1))[-1]
+    last = event["last"]["seconds"]
+    check(5 < last < 6, f"{event}")
+    cut = lambda *how: t.vvr("cut", "day", "--event", str(number), "--exact", "-o", "x.mp4", *how)
+    for margin in (2, 5):  # to the second and to the third file
+        cut("--end", "6s", "--margin", str(margin)).expect(0, f" s to {last + margin:.3f} s of 'day'")
+    # A report does not name the third file.
+    for margin, end in ((2, last + 2), (5, 9.56)):
+        cut("--report", "r.json", "--margin", str(margin)).expect(0, f" s to {end:.3f} s of 'day'")
+
+
 def test_cut_of_files_that_overlap(t):
     names = segments(t)
     # The third file is the second one as well: it begins before that has ended.

@@ -191,6 +191,16 @@ def test_kept_events_of_a_day(t):
 
 
 @pytest.mark.nightly
+def test_kept_events_of_a_day_that_is_searched_in_part(t):
+    two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
+    t.copy("in/gate/2026-11-21_20-00-00.mp4", "in/gate/2026-11-21_20-00-16.mp4")
+    t.age("in")
+    archive(t, "--per", "day", "--end", "29s").expect(0, "1 clip drawn")
+    last = evidence(t.path("out/gate/2026-11-21.events"))["pieces"][-1]
+    check(29 < last["last"]["seconds"] < 30, f"the piece goes on behind the margin: {last}")
+
+
+@pytest.mark.nightly
 def test_the_sandbox_changes_no_piece(t, walls):  # noqa: F811
     found = []
     for mode in ("off", "required"):
