@@ -112,12 +112,10 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
     return day.empty() ? day : fmt::format(", which is {}", day);
 }
 
-/// Warns if the footage ends before the requested end of the piece.
+/// Warns that the footage ends before the requested end of the piece.
 /// \param last time of the piece's last frame
-/// \param length of that frame
-void warn_of_end(const PieceJob& job, double last, double length, Observer& observer) {
-    if (!job.warns_of_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
-    if (!job.span.end && !job.span.stop) return;
+void warn_of_end(const PieceJob& job, double last, Observer& observer) {
+    if (!job.warns_of_early_end) return;
     observer.warn(fmt::format("'{}' ends at {:.3f} s, earlier than the requested end of the piece", job.name, last));
 }
 
@@ -176,7 +174,7 @@ std::optional<PieceTimes> copy_piece(const PieceJob& job, Observer& observer, co
     } catch (const Stopped&) {
         return std::nullopt;
     }
-    if (last.piece.ends_early) warn_of_end(job, end, 0, observer);
+    if (last.piece.ends_early) warn_of_end(job, end, observer);
     std::int64_t damaged = 0;
     for (const video::CopyPart& part : parts) damaged += part.piece.damaged;
     if (damaged > 0) {
@@ -231,9 +229,13 @@ class PieceFrames {
             auto frame = ahead_ ? std::move(ahead_) : file_->next();
             const FootagePart& part = *std::prev(part_);
             if (frame && !video::is_past(part.span, frame->index, frame->pts)) {
+                const double rate = file_->info().rate;
+                const double end = frame->pts + (rate > 0 ? 1 / rate : 0) + 0.002;  // times are rounded
+                ends_early_ = !video::is_past(part.span, frame->index + 1, end);
                 frame->pts += part.file.begin;
                 return frame;
             }
+            if (frame) ends_early_ = false;
             damaged_ += file_->damaged();
             file_.reset();
         }
@@ -244,6 +246,8 @@ class PieceFrames {
     Size size() const { return size_; }
     std::int64_t expected() const { return expected_; }
     std::int64_t damaged() const { return damaged_; }
+    /// Whether the last file has neither a frame after the piece nor one that lasts to its end.
+    bool ends_early() const { return ends_early_ && (job_.span.end || job_.span.stop); }
 
   private:
     bool open() {
@@ -268,6 +272,7 @@ class PieceFrames {
     Size size_;
     std::int64_t expected_ = 0;
     std::int64_t damaged_ = 0;
+    bool ends_early_ = false;
 };
 
 Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::DecodedFrame> frame,
@@ -313,8 +318,7 @@ std::optional<PieceTimes> encode_piece(const PieceJob& job, Observer& observer, 
     } catch (const Stopped&) {
         return std::nullopt;
     }
-    const double rate = frames.info().rate;
-    warn_of_end(job, encoded.end, rate > 0 ? 1 / rate : 0, observer);
+    if (frames.ends_early()) warn_of_end(job, encoded.end, observer);
     if (encoded.damaged > 0) {
         observer.warn(fmt::format("'{}': {}; the piece has the frames that could be decoded", job.name,
                                   counted(encoded.damaged, "damaged packet")));

@@ -153,6 +153,16 @@ def test_cut_exactly_between_frames(t):
     check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
 
 
+def test_cut_says_that_a_clip_ends_early_where_it_does(t):
+    t.clip("clip.mkv", seconds=4)
+    t.ffmpeg("-i", "clip.mkv", "-vf", "select='not(between(t,1,2.9))'", "-fps_mode", "vfr", "-c:v", "mpeg4", "-g", "5", "pause.mkv")
+    for clip, end, is_early in (("clip.mkv", "15f", False), ("clip.mkv", "40f", False), ("clip.mkv", "41f", True),
+                                ("clip.mkv", "4s", False), ("clip.mkv", "4.2s", True), ("pause.mkv", "2s", False)):
+        for exact in ((), ("--exact",)):
+            done = t.vvr("cut", clip, "--start", "5f", "--end", end, "-o", "x.mkv", *exact).expect(0)
+            check(("ends at 3.900 s, earlier" in done.err) == is_early == ("warning" in done.err), str(done))
+
+
 @pytest.mark.nightly
 def test_cut_takes_the_searches_options(t):
     clip = bag(t)
