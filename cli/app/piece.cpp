@@ -65,8 +65,9 @@ const Encoding& encoding_for(const fs::path& path) {
 }
 
 /// "2026-11-22T02:12:10+01:00 to 2026-11-22T02:13:40+01:00"; empty = unknown.
-std::string time_of_day(const PieceJob& job, double begin, double end) {
-    return job.clock ? fmt::format("{} to {}", job.clock->iso(begin), job.clock->iso(end)) : "";
+std::string time_of_day(const PieceJob& job, double begin, std::optional<double> end) {
+    if (!job.clock) return "";
+    return end ? fmt::format("{} to {}", job.clock->iso(begin), job.clock->iso(*end)) : job.clock->iso(begin);
 }
 
 /// The time of a second of the recording, in seconds since 1970 (UTC); none = unknown.
@@ -85,8 +86,9 @@ std::string files_of(const PieceJob& job) {
 }
 
 /// The metadata of the piece: camera, day, time, and source files.
-/// \param begin of the piece, in seconds of the recording
-video::Tags tags_of(const PieceJob& job, double begin, double end) {
+/// \param begin time of the first frame, in seconds of the recording
+/// \param end time of the last frame; none = unknown
+video::Tags tags_of(const PieceJob& job, double begin, std::optional<double> end) {
     video::Tags tags;
     if (!job.camera.empty()) tags.emplace_back("title", shown_text(job.camera));
     std::string comment = shown_text(job.camera);
@@ -275,6 +277,21 @@ class PieceFrames {
     bool ends_early_ = false;
 };
 
+/// When the last frame of the piece is shown, in seconds of the recording: the header needs it before that frame is
+/// decoded. None if the packets don't tell it.
+std::optional<double> last_frame_of(const PieceJob& job) {
+    try {
+        for (auto part = job.parts.rbegin(); part != job.parts.rend(); ++part) {
+            const video::Input input = video::open_input(part->file.path);
+            const auto last = video::last_frame_in(input, job.input.rate, part->span);
+            if (last) return part->file.begin + *last;
+        }
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::not_video) throw;
+    }
+    return std::nullopt;
+}
+
 Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::DecodedFrame> frame,
                const WriteAt& write_at, Observer& observer, const std::stop_token& stop) {
     constexpr int ticks = 90'000;
@@ -282,9 +299,8 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
     const Encoding& encoding = encoding_for(job.path);
     const double given = frames.info().rate;
     const int rate = given > 0 ? static_cast<int>(std::clamp(std::round(given), 1.0, 1000.0)) : default_rate;
-    const video::SegmentPlace& last = job.parts.back().file;
-    const double end = std::min(job.span.end.value_or(last.end), last.end);
-    const video::Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
+    // Without a clock, the metadata has no end.
+    const video::Tags tags = tags_of(job, frame->pts, job.clock ? last_frame_of(job) : std::nullopt);
     image::VideoEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags},
                              job.path.string(), frames.info().size, ticks, rate, 2 * rate, write_at);
     video::Scaler scale(frames.size(), true);

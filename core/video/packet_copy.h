@@ -37,6 +37,11 @@ struct PacketRange {
 /// \throws Error not_video if packets have no presentation timestamps, or if no key frame comes before the span
 PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
 
+/// Time of the last frame of a span, in seconds from the clip's first frame. Reads the file like `find_packets`.
+/// \returns nothing if the span has no frame
+/// \throws Error not_video if packets have no presentation timestamps
+std::optional<double> last_frame_in(const Input& input, double rate, const FrameSpan& span);
+
 /// A clip's duration from its first frame that decodes, in seconds. Reads all packets, and handles clock jumps as
 /// StampClock does.
 /// \throws Error not_video if no frame decodes

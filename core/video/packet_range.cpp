@@ -169,6 +169,12 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     return range;
 }
 
+std::optional<double> last_frame_in(const Input& input, double rate, const FrameSpan& span) {
+    const Scan scan(input, rate, span);
+    const std::vector<std::size_t> inside = packets_in(scan, span);
+    return inside.empty() ? std::nullopt : std::optional(scan.seconds(scan.packets()[inside.back()].stamp));
+}
+
 double length_of(const Input& input, double rate) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
     StampClock clock(demuxer.frame_duration(), origin_of(input, rate));

@@ -246,6 +246,21 @@ def test_cut_keeps_camera_date_and_time(t):
     check("creation_time" not in tags(t, "f.mp4") and "title" not in tags(t, "f.mp4"), "a time or a camera that nobody told")
 
 
+def test_cut_exactly_tells_when_the_last_frame_was(t):
+    bag(t)
+    t.zone("UTC")
+    clip = "gate_20261121_080000.mp4"
+    t.copy("bag.mp4", clip)
+    for span, begin, end in ((("--start", "12s"), 12, 15), (("--start", "12s", "--end", "10m"), 12, 15), (("--start", "50f", "--end", "100f"), 2, 3)):
+        day = f"2026-11-21T08:00:{begin:02}+00:00 to 2026-11-21T08:00:{end:02}+00:00"
+        t.vvr("cut", clip, *span, "--exact", "-o", "x.mp4").expect(0, f"which is {day}\n")
+        check(tags(t, "x.mp4")["comment"] == f"gate; {day}; cut by vvr from {clip}", f"{tags(t, 'x.mp4')}")
+    # Without times of packets, the end is not known when the header is written.
+    t.clip("gate_20261121_080000.avi", seconds=4, codec=("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
+    t.vvr("cut", "gate_20261121_080000.avi", "--start", "2s", "--exact", "-o", "x.mp4").expect(0, "T08:00:02+00:00 to 2026-11-21T08:00:03+00:00\n")
+    check(tags(t, "x.mp4")["comment"].startswith("gate; 2026-11-21T08:00:02+00:00; cut by"), f"{tags(t, 'x.mp4')}")
+
+
 def test_cut_of_an_avi_keeps_the_day(t):
     t.clip("gate_2026-11-21_07-12-00.avi", seconds=4)
     t.zone("UTC")
