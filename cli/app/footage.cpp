@@ -206,7 +206,10 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
         try {
             if (!end) origin = file.begin;
             const double begin = video::begin_of(file, origin, end).time;
-            if (until && begin > *until) break;
+            if (until && begin > *until) {
+                places.push_back({file.path, begin, begin, 0});
+                break;
+            }
             end = std::max(end.value_or(0), begin + video::length_of(video::open_input(file.path), rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {

@@ -68,8 +68,8 @@ struct FootagePart {
     bool overlaps;             ///< with the previous file
 };
 
-/// The times of each file in the recording, from its packets: the same as in a render of the recording. Skips files
-/// that begin after `until`.
+/// The times of each file in the recording, from its packets: the same as in a render of the recording. The last is the
+/// first file that begins after `until`, if there is one. That file is not read, so only its begin is known.
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
                                                   Observer& observer);
 

@@ -136,7 +136,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
         }
         video::Input input = video::open_input(part.file.path);
         const video::PacketRange piece = video::find_packets(input, job.input.rate, part.span);
-        if (piece.frames == 0) over = piece.over;
+        if (piece.frames == 0 && piece.over) over = part.file.begin + *piece.over;
         if (piece.frames > 0) copied.push_back({std::move(input), piece, part.file.begin});
     }
     if (copied.empty()) video::throw_empty(job.name, job.span, over);

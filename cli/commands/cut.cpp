@@ -173,7 +173,7 @@ void check_frame(const CutJob& job, const app::Footage& footage, std::int64_t fr
                         setting.name, frame),
             {"margin"});
     }
-    if (footage.is_single) return;
+    if (footage.recording.segments.size() == 1) return;
     throw Error(ErrorCode::option_value,
                 fmt::format("{} {}f is a frame number, which is unknown in a recording of several files until it is "
                             "decoded; give a time such as 12.5s",
@@ -255,16 +255,37 @@ void set_clock(const CutJob& job, const app::Footage& footage, const video::Segm
     if (start.from != app::StartTime::From::none) piece.created = info.created;
 }
 
-/// Logs the gaps, which the piece keeps.
-void warn_of_gaps(const app::PieceJob& piece, app::Observer& observer) {
+/// Logs the gaps in the footage: those that the piece keeps, and those that it begins or ends with.
+/// \param places of the footage's files, at least up to the end of the piece
+void warn_of_gaps(app::PieceJob& piece, const std::vector<video::SegmentPlace>& places, app::Observer& observer) {
+    const auto warn = [&](double from, double to, std::string_view rest) {
+        observer.warn(
+            fmt::format("'{}' has no frames from {:.3f} s to {:.3f} s; the piece {}", piece.name, from, to, rest));
+    };
     double shown = piece.span.start;
     for (const app::FootagePart& part : piece.parts) {
-        if (part.file.begin > shown + little) {
-            observer.warn(fmt::format("'{}' has no frames from {:.3f} s to {:.3f} s; the piece keeps this gap",
-                                      piece.name, shown, part.file.begin));
-        }
+        const bool is_first = &part == &piece.parts.front();
+        if (part.file.begin > shown + little)
+            warn(shown, part.file.begin, is_first ? "begins after that" : "keeps this gap");
         shown = std::max(shown, part.file.end);
     }
+    if (!piece.warns_of_early_end || !piece.span.end || *piece.span.end <= shown + little) return;
+    const auto next = std::ranges::find_if(places, [&](const auto& file) { return file.begin > shown + little; });
+    if (next == places.end()) return;  // the footage is over, which is told when the piece is written
+    warn(shown, next->begin, "ends before that");
+    piece.warns_of_early_end = false;
+}
+
+/// Reports that no file is shown in the span of the piece.
+[[noreturn]] void throw_no_footage(const app::PieceJob& piece, const std::vector<video::SegmentPlace>& places) {
+    const auto next = std::ranges::find_if(places, [&](const auto& file) { return file.begin > piece.span.start; });
+    double end = 0;
+    for (auto file = places.begin(); file != next; ++file) end = std::max(end, file->end);
+    const std::string found = next == places.end()
+                                  ? fmt::format("it ends at {:.3f} s", end)
+                                  : fmt::format("it has none from {:.3f} s to {:.3f} s", end, next->begin);
+    throw Error(ErrorCode::span_empty, fmt::format("'{}' has no frame {}; {}; choose another part", piece.name,
+                                                   video::text_of(piece.span), found));
 }
 
 std::optional<app::PieceTimes> write_piece(const CutJob& job, const app::PieceJob& piece, app::Observer& observer,
@@ -335,9 +356,9 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
     piece.warns_of_early_end = !job.event;
-    if (piece.parts.empty()) video::throw_empty(piece.name, piece.span, selection.places.back().end);
+    if (piece.parts.empty()) throw_no_footage(piece, selection.places);
     set_clock(job, footage, selection.places.front(), piece);
-    warn_of_gaps(piece, observer);
+    warn_of_gaps(piece, selection.places, observer);
     if (!job.evidence.empty()) return write_evidence(job, selection, std::move(piece), observer, stop);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);

@@ -48,7 +48,7 @@ std::optional<double> last_frame_in(const Input& input, double rate, const Frame
 double length_of(const Input& input, double rate);
 
 /// Reports that a span has no frame.
-/// \param last time of the clip's last frame, seconds; none = unknown
+/// \param last time of the last frame before the span, seconds; none = unknown
 [[noreturn]] void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last);
 
 /// Metadata of a container: libav's keys and their values.

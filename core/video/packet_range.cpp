@@ -203,7 +203,7 @@ double length_of(const Input& input, double rate) {
 }
 
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
-    const std::string end = last ? fmt::format("its last frame is at {:.3f} s; ", *last) : "";
+    const std::string end = last ? fmt::format("the last frame before that is at {:.3f} s; ", *last) : "";
     throw Error(ErrorCode::span_empty,
                 fmt::format("'{}' has no frame {}; {}choose another part", name, text_of(span), end));
 }

@@ -85,6 +85,26 @@ def test_cut_keeps_gaps_and_says_them(t):
             check(65 <= len(made) <= 68 and made == wanted[:len(made)], f"{len(made)} other pictures")
 
 
+def test_cut_says_where_the_footage_of_a_piece_begins_and_ends(t):
+    t.clip("gap/gate_20261121_080000.mp4", seconds=6)
+    t.copy("gap/gate_20261121_080000.mp4", "gap/gate_20261121_080010.mp4", "gap/gate_20261121_080016.mp4", "one/a.mp4")
+    cut = lambda *span, of="gap": t.vvr("cut", of, *span, "-o", "x.mp4")
+    pause = "warning: 'gap' has no frames from "
+    for exact in ((), ("--exact",)):
+        for start, end, said in (("7s", "12s", f"{pause}7.000 s to 10.000 s; the piece begins after that\n"),
+                                 ("4s", "9s", f"{pause}6.000 s to 10.000 s; the piece ends before that\n"),
+                                 ("3s", "12s", f"{pause}6.000 s to 10.000 s; the piece keeps this gap\n"),
+                                 ("12s", "99s", "warning: 'gap' ends at 21.900 s, earlier than the requested end of the piece\n"),
+                                 ("12s", "20s", None), ("12s", "22s", None)):
+            done = cut("--start", start, "--end", end, *exact).expect(0, said or "")
+            check(done.err.count("warning") == (said is not None), str(done))
+    for start, end, said in (("7s", "9s", "from 7 s to 9 s; it has none from 6.000 s to 10.000 s;"), ("50s", "60s", "; it ends at 22.000 s;"),
+                             ("5.95s", "9s", "; the last frame before that is at 5.900 s;"), ("21.95s", "60s", "; the last frame before that is at 21.900 s;")):
+        cut("--start", start, "--end", end).expect(1, "'gap' has no frame ", said, code="span-empty")
+    # Of a recording with one file, a frame number is known.
+    cut("--start", "5f", "--end", "15f", "--exact", of="one").expect(0, "10 frames encoded", "0.500 s to 1.400 s of 'one'")
+
+
 def test_cut_keeps_the_margin_of_a_search_that_ended_early(t):
     """A search that ends within a file knows neither how long that is nor what comes next; the margin reaches into both."""
     segments(t)
