@@ -100,6 +100,7 @@ class Muxer {
             const AVCodecParameters* const was = i < streams_.size() ? streams_[i].to->codecpar : nullptr;
             if (!is || !was || !are_compatible(*is, *was)) refuse(name, was, is);
             place_of_[static_cast<std::size_t>(media[i]->index)] = i;
+            streams_[i].begins = true;
         }
     }
 
@@ -119,6 +120,12 @@ class Muxer {
         if (packet.dts != AV_NOPTS_VALUE) packet.dts -= zero;
         av_packet_rescale_ts(&packet, from.time_base, place.to->time_base);
         const bool is_video = from.codecpar->codec_type == AVMEDIA_TYPE_VIDEO;
+        const bool begins = std::exchange(place.begins, false);
+        if (joined && packet.dts == AV_NOPTS_VALUE && from.codecpar->video_delay > 0) {
+            // Matroska leaves out the DTS of a file's first packets. Muxers make it up at their own beginning only.
+            const std::int64_t lead = from.codecpar->video_delay * std::max<std::int64_t>(1, packet.duration);
+            packet.dts = begins ? packet.pts - lead : place.last_dts + 1;
+        }
         if (joined && !is_video && packet.dts != AV_NOPTS_VALUE && packet.dts <= place.last_dts) return;
         // Damage or a coarser time base may repeat timestamps or step back, but containers need increasing ones.
         if (packet.dts != AV_NOPTS_VALUE) {
@@ -145,6 +152,7 @@ class Muxer {
     struct Place {
         AVStream* to = nullptr;
         std::int64_t last_dts = std::numeric_limits<std::int64_t>::min() / 2;
+        bool begins = true;  ///< no packet of the current file yet
     };
 
     [[noreturn]] static void refuse(const std::string& name, const AVCodecParameters* was,
@@ -166,8 +174,11 @@ class Muxer {
 
     [[noreturn]] void fail(const char* what, int code) const {
         writer_.check();
-        throw Error(ErrorCode::io, fmt::format("cannot {} '{}': {}; try another container, such as .mkv", what,
-                                               path_.string(), log_.text(code)));
+        const bool is_mkv = std::string_view(format_->oformat->name) == "matroska";
+        throw Error(ErrorCode::io,
+                    fmt::format("cannot {} '{}': {}; {}cut exactly, which re-encodes the video", what, path_.string(),
+                                log_.text(code), is_mkv ? "" : "try another container, such as .mkv, or "),
+                    {"exact"});
     }
 
     AVStream* add(const AVStream& from) {

@@ -191,6 +191,18 @@ def test_kept_events_of_a_day(t):
 
 
 @pytest.mark.nightly
+def test_kept_events_of_a_day_of_matroska_files(t):
+    """One piece with all events, which begins with the first packets of a file: Matroska has no decoding times for them."""
+    two_events(t, "in/gate/2026-11-21_20-00-00.mkv")
+    t.copy("in/gate/2026-11-21_20-00-00.mkv", "in/gate/2026-11-21_20-00-16.mkv")
+    t.age("in")
+    done = archive(t, "--per", "day", "--margin", "6s").expect(0, "1 clip drawn")
+    check("could not be kept" not in done.err, str(done))
+    [piece] = evidence(t.path("out/gate/2026-11-21.events"))["pieces"]
+    check(piece["first"]["seconds"] == 0 and piece["last"]["seconds"] > 31, f"{piece}")
+
+
+@pytest.mark.nightly
 def test_kept_events_of_a_day_that_is_searched_in_part(t):
     two_events(t, "in/gate/2026-11-21_20-00-00.mp4")
     t.copy("in/gate/2026-11-21_20-00-00.mp4", "in/gate/2026-11-21_20-00-16.mp4")
