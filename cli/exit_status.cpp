@@ -46,8 +46,9 @@ std::span<const StatusHelp> exit_statuses() {
         StatusHelp{5, "out of memory, or over a given limit"},
         StatusHelp{
             6,
-            "`archive`: some clips failed, the others are done. `golden`: a picture could not be drawn or compared. "
-            "A recording: some files were skipped completely, because others show the same time"},
+            "`archive`: some clips failed, or some events could not be kept; the others are done. `golden`: a picture "
+            "could not be drawn or compared. A recording: some files were skipped completely, because others show the "
+            "same time"},
         StatusHelp{7, "a picture differs from its golden image, or there is no golden image to compare with"},
         StatusHelp{70, "an internal error: a bug in vvr"},
         StatusHelp{129, "ended by SIGHUP, as a shell reports it; `watch` finishes its picture and exits with 0"},

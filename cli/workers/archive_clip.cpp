@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/exit_status.h"
 #include "cli/workers/worker_end.h"
 #include "core/archive/event_lines.h"
 #include "core/archive/output_files.h"
@@ -247,6 +248,8 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
         sidecar.reason = error_text_of(end);
     }
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
+    // A run whose clip has lost events is no success, although the picture is drawn.
+    if (sidecar.code) sidecar.status = static_cast<int>(cli::ExitStatus::partial);
     sidecar.pieces = archive::list_pieces(staged_pieces());
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;

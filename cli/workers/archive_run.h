@@ -26,7 +26,7 @@ std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, c
 struct ArchiveOutcome {
     std::size_t drawn = 0;
     std::size_t failed = 0;
-    std::size_t not_whole = 0;  ///< drawn, but some of its files are missing
+    std::size_t not_whole = 0;  ///< drawn, but without some of its files or without pieces of some events
     std::size_t elsewhere = 0;  ///< another run has them, or they no longer exist
 };
 

@@ -82,7 +82,7 @@ std::string format_sidecar(const Sidecar& sidecar);
 std::optional<Sidecar> parse_sidecar(const std::string& text);
 
 /// Sets frames, duration, events and time of recording from a report (`vvr render --report`). An impossible duration is
-/// left out, and `reason` says so.
+/// left out, and `reason` says so. If events have no piece, `reason` and `code` say so.
 /// \throws Error io for an invalid report
 void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 

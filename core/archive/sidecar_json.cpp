@@ -305,8 +305,10 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));
         if (sidecar.day && sidecar.reason.empty()) sidecar.reason = problems_of(json.at("problems"));
-        if (const std::string not_kept = json.value("not_kept", ""); !not_kept.empty())
+        if (const std::string not_kept = json.value("not_kept", ""); !not_kept.empty()) {
             sidecar.reason += (sidecar.reason.empty() ? "" : "; ") + not_kept;
+            if (!sidecar.code) sidecar.code = ErrorCode::partial;
+        }
         // The index must place every clip, and names the source of the time.
         if (!sidecar.recorded) sidecar.recorded = optional_of<std::string>(json.at("input").at("written"));
         if (const Json& events = json.at("events"); !events.is_null()) {
