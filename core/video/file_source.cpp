@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,17 +23,26 @@ const FrameChoiceRow& resolved(const SourceOptions& options, const VideoInfo& in
     return *Choice<FrameChoiceRow>(shares && 2 * field.width <= info.size.width ? "reference" : "all");
 }
 
-/// The share of a clip's frames that are decoded.
-double share_of(const FrameChoiceRow& choice, const Input& input, double rate) {
+/// The packets of a clip of which not all frames are decoded.
+struct PacketCount {
+    double decoded_share = 1;
+    double last = -std::numeric_limits<double>::infinity();  ///< timestamp of the last frame, decoded or not, seconds
+};
+
+PacketCount count_packets(const FrameChoiceRow& choice, const Input& input, double rate) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
     const auto packet = av::make_packet();
     std::int64_t all = 0;
     std::int64_t decoded = 0;
+    PacketCount count;
     while (demuxer.read(*packet)) {
+        const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        count.last = std::max(count.last, time.value_or(count.last));
         ++all;
         decoded += choice.decodes(*packet, *demuxer.stream().codecpar) ? 1 : 0;
     }
-    return decoded > 0 ? static_cast<double>(decoded) / static_cast<double>(all) : 1;
+    if (decoded > 0) count.decoded_share = static_cast<double>(decoded) / static_cast<double>(all);
+    return count;
 }
 
 }  // namespace
@@ -69,7 +79,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         first = reader_.next();
     }
     if (&choice != &frame_choices().front()) {
-        info_.decoded_share = share_of(choice, reader_.input(), options_.rate);
+        const PacketCount count = count_packets(choice, reader_.input(), options_.rate);
+        info_.decoded_share = count.decoded_share;
+        last_in_file_ = std::max(0.0, count.last - reader_.origin());
         info_.rate *= info_.decoded_share;
         info_.frames = std::llround(static_cast<double>(info_.frames) * info_.decoded_share);
     }

@@ -30,6 +30,9 @@ class FileSource final : public FrameSource {
     /// One unit of the container's time base, seconds.
     double tick() const { return tick_; }
 
+    /// Time of the file's last frame, decoded or not, seconds; 0 if all frames are decoded.
+    double last_in_file() const { return last_in_file_; }
+
   private:
     std::unique_ptr<DecodedFrame> record_jump(std::unique_ptr<DecodedFrame> frame);
 
@@ -42,6 +45,7 @@ class FileSource final : public FrameSource {
     double from_ = 0;                ///< seconds; earlier frames are skipped
     double implausible_length_ = 0;  ///< duration in the header if no clip is that long, seconds
     double last_time_ = 0;           ///< time of the last returned frame, seconds
+    double last_in_file_ = 0;        ///< time of the last frame, decoded or not, seconds
     double jump_ = 0;                ///< longest implausible jump between two timestamps, seconds
     SeekPoint start_;
     std::int64_t unread_ = 0;  ///< packets that `sample` could not read

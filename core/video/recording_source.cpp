@@ -25,8 +25,14 @@ constexpr double likely_rate = 25;
 
 constexpr std::size_t named = 5;  // limit for names of omitted files
 
+/// Seconds between two frames that are decoded.
 double frame_duration(const VideoInfo& info) {
     return 1 / (info.rate > 0 ? info.rate : likely_rate);
+}
+
+/// Seconds between two frames of the file, decoded or not.
+double full_frame_duration(const VideoInfo& info) {
+    return 1 / (info.rate > 0 ? info.rate / info.decoded_share : likely_rate);
 }
 
 /// Converts a segment's time to the recording's time. It rounds to the time base, so the result is bit-identical to
@@ -103,8 +109,8 @@ bool RecordingSource::open_next() {
             origin_ = segment.begin;
             origin_source_ = segment.begin_source;
         }
-        begin_ = begin_of(segment, origin_, is_first ? std::nullopt : std::optional(last_ + frame_));
-        frame_ = frame_duration(segment_->info());
+        begin_ = begin_of(segment, origin_, is_first ? std::nullopt : std::optional(covered_ + frame_));
+        frame_ = full_frame_duration(segment_->info());
         first_of_segment_ = true;
         info_.segments.push_back({segment.path, begin_.time, begin_.time, index_ + 1});
         return true;
@@ -117,7 +123,7 @@ void RecordingSource::count_overlap() {
     constexpr double usual = 5;  // seconds of pre-recording and of rounding in names
     const std::int64_t frames = std::exchange(left_out_, 0);
     if (frames == 0) return;
-    const double seconds = static_cast<double>(frames) * frame_;
+    const double seconds = static_cast<double>(frames) * frame_duration(segment_->info());
     const std::string& name = segment_->info().name;
     if (first_of_segment_) {
         info_.left_out.files += 1;
@@ -160,6 +166,12 @@ std::vector<std::string> RecordingSource::problems() const {
 
 void RecordingSource::close() {
     const VideoInfo& info = segment_->info();
+    // The file goes on after its last decoded frame.
+    segment_end_ = std::max(segment_end_, segment_->last_in_file() + frame_);
+    if (!first_of_segment_) {
+        covered_ = std::max(covered_, on_clock(begin_.time, segment_->last_in_file(), segment_->tick()));
+        info_.segments.back().end = covered_ + frame_;
+    }
     count_overlap();
     if (const std::int64_t damaged = segment_->damaged(); damaged > 0) {
         damaged_ += damaged;
@@ -185,7 +197,7 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
         }
         segment_end_ = frame->pts + frame_;
         const double time = on_clock(begin_.time, frame->pts, segment_->tick());
-        if (first_of_segment_ && begin_.overlaps && time < last_ + frame_ / 2) {
+        if (first_of_segment_ && begin_.overlaps && time < covered_ + frame_ / 2) {
             ++left_out_;
             continue;
         }
@@ -194,7 +206,8 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
         if (first_of_segment_) info_.segments.back().first_frame = index_;
         first_of_segment_ = false;
         last_ = std::max(last_, time);
-        info_.segments.back().end = last_ + frame_;
+        covered_ = std::max(covered_, last_);
+        info_.segments.back().end = covered_ + frame_;
         frame->index = index_;
         frame->pts = last_;
         return frame;
@@ -219,6 +232,7 @@ void RecordingSource::rewind() {
     segment_.reset();
     next_segment_ = 0;
     last_ = 0;
+    covered_ = 0;
     index_ = -1;
     damaged_ = 0;
     left_out_ = 0;

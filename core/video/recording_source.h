@@ -52,9 +52,10 @@ class RecordingSource final : public FrameSource {
     std::unique_ptr<FileSource> segment_;  ///< the segment that is being read
     SegmentBegin begin_;                   ///< start of that segment
     bool first_of_segment_ = true;
-    double frame_ = 0;        ///< frame duration in the segment, seconds
+    double frame_ = 0;        ///< frame duration in the segment, also of frames that are not decoded, seconds
     double segment_end_ = 0;  ///< end of the last frame read, seconds of the segment
     double last_ = 0;         ///< time of the last returned frame, seconds
+    double covered_ = 0;      ///< time of the last frame so far, decoded or not, seconds
     std::int64_t index_ = -1;
     std::int64_t unread_ = 0;    ///< packets that `sample` could not read
     std::int64_t damaged_ = 0;   ///< in the finished segments

@@ -91,6 +91,22 @@ def test_recording_goes_on_past_damaged_files(t):
     t.render("day").expect(3, "4 files", "'day'", code="not-video")
 
 
+@pytest.mark.parametrize("keys, choices", [
+    ("3 6 9", ("key", "reference")), pytest.param("0.5 1 1.5 2", ("key",), marks=pytest.mark.nightly)])
+def test_recording_has_the_same_times_of_fewer_frames(t, keys, choices):
+    """A file ends where it does, not after its last decoded frame."""
+    for number in range(3):
+        t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=10", "-c:v", "libx264", "-g", "1000", "-bf",
+                 "2", "-sc_threshold", "0", "-force_key_frames", keys.replace(" ", ","), f"day/gate_20261121_0800{number}0.mp4")
+    right = report_of(t, "day", *LOOK)
+    for choice in choices:
+        report = report_of(t, "day", *LOOK, "--decode", choice)
+        for segment, other in zip(report["segments"], right["segments"], strict=True):
+            check((segment["first"], segment["end"]) == (other["first"], other["end"]), f"{choice}: {report['segments']}")
+        most = 3 * (1 + len(keys.split())) if choice == "key" else right["frames"]["used"] - 1
+        check(report["frames"]["used"] <= most and report["problems"] == [], f"{choice}: {report['frames']} {report['problems']}")
+
+
 @pytest.mark.nightly
 def test_recording_joins_overlaps_and_takes_other_sizes(t):
     whole_clip(t)
