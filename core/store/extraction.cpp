@@ -174,7 +174,11 @@ void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
               bytes_of(fields::format_seeds({field.index, field.scalar.size(), field.seeds})));
         stored.seeds = std::ssize(field.seeds);
     }
-    if (frames_.empty()) write(stored::first, bytes_of(encode_colour(frame.colour)));
+    if (frames_.empty()) {
+        write(stored::first, bytes_of(encode_colour(frame.colour)));
+    } else {
+        stored.gap = field.index - frames_.back().index - 1;
+    }
     frames_.push_back(stored);
     last_ = frame.colour;
 }
@@ -225,7 +229,9 @@ std::string difference(const Manifest& a, const Manifest& b) {
             if (!is_time_range(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
-    if (b.frames.front().index != a.frames.back().index + 1) {
+    // Where the limit of two parts is in a gap of the recording, frames are missing on both sides of it.
+    const bool meet = a.span.stop && *a.span.stop == b.span.first && b.span.start == 0;
+    if (!meet && b.frames.front().index != a.frames.back().index + 1) {
         return fmt::format("the first ends with frame {}, the second begins with frame {}", a.frames.back().index,
                            b.frames.front().index);
     }

@@ -123,6 +123,7 @@ StoredFrame read_frame(const Json& json, std::size_t number, const std::string& 
     frame.pts = reader.seconds("pts");
     if (reader.has("seeds")) frame.seeds = reader.integer("seeds", 0, max_count);
     if (reader.has("infrared")) frame.infrared = reader.flag("infrared");
+    if (reader.has("gap")) frame.gap = reader.integer("gap", 1, max_count);
     return frame;
 }
 
@@ -135,7 +136,7 @@ std::vector<StoredFrame> read_frames(const Reader& reader, const std::string& na
     frames.reserve(list.size());
     for (const Json& entry : list) {
         const StoredFrame frame = read_frame(entry, frames.size(), name);
-        if (!frames.empty() && frame.index != frames.back().index + 1) {
+        if (!frames.empty() && frame.index != frames.back().index + frame.gap + 1) {
             reader.fail(fmt::format("frame {} follows frame {}", frame.index, frames.back().index));
         }
         if (!frames.empty() && frame.pts < frames.back().pts) {
@@ -200,6 +201,7 @@ std::string format_manifest(const Manifest& manifest) {
         Json entry{{"index", frame.index}, {"pts", frame.pts}};
         if (frame.seeds) entry["seeds"] = *frame.seeds;
         if (frame.infrared) entry["infrared"] = true;
+        if (frame.gap > 0) entry["gap"] = frame.gap;
         text += (&frame == &manifest.frames.front() ? "\n    " : ",\n    ") + entry.dump();
     }
     return text + "\n  ]\n}\n";

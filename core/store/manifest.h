@@ -20,6 +20,7 @@ struct StoredFrame {
     double pts = 0;                     ///< seconds from the clip's first frame
     std::optional<std::int64_t> seeds;  ///< number of seeds; none = no flow and no seeds
     bool infrared = false;              ///< as `fields::Field::infrared`
+    std::int64_t gap = 0;               ///< frames that a recording lacks between the one before and this one
 
     friend bool operator==(const StoredFrame&, const StoredFrame&) = default;
 };
@@ -35,7 +36,7 @@ struct Manifest {
     bool reference = false;    ///< whether there was a reference (the empty scene)
     bool infrared = false;     ///< whether there was another of the camera's infrared mode
     std::vector<std::pair<std::string, std::string>> settings;  ///< options by long name, as text
-    std::vector<StoredFrame> frames;                            ///< consecutive
+    std::vector<StoredFrame> frames;                            ///< consecutive, except for the gaps
 };
 
 /// Names of the files in the folder.

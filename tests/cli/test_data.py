@@ -98,6 +98,21 @@ def test_parts_by_time_fit_together_or_not(t):
     t.render("part0", "part10").expect(1, "grid", "'14'", "'9'", code="extraction-unsuitable")
 
 
+def test_extraction_of_a_recording_with_a_gap_gives_its_picture(t):
+    moving_clip(t, frames=60)
+    for name, begin in (("gate_20261121_080000", 0), ("gate_20261121_080004", 4)):
+        t.ffmpeg("-ss", f"{begin}", "-t", "2", "-i", "clip.mkv", "-c:v", "ffv1", f"day/{name}.mkv")
+    look = ("--title", "gate", "--start-time", "none")
+    t.render("day", *look, output="right.png").expect(0, "40 frames in 60 layers")
+    t.vvr("extract", "day", "-o", "data").expect(0, "40 frames")
+    t.render("data", *look, output="data.png").expect(0, "40 frames in 60 layers")
+    same(t, "right.png", "data.png")
+    for part in ("1", "2"):  # the second begins in the gap, with frame 30
+        t.vvr("extract", "day", "-o", part, "--part", f"{part}/2").expect(0, "20 frames")
+    t.render("1", "2", *look, output="parts.png").expect(0, "40 frames in 60 layers")
+    same(t, "right.png", "parts.png")
+
+
 def test_extract_takes_pictures_at_full_size(t):
     t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())
     t.vvr("extract", "frames", "-o", "data", "--field-size", "source").expect(0, "5 frames of 500x40")

@@ -160,7 +160,7 @@ TEST_F(Store, AListIsSharedByAllFrames) {
 
 TEST(ManifestText, ReadsWhatItWrote) {
     store::Manifest manifest = manifest_of();
-    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}};
+    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}, {9, 0.8, {}, false, 4}};
     const store::Manifest read = store::parse_manifest(store::format_manifest(manifest), "m");
     EXPECT_EQ(read.frames, manifest.frames);
     EXPECT_EQ(read.settings, manifest.settings);
@@ -183,6 +183,8 @@ TEST(ManifestText, HasNoValueThatCannotBe) {
            {"frame 3, 0.15 s", "frame 2, 0.2 s"});
     refuse(R"([{"op": "replace", "path": "/frames/5/pts", "value": 1e300}])", invalid, {"'frames[5].pts'", "1e+300"});
     refuse(R"([{"op": "remove", "path": "/frames/3"}])", invalid, {"frame 4", "frame 2"});
+    refuse(R"([{"op": "add", "path": "/frames/3/gap", "value": 1}])", invalid, {"frame 3", "frame 2"});
+    refuse(R"([{"op": "add", "path": "/frames/3/gap", "value": 0}])", invalid, {"'frames[3].gap'", "0"});
     refuse(R"([{"op": "replace", "path": "/frames", "value": []}])", ErrorCode::no_frame, {});
     refuse(R"([{"op": "replace", "path": "/field_width", "value": 1e300}])", invalid, {"'field_width'", "1e+300"});
     refuse(R"([{"op": "replace", "path": "/clip/rate", "value": "fast"}])", invalid, {"'clip.rate'", "\"fast\""});
