@@ -94,7 +94,8 @@ std::string as_text(const Facts& facts) {
     line("format", fmt::format("{}, {}", info.container, info.codec));
     line("size", text_of(info.size));
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames per second", info.rate)));
-    line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, from the container", info.frames)));
+    const char* const counted_by = files.size() > 1 ? "the containers and the gaps between the files" : "the container";
+    line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, from {}", info.frames, counted_by)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (recording_time_is_known(info)) {
         line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));

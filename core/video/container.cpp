@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,10 +37,16 @@ Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation
 
 /// The duration in the container, seconds; 0 = unknown.
 double stated_duration(const AVFormatContext& format, const AVStream& stream) {
-    const double stated = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    const double tick = av_q2d(stream.time_base);
+    double stated = static_cast<double>(stream.duration) * tick;
     constexpr double longest = 9.2e12;  // seconds; libav's maximum in microseconds
-    if (stated > 0 && stated < longest) return stated;
-    return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
+    if (stated <= 0 || stated >= longest) {
+        stated = format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
+    }
+    // Matroska and WebM state the time of the end, even if the first frame is not at 0.
+    const bool from_zero = std::string_view(format.iformat->name).starts_with("matroska");
+    const double first = stream.start_time == AV_NOPTS_VALUE ? 0 : static_cast<double>(stream.start_time) * tick;
+    return from_zero && first > 0 && first < stated ? stated - first : stated;
 }
 
 std::optional<std::int64_t> creation_time(const AVFormatContext& format) {

@@ -72,6 +72,17 @@ def test_recording_has_gaps_where_files_are_missing(t):
     check([segment["first_frame"] for segment in report["segments"]] == [0, 200, 300], f"{report['segments']}")
     check(report["problems"] == [], f"{report['problems']}")
     check(report["span"]["last"] == 39.9, f"{report['span']}")
+    said = t.vvr("info", "day", "--quick").expect(0, out=None).out
+    check("400, from the containers and the gaps between the files" in said, said)
+
+
+def test_recording_of_files_whose_timestamps_go_on(t):
+    whole_clip(t)
+    t.ffmpeg("-i", "whole.mkv", "-c", "copy", "-f", "segment", "-segment_time", "10", "day/c%d.mkv")
+    report = report_of(t, "day", *LOOK)
+    check([segment["end"] for segment in report["segments"]] == [10, 20, 30, 40], f"{report['segments']}")
+    check(not any("incomplete" in problem for problem in report["problems"]), f"{report['problems']}")
+    t.vvr("extract", "day/c3.mkv", "-o", "data", "--part", "2/4").expect(0, "25 frames")
 
 
 def test_recording_goes_on_past_damaged_files(t):

@@ -85,6 +85,9 @@ TEST(VideoFile, TimesCountFromTheFirstFrame) {
     const auto name = counting_clip(folder, "late.mkv", "-c:v libx264 -output_ts_offset 3600");
     const auto source = video::open_source(name);
     EXPECT_DOUBLE_EQ(source->next()->pts, 0);
+    // In Matroska, the header states the time of the end.
+    EXPECT_NEAR(source->info().duration, 4, 1e-6);
+    EXPECT_EQ(source->info().frames, 100);
 }
 
 struct Place {
