@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,13 +72,18 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
     }
 }
 
-/// Sorts files by name, and removes repeated ones.
+/// Sorts files by name, and removes repeated ones, also if they are spelled differently or reached through links.
 /// \returns how many were repeated
-std::ptrdiff_t sort_once(Files& files) {
+std::size_t sort_once(Files& files) {
+    std::error_code none;
+    // Of a file and a link to it, such as "latest.mp4", the file stays: its name may tell when it was recorded.
+    std::ranges::stable_partition(files, [&](const std::string& file) { return !fs::is_symlink(file, none); });
+    std::unordered_set<std::string> seen;
+    const std::size_t repeats = std::erase_if(files, [&](const std::string& file) {
+        const fs::path place = fs::canonical(file, none);
+        return !seen.insert(none ? whole_path(file) : place.string()).second;
+    });
     std::ranges::sort(files, natural_less);
-    const auto repeated = std::unique(files.begin(), files.end());
-    const auto repeats = files.end() - repeated;
-    files.erase(repeated, files.end());
     return repeats;
 }
 
@@ -317,7 +323,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
         require_video(name);
         add_files(name, files);
     }
-    const std::ptrdiff_t repeats = sort_once(files);
+    const std::size_t repeats = sort_once(files);
     if (files.empty()) {
         throw Error(ErrorCode::file_invalid,
                     fmt::format("the list '{}' is empty; write the path of a video file in each line", names.front()));

@@ -153,15 +153,18 @@ def test_recording_of_copies_leaves_nothing_out(t):
 def test_recording_reads_a_repeated_file_once(t):
     whole_clip(t)
     names = cut(t)
-    report = report_of(t, "day", names[1], *LOOK, says=["warning: 'day", "1 file is given more than once", "400 frames"])
-    check(len(report["segments"]) == 4, f"{report['segments']}")
+    t.path("link").symlink_to("day")
+    for more, said in ((names[1], "1 file is"), ("./day", "4 files are"), ("link", "4 files are")):
+        report = report_of(t, "day", more, *LOOK, says=["warning: '", f"{said} given more than once", "400 frames"])
+        check([segment["file"] for segment in report["segments"]] == names, f"{report['segments']}")
 
 
 def test_recording_of_one_file_has_no_order(t):
     t.ffmpeg("-f", "lavfi", "-i", "testsrc=size=64x48:rate=10:duration=1", "-c:v", "mpeg4", "door.avi")
-    for names in (("door.avi", "door.avi"), (".",)):
+    t.path("current.avi").symlink_to("door.avi")
+    for names in (("door.avi", "door.avi"), ("door.avi", "./door.avi"), ("current.avi", "door.avi"), (".",)):
         done = t.vvr("info", *names).expect(0, out=None)
-        check("1 file\n" in done.out and "order" not in done.out, done.out)
+        check("1 file\n" in done.out and "door.avi: camera" in done.out and "order" not in done.out, done.out)
 
 
 def test_recording_names_what_is_no_video(t):
