@@ -299,6 +299,10 @@ class Walk:
             return data[:4] == b"PIEH" and len(data) == 12 + 8 * width * height
         return data.rstrip().endswith(b"</html>") if name.endswith(".html") else False
 
+    def warns(self, scene, run):
+        """Whether a run says something that one without faults does not."""
+        return re.sub(r"[\d.]+", "#", run.said) != self.words[scene.name]
+
     def check(self, scene, fault, run, killed=False):
         """After a run in which something failed."""
         if run.status is None:
@@ -323,27 +327,30 @@ class Walk:
                 continue
             elif data != right[name] and not (name in scene.files and data == OLDER):
                 # The picture of a clip in which something could not be read, if that is said.
-                warned = re.sub(r"[\d.]+", "#", run.said) != self.words[scene.name]
                 states = name.endswith(".json") or name == "pictures/index.html" or name == "out.html"
                 if not self.is_whole(name, data):
                     self.report(f"leaves a part of {name}", scene, fault, run)
-                elif run.status == 0 and not killed and not warned and not states:
+                elif run.status == 0 and not killed and not self.warns(scene, run) and not states:
                     self.report(f"draws another {name} and does not say why", scene, fault, run)
             elif data == OLDER and run.status == 0 and not killed:
                 self.report(f"says that all is well, and {name} is an older one", scene, fault, run)
         if hidden and run.status is not None and run.status >= 0 and not killed:
             self.report("leaves a hidden file", scene, fault, run)
 
-    def check_next(self, scene, fault, before):
+    def check_next(self, scene, fault, before, killed=False):
         """The next run completes what there is to do, and nothing hidden stays."""
+        left = self.files(scene)
         run = self.run(scene)
         if run.status != 0:
             self.report("the next run fails", scene, fault, run)
             return
         now = self.files(scene)
         right = self.whole[scene.name]
+        # An archive does not draw a clip again if the run before has drawn it and said what it could not read.
+        told = scene.command[0] == "archive" and before.status == 0 and not killed and self.warns(scene, before)
+        done = {name for name, data in left.items() if told and now.get(name) == data and self.is_whole(name, data)}
         missing = right.keys() - now.keys()
-        other = [name for name in right if name in now and now[name] != right[name]]
+        other = [name for name in right if name in now and now[name] != right[name] and name not in done]
         over = now.keys() - right.keys()
         if missing or other or over:
             run.log = before.log
@@ -374,9 +381,10 @@ class Walk:
             os.kill(victim, signal.SIGKILL)
         run = self.end(child, begin)
         what = f"kill {number} at {moment:.3f} s" + (" of a worker" if worker else "")
-        self.check(scene, what, run, killed=run.status == -signal.SIGKILL or worker)
+        killed = run.status == -signal.SIGKILL or worker
+        self.check(scene, what, run, killed=killed)
         if last:
-            self.check_next(scene, what, run)
+            self.check_next(scene, what, run, killed=killed)
 
 
 def first_child(pid):
