@@ -77,7 +77,8 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
 std::size_t sort_once(Files& files) {
     std::error_code none;
     // Of a file and a link to it, such as "latest.mp4", the file stays: its name may tell when it was recorded.
-    std::ranges::stable_partition(files, [&](const std::string& file) { return !fs::is_symlink(file, none); });
+    std::stable_partition(files.begin(), files.end(),
+                          [&](const std::string& file) { return !fs::is_symlink(file, none); });
     std::unordered_set<std::string> seen;
     const std::size_t repeats = std::erase_if(files, [&](const std::string& file) {
         const fs::path place = fs::canonical(file, none);
