@@ -67,6 +67,7 @@ LockFile::~LockFile() {
 }
 
 std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& name) {
+    LockFile lock(path, -1, false);  // copies the path while there is no file that a lack of memory would leave behind
     for (;;) {
         const int file = open_no_follow(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
@@ -82,9 +83,9 @@ std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& 
         }
         struct stat status {};
         // A program that takes a lock first writes the name into it.
-        const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
-        LockFile lock(path, file, left_behind);
-        if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
+        lock.file_ = file;
+        lock.stale_ = ::fstat(file, &status) == 0 && status.st_size > 0;
+        if (!lock.stale_ && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
             refuse(path, errno);
         }
         return lock;

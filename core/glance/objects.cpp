@@ -131,9 +131,12 @@ std::vector<events::Stay> stationary_times(const events::Event& event) {
 
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock) {
     const std::string begin = labels::format_moment(event.first.seconds, clock);
+    std::vector<std::string> texts{fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)),
+                                   begin};
     // Whether it was fetched is what a reader asks first.
-    if (event.kind == events::EventKind::left && event.last.seconds >= end) return {begin + ", still there", begin};
-    return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
+    const bool is_still_there = event.kind == events::EventKind::left && event.last.seconds >= end;
+    if (is_still_there) texts.insert(texts.begin(), begin + ", still there");
+    return texts;
 }
 
 glm::dvec3 Trails::point(const events::Event& event, double seconds) const {

@@ -53,7 +53,8 @@ std::string deed_of(const events::Event& event);
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
 std::vector<events::Stay> stationary_times(const events::Event& event);
 
-/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06".
+/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". A thing left behind that nobody fetched has
+/// "0:06, still there" before these.
 /// \param end time of the clip's last frame, seconds
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock);
 
