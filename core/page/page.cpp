@@ -78,14 +78,13 @@ std::string moment_text(double seconds, const WallClock& clock) {
 std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
-    for (const events::Event& event : *content.events) {
-        const events::EventKindRow& row = row_of(event.kind);
-        const bool stood = row.tally == events::Tally::still;
+    for (std::size_t k = 0; k < content.events->size(); ++k) {
+        const events::Event& event = (*content.events)[k];
         list += fmt::format(
-            "<li>{}. {}: {}{}{}</li>\n", &event - content.events->data() + 1,
+            "<li>{}. {}: {}{}</li>\n", k + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            event.identity ? fmt::format("{} ", event.identity->what->name) : "", row.words,
-            stood ? fmt::format(" {}", labels::format_duration(events::stationary_seconds(event))) : "");
+            event.identity ? fmt::format("{} ", event.identity->what->name) : "",
+            k < content.deeds.size() ? std::string_view(content.deeds[k]) : row_of(event.kind).words);
     }
     return list;
 }

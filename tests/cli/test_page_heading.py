@@ -4,7 +4,7 @@ import html
 import re
 
 import pytest
-from harness import check, nightly_except
+from harness import check, nightly_except, page_data
 from test_archive import QUICK
 from test_page_live import page_of
 
@@ -75,6 +75,10 @@ def test_page_heading_ends_with_the_picture(t):
     t.clip(seconds=3)
     t.render("clip.avi", "--end", "27f", output="out.html").expect(0)
     check(words_of(t, "out.html")[2] == "0:00 to 0:03, 27 frames; time of day not known", str(words_of(t, "out.html")))
+    page = t.path("out.html").read_text()
+    listed = re.findall("<li>(.*)</li>", page.split('<ol id="events"')[1].split("</ol>")[0])
+    deeds = [event["deed"] for event in page_data(page)["events"]]
+    check(deeds and [line.split(": ", 1)[1] for line in listed] == deeds, f"without scripts: {listed}, not {deeds}")
 
 
 @pytest.mark.nightly
