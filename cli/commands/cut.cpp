@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
@@ -15,15 +14,14 @@
 #include <fmt/ranges.h>
 
 #include "cli/app/footage.h"
-#include "cli/app/identify.h"
 #include "cli/app/input.h"
 #include "cli/app/job.h"
-#include "cli/app/observe.h"
 #include "cli/app/observer.h"
 #include "cli/app/piece.h"
 #include "cli/app/piece_record.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
+#include "cli/commands/cut_selection.h"
 #include "cli/commands/new_folder.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
@@ -31,7 +29,6 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
-#include "core/fields/filter.h"
 #include "core/image/picture_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
@@ -41,17 +38,6 @@
 namespace vvr::commands {
 
 namespace {
-
-/// A piece of a clip or a recording, and its output. The piece is an event or lies between two times.
-struct CutJob {
-    app::RenderJob search;              ///< the footage, its clock, the span, and how to find events; nothing is drawn
-    std::filesystem::path report;       ///< a report with the events; empty = search for events
-    std::optional<std::int64_t> event;  ///< number of the event in the span, from 1; none = the span is the piece
-    double margin = 0;                  ///< seconds before and after
-    bool exact = false;                 ///< encode exactly the frames of the piece, without sound
-    std::filesystem::path path;         ///< a file, a name without extension, or a folder; missing parts are chosen
-    std::filesystem::path evidence;     ///< instead: a new folder for the piece, a still, and where they come from
-};
 
 namespace fs = std::filesystem;
 
@@ -63,144 +49,6 @@ void check_not_input(const fs::path& path, const fs::path& input, std::string_vi
     throw Error(ErrorCode::output_replaces_input,
                 fmt::format("output '{}' is the same file as the {} '{}'; choose another name for the piece",
                             path.string(), what, input.string()));
-}
-
-/// The part of the footage that is in the piece.
-struct Selection {
-    video::FrameSpan span;
-    std::vector<video::SegmentPlace> places;
-    std::optional<app::PieceEvent> event{};
-    image::Metadata settings{};  ///< with which the event was found
-    std::string camera{};        ///< of the report; empty = unknown
-};
-
-// ---- An event
-
-const app::PieceEvent& choose_event(const CutJob& job, const std::vector<app::PieceEvent>& events,
-                                    const std::string& where) {
-    const auto count = std::ssize(events);
-    if (*job.event >= 1 && *job.event <= count) return events[static_cast<std::size_t>(*job.event - 1)];
-    const std::string what = count == 0   ? "has no events"
-                             : count == 1 ? "has 1 event; choose 1"
-                                          : fmt::format("has {} events; choose 1 to {}", count, count);
-    throw Error(ErrorCode::event_unknown, fmt::format("event {}: '{}' {}", *job.event, where, what), {"event"});
-}
-
-Selection find_event(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
-    app::validate(job.search);
-    const fields::FilterRow& filter = *job.search.fields.filter;
-    if (!filter.traits.shows_object) {
-        throw Error(ErrorCode::options_conflict,
-                    fmt::format("filter '{}' does not mark objects, so there are no events; choose another filter",
-                                filter.name),
-                    {"filter"});
-    }
-    auto detector = app::open_detector(job.search.detector);
-    const app::OpenedFields fields = app::open_fields(job.search);
-    app::RenderJob search = job.search;
-    search.look.show = {};
-    const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search, std::move(detector));
-    std::vector<app::PieceEvent> events;
-    const app::Observation seen = app::observe(plan, *fields.source, observer);
-    for (const events::Event& event : seen.events->events) {
-        events.push_back(app::piece_event(event, events.size()));
-    }
-    const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
-    const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
-    // A search that ended early does not know the files after that, which the margin may reach into.
-    std::vector<video::SegmentPlace> places = fields.source->info().segments;
-    if (places.empty() || places.back().path != footage.recording.segments.back().path) {
-        places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
-    }
-    return {span, std::move(places), event, plan.job.settings};
-}
-
-Selection read_event(const CutJob& job, const app::Footage& footage) {
-    const app::ReportedEvents reported = app::read_events(job.report);
-    const app::PieceEvent& event = choose_event(job, reported.events, job.report.string());
-    const auto number = static_cast<std::size_t>(*job.event - 1);
-    return {app::span_around(event.first, event.last, job.margin),
-            app::place_by_report(footage, reported, number, job.margin, job.report.string()), event, reported.settings,
-            reported.camera};
-}
-
-// ---- Between two times
-
-/// Properties of the recording that say when its second 0 was.
-/// \param file of the footage
-/// \param begin of the file, in seconds of the recording
-video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file, double begin, double rate) {
-    const video::ClipHeader header =
-        video::header_of(video::Demuxer(video::open_input(file.path), video::Demuxer::Kind::video, rate));
-    const std::int64_t before = std::llround(begin);
-    video::VideoInfo info;
-    info.name = footage.recording.name;
-    info.duration = begin + header.length;
-    if (file.begin) info.began = *file.begin - before;
-    info.began_source = file.begin_source;
-    if (header.created) info.created = *header.created - before;
-    return info;
-}
-
-/// The job, in which the wall-clock limits of the span are seconds of the recording.
-CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer) {
-    video::FrameSpan& span = job.search.fields.span;
-    if (job.event || (!span.asked.start && !span.asked.end)) return job;
-    const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
-    const WallClock known = app::clock_of(job.search.look.start_time, info);
-    const auto seconds = [&](const video::RequestedTime& asked, const Setting& setting, double from) {
-        return video::seconds_of(asked, video::require_clock(known, info, setting.name, asked.text), from);
-    };
-    if (span.asked.start) {
-        span.start = seconds(*span.asked.start, setting::start, 0);
-        if (span.start < 0)
-            observer.warn(fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name,
-                                      known->iso(0)));
-        span.start = std::max(0.0, span.start);
-    }
-    if (span.asked.end) span.end = seconds(*span.asked.end, setting::end, span.start + 1e-3);
-    span.asked = {};
-    return job;
-}
-
-/// Checks that a limit of the piece may be a frame.
-void check_frame(const CutJob& job, const app::Footage& footage, std::int64_t frame, const Setting& setting) {
-    if (frame == 0) return;
-    if (job.margin > 0) {
-        throw Error(
-            ErrorCode::options_conflict,
-            fmt::format("margin needs times in seconds, but {} {}f is a frame number; give a time such as 12.5s",
-                        setting.name, frame),
-            {"margin"});
-    }
-    if (footage.recording.segments.size() == 1) return;
-    throw Error(ErrorCode::option_value,
-                fmt::format("{} {}f is a frame number, which is unknown in a recording of several files until it is "
-                            "decoded; give a time such as 12.5s",
-                            setting.name, frame),
-                {setting.name});
-}
-
-video::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
-    video::FrameSpan span = job.search.fields.span;
-    check_frame(job, footage, span.first, setting::start);
-    check_frame(job, footage, span.stop.value_or(0), setting::end);
-    const bool empty = (span.end && span.first == 0 && *span.end <= span.start) ||
-                       (span.stop && span.start == 0 && *span.stop <= span.first);
-    if (empty) {
-        throw Error(ErrorCode::span_empty,
-                    fmt::format("the piece is empty: its end, {}, is not after its start; choose a later end",
-                                span.end ? fmt::format("{} s", *span.end) : fmt::format("frame {}", *span.stop)),
-                    {setting::start.name, setting::end.name});
-    }
-    span.start = std::max(0.0, span.start - job.margin);
-    if (span.end) *span.end += job.margin;
-    return span;
-}
-
-Selection select_between(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
-    const video::FrameSpan span = span_between(job, footage);
-    return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
 // ---- The output's name
@@ -296,6 +144,7 @@ std::optional<app::PieceTimes> write_piece(const CutJob& job, const app::PieceJo
 // ---- A folder of evidence
 
 /// Writes the piece, a still in full size, and where they come from, to a new folder.
+/// \param stop request to stop; no file is then left
 /// \returns false if it was stopped
 bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob piece, app::Observer& observer,
                     const std::stop_token& stop) {
@@ -328,14 +177,14 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     return true;
 }
 
-/// Writes the piece. Copies packets from the preceding key frame on, unless the piece must be exact.
-/// \param stop request to stop; no file is then left
 /// The camera that the user, the report or the names of files tell; empty = unknown.
 const std::string& camera_of(const CutJob& job, const Selection& selection, const app::Footage& footage) {
     if (!job.search.input.camera.empty()) return job.search.input.camera;
     return selection.camera.empty() ? footage.recording.camera : selection.camera;
 }
 
+/// Writes the piece. Copies packets from the preceding key frame on, unless the piece must be exact.
+/// \param stop request to stop; no file is then left
 /// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& stop) {
@@ -345,9 +194,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
     if (!job.evidence.empty()) check_is_free(job.evidence);
-    const Selection selection = !job.event           ? select_between(job, footage, observer)
-                                : job.report.empty() ? find_event(job, footage, observer)
-                                                     : read_event(job, footage);
+    const Selection selection = select_piece(job, footage, observer);
     app::PieceJob piece;
     piece.name = footage.recording.name;
     piece.camera = camera_of(job, selection, footage);

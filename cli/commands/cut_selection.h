@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/app/footage.h"
+#include "cli/app/job.h"
+#include "cli/app/observer.h"
+#include "core/image/picture_file.h"
+#include "core/video/frame_source.h"
+#include "core/video/frame_span.h"
+#include "core/video/segment.h"
+
+// Which part of the footage `vvr cut` cuts: an event, or what is between two times.
+namespace vvr::commands {
+
+/// A piece of a clip or a recording, and its output. The piece is an event or lies between two times.
+struct CutJob {
+    app::RenderJob search;              ///< the footage, its clock, the span, and how to find events; nothing is drawn
+    std::filesystem::path report;       ///< a report with the events; empty = search for events
+    std::optional<std::int64_t> event;  ///< number of the event in the span, from 1; none = the span is the piece
+    double margin = 0;                  ///< seconds before and after
+    bool exact = false;                 ///< encode exactly the frames of the piece, without sound
+    std::filesystem::path path;         ///< a file, a name without extension, or a folder; missing parts are chosen
+    std::filesystem::path evidence;     ///< instead: a new folder for the piece, a still, and where they come from
+};
+
+/// The part of the footage that is in the piece.
+struct Selection {
+    video::FrameSpan span;
+    std::vector<video::SegmentPlace> places;
+    std::optional<app::PieceEvent> event{};
+    image::Metadata settings{};  ///< with which the event was found
+    std::string camera{};        ///< of the report; empty = unknown
+};
+
+/// Properties of the recording that say when its second 0 was.
+/// \param file of the footage
+/// \param begin of the file, in seconds of the recording
+video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file, double begin, double rate);
+
+/// The job, in which the wall-clock limits of the span are seconds of the recording.
+CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer);
+
+/// The event of the report or of a search, or what is between the limits of the span.
+/// \pre `in_seconds` was called
+/// \throws Error usage if there is no such event or the piece is empty, io, not_video, limit
+Selection select_piece(const CutJob& job, const app::Footage& footage, app::Observer& observer);
+
+}  // namespace vvr::commands
