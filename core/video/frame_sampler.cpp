@@ -1,6 +1,7 @@
 #include "core/video/frame_sampler.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -73,48 +74,86 @@ std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
 
 namespace {
 
-/// The presentation timestamps of the sampled frames, ascending. Empty if a packet has none or can't be read, or if two
-/// have the same.
-std::vector<std::int64_t> sampled_stamps(const Input& input, double rate, int count) {
+struct ScannedPacket {
+    std::int64_t stamp = 0;  ///< presentation timestamp
+    double time = 0;         ///< of its frame, seconds; only in ScannedFile::shown
+    bool is_key = false;
+    bool is_referenced = false;
+};
+
+struct ScannedFile {
+    std::vector<ScannedPacket> packets;  ///< in decoding order
+    std::vector<ScannedPacket> shown;    ///< those of frames that are shown, in presentation order
+};
+
+/// Reads all packets. Empty if one has no timestamp or can't be read, or if two frames have the same.
+ScannedFile scan(const Input& input, double rate) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
-    std::vector<std::int64_t> stamps;
+    const AVCodecParameters& stream = *demuxer.stream().codecpar;
+    ScannedFile file;
     const auto packet = av::make_packet();
     while (demuxer.read(*packet)) {
         if (packet->pts == AV_NOPTS_VALUE) return {};
-        if (!(packet->flags & AV_PKT_FLAG_DISCARD)) stamps.push_back(packet->pts);
+        file.packets.push_back(
+            {packet->pts, 0, (packet->flags & AV_PKT_FLAG_KEY) != 0, is_referenced(*packet, stream)});
+        if (!(packet->flags & AV_PKT_FLAG_DISCARD)) file.shown.push_back(file.packets.back());
     }
-    if (demuxer.damaged() > 0) return {};
-    std::ranges::sort(stamps);
-    if (std::ranges::adjacent_find(stamps) != stamps.end()) return {};
+    std::ranges::sort(file.shown, {}, &ScannedPacket::stamp);
+    const bool has_twins =
+        std::ranges::adjacent_find(file.shown, std::ranges::equal_to(), &ScannedPacket::stamp) != file.shown.end();
+    if (has_twins || demuxer.damaged() > 0) return {};
     StampClock clock(demuxer.frame_duration());
+    for (ScannedPacket& one : file.shown) one.time = clock(demuxer.seconds(one.stamp));
+    return file;
+}
+
+/// The presentation timestamps of the samples, ascending.
+std::vector<std::int64_t> choose_samples(std::span<const ScannedPacket> shown, int count) {
     TimeSampler<std::int64_t> sampler(count);
-    for (const std::int64_t stamp : stamps) {
-        const double time = clock(demuxer.seconds(stamp));
-        if (sampler.wants(time)) sampler.keep(time, stamp);
+    for (const ScannedPacket& one : shown) {
+        if (sampler.wants(one.time)) sampler.keep(one.time, one.stamp);
     }
     return sampler.take();
+}
+
+/// The presentation timestamps, ascending, of the packets that must be decoded for these samples: they, and packets
+/// before them to which other frames refer, back to the key frame.
+std::vector<std::int64_t> needed_for(std::span<const std::int64_t> samples, std::span<const ScannedPacket> packets) {
+    std::vector<std::int64_t> needed;
+    std::int64_t first = std::numeric_limits<std::int64_t>::max();  // of the samples of this group
+    for (auto i = packets.rbegin(); i != packets.rend(); ++i) {
+        const bool is_sample = std::ranges::binary_search(samples, i->stamp);
+        if (is_sample) first = std::min(first, i->stamp);
+        const bool is_before_sample = first != std::numeric_limits<std::int64_t>::max();
+        if (is_sample || (is_before_sample && i->is_referenced)) needed.push_back(i->stamp);
+        // Frames that are shown before their key frame may also refer to the group before.
+        if (i->is_key && first >= i->stamp) first = std::numeric_limits<std::int64_t>::max();
+    }
+    std::ranges::sort(needed);
+    return needed;
 }
 
 }  // namespace
 
 std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale) {
-    const std::vector<std::int64_t> stamps = sampled_stamps(input, options.rate, count);
-    if (stamps.empty()) return {};
-    const auto is_sampled = [&](std::int64_t stamp) { return std::ranges::binary_search(stamps, stamp); };
+    const ScannedFile file = scan(input, options.rate);
+    const std::vector<std::int64_t> samples = choose_samples(file.shown, count);
+    if (samples.empty()) return {};
+    const std::vector<std::int64_t> needed = needed_for(samples, file.packets);
     Demuxer demuxer(input, Demuxer::Kind::video, options.rate);
-    const AVCodecParameters& stream = *demuxer.stream().codecpar;
     Decoder decoder(
         demuxer, input.name, options.threads,
-        [&](const AVPacket& packet) { return is_sampled(packet.pts) || is_referenced(packet, stream); },
-        *options.hwaccel);
+        [&](const AVPacket& packet) { return std::ranges::binary_search(needed, packet.pts); }, *options.hwaccel);
     std::vector<Frame> frames;
     while (auto image = decoder.next()) {
-        if (!is_sampled(image->best_effort_timestamp)) continue;
-        const double time = demuxer.seconds(image->best_effort_timestamp).value_or(0);
+        if (!std::ranges::binary_search(samples, image->pts)) continue;
+        const double time = demuxer.seconds(image->pts).value_or(0);
         frames.push_back(scale({0, time, orientation_of(demuxer.stream()), std::move(image)}));
     }
-    const bool complete = frames.size() == stamps.size() && decoder.damaged() == 0 && !decoder.stopped();
-    return complete ? std::move(frames) : std::vector<Frame>{};
+    std::ranges::sort(frames, {}, &Frame::pts);
+    // A decoder may withhold frames before a key frame at which it can't start.
+    const bool are_most = 2 * frames.size() > samples.size();
+    return are_most && decoder.damaged() == 0 && !decoder.stopped() ? std::move(frames) : std::vector<Frame>{};
 }
 
 std::string text_of_unread(const std::string& name) {

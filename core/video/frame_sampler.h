@@ -98,8 +98,9 @@ class KeyFrames {
     double end_ = 0;    ///< of the last file, seconds
 };
 
-/// Samples the same frames as FrameSource::sample. Decodes only these and frames to which others refer: of a usual clip
-/// with B frames, about half.
+/// Samples the same frames as FrameSource::sample_all. Decodes only what they need: in a group of pictures, nothing
+/// after its last sample, and before it only frames to which others refer. Of a usual clip with B frames, that is less
+/// than half.
 /// \returns nothing if the packets don't tell which frames these are, or if something is damaged
 std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale);
 

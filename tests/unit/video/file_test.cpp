@@ -277,6 +277,27 @@ TEST(Sample, TakesFewerKeyFramesIfTheyAreEvenlySpread) {
     EXPECT_GT(video::open_source(uneven)->sample(39).back().pts, 3.4);
 }
 
+TEST(Sample, HasTheFramesThatThePassHas) {
+    const TempFolder folder;
+    for (const std::string codec : {"mpeg4 -q:v 1 -bf 0", "mpeg4 -q:v 1 -bf 2", "libx264 -qp 4 -bf 0",
+                                    "libx264 -qp 4 -bf 3", "libx264 -qp 4 -bf 3 -x264-params open-gop=1:b-adapt=0"}) {
+        const auto source =
+            video::open_source(counting_clip(folder, "clip.mkv", "-c:v " + codec + " -g 23 -sc_threshold 0"));
+        const auto all = read_all(*source);
+        ASSERT_EQ(all.size(), 100u) << codec;
+        for (const int count : {12, 31, 100}) {
+            const auto frames = source->sample(count);
+            EXPECT_GT(std::ssize(frames), count / 3) << codec;
+            for (const auto& frame : frames) {
+                const auto same = std::ranges::find(all, frame.pts, &video::Frame::pts);
+                ASSERT_NE(same, all.end()) << codec << " at " << frame.pts;
+                EXPECT_EQ(middle_of(frame), middle_of(*same)) << codec << " at " << frame.pts;
+            }
+        }
+        EXPECT_EQ(source->sample(100).size(), 100u) << codec;
+    }
+}
+
 /// Lets libav allocate no larger block while it exists.
 class LibavLimit {
   public:
