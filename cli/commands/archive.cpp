@@ -202,6 +202,10 @@ class Archive final : public Command {
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (!job_.input.names.empty()) options_.in = app::only_input(job_.input);
         check(options_);
+        if (!options_.keep_events && line.is_argument(archive_text::margin.name)) {
+            throw Error(ErrorCode::option_needs_another,
+                        "--margin needs --keep-events, the pieces to which it adds time", {archive_text::margin.name});
+        }
         if (part_) {
             options_.shard = {static_cast<std::uint64_t>(part_->first - 1), static_cast<std::uint64_t>(part_->second)};
         }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -79,9 +80,11 @@ fs::path named(const CutJob& job, const Selection& selection, const app::Footage
     if (!is_folder) return fs::path(job.path) += ending;
     const std::string stem = fs::path(first.file.path).stem().string();
     const video::FrameSpan& span = selection.span;
-    const std::string what = job.event        ? fmt::format("event-{}", *job.event)
-                             : span.first > 0 ? fmt::format("{}f", span.first)
-                                              : fmt::format("{:.3f}s", span.start);
+    const std::string begin = span.first > 0 ? fmt::format("{}f", span.first) : fmt::format("{:.3f}s", span.start);
+    const std::string end = span.stop  ? fmt::format("-{}f", *span.stop)
+                            : span.end ? fmt::format("-{:.3f}s", *span.end)
+                                       : "";
+    const std::string what = job.event ? fmt::format("event-{}", *job.event) : begin + end;
     return job.path / fmt::format("{}-{}{}", stem, what, ending);
 }
 
@@ -279,9 +282,7 @@ class Cut final : public Command {
             throw Error(ErrorCode::usage,
                         "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
         }
-        if (!job_.event && line.has(setting::between)) {
-            throw Error(ErrorCode::option_needs_another, "--between limits the search for events; add --event N");
-        }
+        refuse_search_options(line);
         cli::Console console(environment);
         const std::stop_source stop;
         environment.signals.set_exit_hook([stop]() mutable { stop.request_stop(); });
@@ -294,6 +295,24 @@ class Cut final : public Command {
     }
 
   private:
+    /// Refuses options of a search for events, if there is none.
+    void refuse_search_options(const options::CommandLine& line) const {
+        if (job_.event && job_.report.empty()) return;
+        std::vector<std::string> names{std::string(setting::events.name), std::string(setting::between.name),
+                                       std::string(setting::preset.name)};
+        for (const options::OptionValue& value : line.values(std::array{options::Group::fields}))
+            names.push_back(value.name);
+        const auto name = std::ranges::find_if(names, [&](const std::string& of) { return line.is_argument(of); });
+        if (name == names.end()) return;
+        if (!job_.event) {
+            throw Error(ErrorCode::option_needs_another,
+                        fmt::format("--{} is for the search for events; add --event N", *name));
+        }
+        throw Error(
+            ErrorCode::options_conflict,
+            fmt::format("--{} is for the search for events, but --report has them already; drop one of them", *name));
+    }
+
     CutJob job_;
 };
 

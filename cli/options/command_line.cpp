@@ -424,4 +424,9 @@ bool CommandLine::has(const Setting& setting) const {
     return option != nullptr && !option->empty();
 }
 
+bool CommandLine::is_argument(std::string_view name) const {
+    const CLI::Option* const option = impl_->app.get_option_no_throw("--" + std::string(name));
+    return option != nullptr && is_given(*option, impl_->parsed);
+}
+
 }  // namespace vvr::options

@@ -182,6 +182,10 @@ class CommandLine {
     /// Whether the user gave the option. False if the command does not have it.
     bool has(const Setting& setting) const;
 
+    /// Whether the arguments themselves give the option: neither the config file nor a preset. A config file may set
+    /// what a run does not use; an argument that changes nothing is an error.
+    bool is_argument(std::string_view name) const;
+
   private:
     std::string camera_of_input(const std::vector<std::string>& patterns) const;
     void refuse_unknown_camera() const;

@@ -8,6 +8,7 @@ VVR_BUILD says which build to test, build/release by default:
 import os
 import pathlib
 import shutil
+import signal
 
 import pytest
 from harness import Bench
@@ -21,6 +22,7 @@ os.environ.setdefault("VVR_HIJACK", str(BUILD / "tests" / "support" / "libvvr_hi
 
 PASSED = pytest.StashKey[bool]()
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # vvr inherits that a shell's background job ignores it
 os.environ["VVR_CONFIG"] = ""  # what the machine's own config file says shall decide nothing here
 
 

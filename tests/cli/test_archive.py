@@ -252,6 +252,7 @@ def test_archive_refuses_what_cannot_be(t):
         1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
+    archive(t, "--margin", "5s").expect(1, "--margin", "--keep-events", code="option-needs-another")
     t.vvr("archive", "in", "-o", "out", "-o", "other").expect(1, "'out'", "'other'", code="options-conflict")
     t.folder_of("flow/a.flo")
     archive(t, "--flow", "flow").expect(1, "--flow", "vvr render CLIP --flow 'flow'", code="options-conflict")

@@ -108,12 +108,14 @@ def test_cut_copies_avi(t):
     check([round(p[0] * 10) for p in part] == list(range(17)), f"times {part}")
 
 
-def test_cut_names_pieces_in_a_folder_by_their_start(t):
+def test_cut_names_pieces_in_a_folder_by_what_was_asked(t):
     t.clip("clip.avi")
     t.path("to").mkdir()
-    for start in ("5f", "10f", "0.5s", "0f"):
-        t.vvr("cut", "clip.avi", "--start", start, "--end", "15f", "-o", "to").expect(0)
-    t.expect_files("clip.avi", "to", "to/clip-0.000s.avi", "to/clip-0.500s.avi", "to/clip-10f.avi", "to/clip-5f.avi")
+    for start, end in (("5f", "15f"), ("10f", "15f"), ("0.5s", "15f"), ("0f", "15f"), ("0", "1s"), ("0", "0.5s")):
+        t.vvr("cut", "clip.avi", "--start", start, "--end", end, "-o", "to").expect(0)
+    t.vvr("cut", "clip.avi", "--start", "1s", "-o", "to").expect(0)
+    pieces = ["0.000s-0.500s", "0.000s-1.000s", "0.000s-15f", "0.500s-15f", "1.000s", "10f-15f", "5f-15f"]
+    t.expect_files("clip.avi", "to", *(f"to/clip-{piece}.avi" for piece in pieces))
 
 
 def test_cut_with_a_margin(t):
@@ -279,6 +281,9 @@ def test_cut_needs_a_piece_and_an_output(t):
     t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "--event N", "--start TIME and --end TIME", code="usage")
     t.vvr("cut", "clip.avi", "--event", "1", "--report", "clip.avi", "--start", "0", "-o", "x.avi").expect(1, "--start", "--report", code="usage")
     t.vvr("cut", "clip.avi", "--start", "0", "--between", "02:00-05:00", "-o", "x.avi").expect(1, "--between", "--event", code="option-needs-another")
+    t.vvr("cut", "clip.avi", "--start", "0", "--threshold=30", "-o", "x.avi").expect(1, "--threshold", "--event", code="option-needs-another")
+    for option in (("--events", "left"), ("--threshold", "30"), ("--preset", "paper")):
+        t.vvr("cut", "clip.avi", "--event", "1", "--report", "clip.avi", *option, "-o", "x.avi").expect(1, option[0], "--report", code="options-conflict")
     t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.png").expect(1, "'x.png'", ".mp4, .mov", code="output-format-unknown")
     t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.avi", "--exact").expect(1, ".avi", ".mp4", "--exact", code="output-format-unknown")
     t.vvr("cut", "clip.avi", "--start", "0", "-o", "no/x.mkv").expect(2, "'no/x.mkv'", "mkdir -p 'no'", code="file-not-found")
