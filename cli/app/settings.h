@@ -109,6 +109,7 @@ inline constexpr Setting animate{
     "animate", "COUNT", "number of pictures; from one to the next, stripes move along the tracelines", {2, 10'000}};
 inline constexpr Setting slide{
     "slide", "COUNT", "video of the window as it moves over the clip, with this many pictures per brick", {1, 1000}};
+inline constexpr Setting bless{"bless", "", "replace the golden picture instead of comparing; writes no --diff"};
 inline constexpr Setting tolerance{
     "tolerance", "FACTOR", "factor on the limits of the comparison; 0 = every sample must be the same", {0, 100}};
 

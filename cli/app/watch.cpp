@@ -23,7 +23,7 @@
 #include "cli/app/video_scale.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
-#include "core/fields/reference.h"
+#include "core/fields/running_reference.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/html.h"

@@ -11,6 +11,7 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/options/output_files.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 

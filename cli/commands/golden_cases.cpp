@@ -9,7 +9,7 @@
 
 #include "cli/commands/render.h"
 #include "cli/exit_status.h"
-#include "cli/options/job_options.h"
+#include "cli/options/output_files.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/video/input.h"

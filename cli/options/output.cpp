@@ -2,22 +2,15 @@
 #include <filesystem>
 #include <initializer_list>
 #include <iterator>
-#include <map>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/golden.h"
 #include "cli/app/settings.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
@@ -28,8 +21,6 @@
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
-#include "core/video/frame_source.h"
-#include "core/video/input_files.h"
 
 namespace vvr::options {
 
@@ -54,7 +45,6 @@ constexpr Setting events_to{
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
-constexpr Setting bless{"bless", "", "replace the golden picture instead of comparing; writes no --diff"};
 constexpr Setting pieces_margin{"pieces-margin", "TIME", "", {0, 3600}};
 constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
@@ -184,7 +174,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     add_event_options(line, Group::output, options.events);
     const AddOptions add_comparison(line, Group::comparison);
     add_comparison(text::golden, options.golden.path, {.use = FileUse::compared});
-    add_comparison(text::bless, options.golden.bless);
+    add_comparison(setting::bless, options.golden.bless);
     add_comparison_options(line, options.golden.comparison);
     // Only the plan of an archive's worker sets these.
     line.plan_setting("plain-name", [&options](const std::string&) { options.plain_name = true; });
@@ -260,150 +250,6 @@ void check_outputs(const app::RenderJob& job) {
         throw Error(ErrorCode::option_needs_another,
                     "an animation moves the stripes of tracelines, but the picture shows none; add them with "
                     "--show volume,tracelines,outline,frames");
-    }
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Identifies a file whatever its names. Symbolic links are followed.
-using FileId = std::pair<dev_t, ino_t>;
-
-std::optional<FileId> id_of(const fs::path& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    return FileId{status.st_dev, status.st_ino};
-}
-
-std::string flag_of(const OptionValue& option) {
-    return option.name == "output" ? "-o" : "--" + option.name;
-}
-
-bool is_blessed(const CommandLine& line) {
-    const std::vector<OptionValue> given = line.given(all_groups);
-    return std::ranges::find(given, text::bless.name, &OptionValue::name) != given.end();
-}
-
-/// Whether both paths name the same file. It need not exist. A device or a pipe may have several writers.
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code none;
-    if (fs::is_other(a, none)) return false;
-    if (fs::equivalent(a, b, none)) return true;
-    const auto whole = [&](const auto& path) { return fs::weakly_canonical(fs::absolute(path), none); };
-    return !a.empty() && !b.empty() && whole(a) == whole(b);
-}
-
-/// Whether a pattern may give a path, as 'out.{brick}.png' may give 'out.3.png'.
-bool may_name(const std::string& pattern, const fs::path& path) {
-    try {
-        const image::NamePattern names(pattern);
-        return names.has_field() && names.may_be(path.filename().string()) &&
-               same_file(fs::absolute(names.path()).parent_path(), fs::absolute(path).parent_path());
-    } catch (const Error&) {
-        return false;  // a check of the name itself reports the error
-    }
-}
-
-/// The existing files that a run would overwrite, each with its option and the name given.
-class Outputs {
-  public:
-    void add(const OptionValue& option, const fs::path& path) {
-        std::error_code none;
-        if (fs::is_directory(path, none)) {
-            // An older extraction is replaced as a whole. Any other folder is refused elsewhere.
-            if (!fs::exists(path / "manifest.json", none)) return;
-            fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, none);
-            for (; !none && entry != fs::recursive_directory_iterator(); entry.increment(none)) put(*entry, option);
-            return;
-        }
-        put(path, option);
-        for (const fs::path& file : files_of_pattern(path)) put(file, option);
-    }
-
-    bool empty() const { return files_.empty(); }
-
-    /// \param given the user's name for the input
-    void refuse(const fs::path& read, const std::string& given) const {
-        const std::optional<FileId> id = id_of(read);
-        if (!id) return;
-        const auto found = files_.find(*id);
-        if (found == files_.end()) return;
-        throw Error(ErrorCode::output_replaces_input,
-                    fmt::format("{} '{}' would overwrite the input '{}'; use another name", found->second.first,
-                                found->second.second, given));
-    }
-
-  private:
-    void put(const fs::path& path, const OptionValue& option) {
-        if (const std::optional<FileId> id = id_of(path)) {
-            files_.emplace(*id, std::pair(flag_of(option), option.value));
-        }
-    }
-
-    /// The existing files of a series or an animation.
-    static std::vector<fs::path> files_of_pattern(const fs::path& path) {
-        std::vector<fs::path> files;
-        try {
-            const image::NamePattern pattern(path);
-            const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-            std::error_code none;
-            if (!pattern.has_field()) return {};
-            for (fs::directory_iterator entry(folder, none); !none && entry != fs::directory_iterator();
-                 entry.increment(none)) {
-                if (pattern.may_be(entry->path().filename().string())) files.push_back(entry->path());
-            }
-        } catch (const Error&) {
-            return {};  // a check of the name itself reports the error
-        }
-        return files;
-    }
-
-    std::map<FileId, std::pair<std::string, std::string>> files_;
-};
-
-}  // namespace
-
-void check_outputs_differ(const CommandLine& line) {
-    const bool blessed = is_blessed(line);
-    std::vector<OptionValue> outputs = line.values(all_groups);
-    std::error_code none;
-    std::erase_if(outputs, [&](const OptionValue& option) {
-        if (option.value.empty() || option.use == FileUse::written) return option.value.empty();
-        // check_no_input_overwritten protects a golden picture that is there.
-        return option.use != FileUse::compared || (!blessed && fs::exists(option.value, none));
-    });
-    for (auto a = outputs.begin(); a != outputs.end(); ++a) {
-        for (auto b = a + 1; b != outputs.end(); ++b) {
-            if (is_standard_output(a->value) && is_standard_output(b->value)) {
-                throw Error(ErrorCode::options_conflict,
-                            fmt::format("{} and {} both write to standard output; name a file for one of them",
-                                        flag_of(*a), flag_of(*b)));
-            }
-            const bool is_of_series = may_name(a->value, b->value);
-            if (!is_of_series && !may_name(b->value, a->value) && !same_file(a->value, b->value)) continue;
-            throw Error(ErrorCode::options_conflict,
-                        fmt::format("{} and {} both name '{}'; use another name for one of them", flag_of(*a),
-                                    flag_of(*b), is_of_series ? b->value : a->value));
-        }
-    }
-}
-
-void check_no_input_overwritten(const CommandLine& line) {
-    Outputs outputs;
-    const bool blessed = is_blessed(line);
-    std::vector<std::string> inputs = line.arguments();
-    if (!line.config().file.empty()) inputs.push_back(line.config().file.string());
-    for (const OptionValue& option : line.values(all_groups)) {
-        if (option.value.empty()) continue;
-        const bool compared = option.use == FileUse::compared;
-        if (option.use == FileUse::written || (compared && blessed)) outputs.add(option, option.value);
-        if (option.use == FileUse::read || (compared && !blessed)) inputs.push_back(option.value);
-        if (compared && !blessed) outputs.add(option, app::candidate_of(option.value));
-    }
-    if (outputs.empty()) return;
-    for (const std::string& input : inputs) {
-        for (const fs::path& file : video::files_of_input(input)) outputs.refuse(file, input);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "core/events/claim.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
+#include "core/events/proximity.h"
 #include "core/events/trajectory.h"
 
 namespace vvr::events {
@@ -169,35 +170,6 @@ class Conclusion {
         own.portrait.reset();
     }
 
-    /// The object's box at a moment; nothing where it was not seen then.
-    static std::optional<PixelBox> box_at(const Tracklet& object, double seconds, std::int64_t frame) {
-        for (const Stay& stay : object.stays) {
-            if (seconds >= stay.first.seconds && seconds <= stay.last.seconds) return stay.box;
-        }
-        if (frame < object.begin.at.frame || frame > object.end.at.frame || object.path.empty()) return std::nullopt;
-        const glm::ivec2 place(glm::round(place_at(object.path, frame)));
-        const glm::ivec2 half(glm::ceil(0.5 * object.size));
-        return PixelBox{place.x - half.x, place.y - half.y, place.x + half.x, place.y + half.y};
-    }
-
-    /// Whether `piece` is a fragment of `whole`: inside its box for most of its own time.
-    static bool is_fragment_of(const Tracklet& piece, const Tracklet& whole) {
-        constexpr int samples = 12;
-        int inside = 0;
-        for (int n = 0; n < samples; ++n) {
-            const double part = (n + 0.5) / samples;
-            const double seconds = piece.begin.at.seconds + part * piece.seconds();
-            const auto frames = static_cast<double>(piece.end.at.frame - piece.begin.at.frame);
-            const std::int64_t frame = piece.begin.at.frame + std::llround(part * frames);
-            const std::optional<PixelBox> own = box_at(piece, seconds, frame);
-            const std::optional<PixelBox> other = box_at(whole, seconds, frame);
-            if (!own || !other) continue;
-            const PixelBox near = other->inflated(1 + other->width() / 8, 1 + other->height() / 8);
-            if (is_mostly_inside(*own, near)) ++inside;
-        }
-        return inside >= thresholds.most * samples;
-    }
-
     void absorb_fragments() {
         std::vector<std::size_t> order(candidates_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -221,23 +193,6 @@ class Conclusion {
         }
     }
 
-    static bool is_near(const std::optional<PixelBox>& box, const PixelBox& place) {
-        return box && box->inflated(1 + box->width(), 1 + box->height() / 2).intersects(place);
-    }
-
-    /// Whether the bearer was beside the thing's place just before or after it appeared.
-    bool was_beside(const Tracklet& bearer, const Tracklet& thing) const {
-        constexpr int samples = 8;
-        const PixelBox& place = thing.settled->patch.box;
-        for (int n = 0; n <= samples; ++n) {
-            const double seconds = thing.begin.at.seconds + 0.5 - n * (0.5 + thresholds.bearer) / samples;
-            const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
-            const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
-            if (is_near(box, place)) return true;
-        }
-        return false;
-    }
-
     /// Whether it was there when the clip began, or was an event before the gap at which its stretch began. Anything
     /// else that is new after a gap may be a change of light or of the camera's view.
     bool was_there_before(const Tracklet& own) const {
@@ -246,19 +201,6 @@ class Conclusion {
         return !before || std::ranges::any_of(in_stretch_[*before], [&](std::size_t k) {
             return candidates_[k].wanted && candidates_[k].to_last && is_at_same_place(candidates_[k].whole, own);
         });
-    }
-
-    /// Whether an object can have brought or taken a thing: whoever takes a thing comes from elsewhere, and whoever
-    /// leaves one goes elsewhere. Somebody who stood there only uncovers the place, and somebody who ends there is the
-    /// thing.
-    bool can_carry(const Tracklet& bearer, const Tracklet& thing, EventKind kind) const {
-        const TrackEnd& end = kind == EventKind::taken ? bearer.begin : bearer.end;
-        const PixelBox& place = thing.settled->patch.box;
-        if (end.at_border && !touches_border(place, span_.field)) return true;
-        const glm::ivec2 low(glm::floor(end.place - 0.5 * bearer.size));
-        const glm::ivec2 high(glm::ceil(end.place + 0.5 * bearer.size));
-        const int around = static_cast<int>(std::max(thresholds.least_length, thing.length));
-        return !place.inflated(around, around).intersects({low.x, low.y, high.x, high.y});
     }
 
     /// Finds who put a thing down or took it. A thing that appears with nobody beside it is light, a caption or a
@@ -273,16 +215,16 @@ class Conclusion {
         }
         if (const auto parent = own.from ? object_of_.find(*own.from) : object_of_.end(); parent != object_of_.end()) {
             const Candidate& bearer = candidates_[parent->second];
-            candidate.carried = bearer.wanted && can_carry(bearer.whole, own, candidate.kind);
+            candidate.carried = bearer.wanted && can_carry(bearer.whole, own, candidate.kind, span_.field);
             return;
         }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
             const Tracklet& bearer = candidates_[other].whole;
             if (other == k || !candidates_[other].wanted || bearer.stood_from_start ||
-                !can_carry(bearer, own, candidate.kind))
+                !can_carry(bearer, own, candidate.kind, span_.field))
                 continue;
-            if (!was_beside(bearer, own)) continue;
+            if (!was_beside(bearer, own, span_.seconds_per_frame())) continue;
             candidate.carried = true;
             const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
             if (away >= nearest) continue;
@@ -350,21 +292,6 @@ class Conclusion {
             return point.at.frame >= own.begin.at.frame && point.at.frame <= own.end.at.frame &&
                    glm::distance(point.place, own.settled->patch.centre) >= bearer.length;
         });
-    }
-
-    /// The moment from which a thing was alone: when its owner last went a length away from it, or had gone.
-    static std::optional<Moment> alone_since(const Event& thing, const Event& owner, double length) {
-        if (owner.last.seconds < thing.first.seconds) return thing.first;
-        std::optional<Moment> since;
-        const glm::dvec2 place = thing.path.front().place;
-        for (const PathPoint& point : owner.path) {
-            if (point.at.seconds < thing.first.seconds || point.at.seconds > thing.last.seconds) continue;
-            const bool near = glm::distance(point.place, place) < length;
-            if (near) since.reset();
-            if (!near && !since) since = point.at;
-        }
-        if (!since && owner.last.seconds < thing.last.seconds) since = owner.last;
-        return since;
     }
 
     std::vector<Event> listed() {

@@ -8,6 +8,7 @@
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
 #include "core/fields/reference.h"
+#include "core/fields/running_reference.h"
 
 namespace vvr::fields {
 

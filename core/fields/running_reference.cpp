@@ -1,3 +1,5 @@
+#include "core/fields/running_reference.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
-#include "core/fields/reference.h"
 
 namespace vvr::fields {
 namespace {

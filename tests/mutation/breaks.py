@@ -66,7 +66,7 @@ BREAKS = [
     # core/events
     Break("core/events/association.cpp", "if (*most < thresholds.association.shared_part * tracks", "if (*most > thresholds.association.shared_part * tracks",
           "Associate.LetsTwoShareABlob"),
-    Break("core/events/conclude.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
+    Break("core/events/proximity.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
           "kind == EventKind::taken ? bearer.end : bearer.begin",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
     Break("core/events/conclude.cpp", "span_.stretches[k - 1].infrared == stretch_of(own).infrared", "k > 0",
@@ -77,7 +77,7 @@ BREAKS = [
           "Stays.ThatAreKnownExactlyReplaceThoseTheyMeet"),
     Break("core/events/track.cpp", "(std::ssize(moments) - 1) * 9 / 10", "(std::ssize(moments) - 1) * 1 / 10",
           "EventFinder.ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken"),
-    Break("core/events/conclude.cpp", "if (end.at_border && !touches_border(place, span_.field)) return true;", "",
+    Break("core/events/proximity.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "",
           "EventFinder.WhoLeavesThePictureIsNotTheThingThatStays"),
     Break("core/events/track.cpp", "if (was_occluded) {", "if (!was_occluded) {",
           "EventFinder.ABagThatWasHiddenForAnInstantIsTheSameBag"),

@@ -8,6 +8,7 @@
 #include "core/fields/blobs.h"
 #include "core/fields/object.h"
 #include "core/fields/reference.h"
+#include "core/fields/scene_noise.h"
 #include "core/fields/shadows.h"
 #include "tests/unit/fields/pictures.h"
 

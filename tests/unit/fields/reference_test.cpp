@@ -1,9 +1,9 @@
-#include "core/fields/reference.h"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/fields/median_scene.h"
+#include "core/fields/running_reference.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {
