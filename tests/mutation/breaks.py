@@ -32,6 +32,8 @@ BREAKS = [
     Break("core/detector/onnx.cpp", "all == in_raw || (all == in_list && !raw)", "all == in_raw || all == in_list",
           "ModelFile.HasAsManyWeightsAsItsShapesSay"),
     # core/video
+    Break("core/video/frame_sampler.cpp", "if (i->is_key && first >= i->stamp)", "if (i->is_key)",
+          "Sample.HasTheFramesThatThePassHas"),
     Break("core/video/frame_span.cpp", "pts >= *span.end - slack", "pts >= *span.end + slack",
           "FrameSpan.ToleratesTimesThatWereRounded"),
     Break("core/video/frame_span.cpp", "day_at(clock, begin) - 1; date", "day_at(clock, begin); date",
