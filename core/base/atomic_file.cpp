@@ -209,17 +209,18 @@ void replace_file(const fs::path& path, const std::function<void(const WriteAt&)
     file.rename_to(target);
 }
 
+bool is_temporary_of(const std::string& name, const fs::path& file) {
+    const std::string own = file.filename().string();
+    return own.starts_with(hidden_prefix(name)) && own.ends_with(hidden_extension);
+}
+
 void remove_leftovers(const fs::path& folder, std::span<const std::string> names) {
-    std::vector<std::string> prefixes;
-    for (const std::string& name : names) prefixes.push_back(hidden_prefix(name));
     std::error_code none;
     std::vector<fs::path> left;
     for (fs::directory_iterator entry(folder, none); !none && entry != fs::directory_iterator();
          entry.increment(none)) {
-        const std::string name = entry->path().filename().string();
         const bool ours =
-            name.ends_with(hidden_extension) &&
-            std::ranges::any_of(prefixes, [&](const std::string& prefix) { return name.starts_with(prefix); });
+            std::ranges::any_of(names, [&](const std::string& name) { return is_temporary_of(name, entry->path()); });
         if (ours) left.push_back(entry->path());
     }
     for (const fs::path& path : left) remove_if_left(path, true);

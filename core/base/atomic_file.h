@@ -33,6 +33,9 @@ void replace_link(const std::filesystem::path& path, std::span<const std::byte> 
 void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write,
                   const std::function<void(const std::filesystem::path& written)>& check = {});
 
+/// Whether a file is a temporary one, abandoned or not, of a file with this name in the same folder.
+bool is_temporary_of(const std::string& name, const std::filesystem::path& file);
+
 /// Removes abandoned temporary files of `names` in `folder`. The caller must ensure that no program is replacing these
 /// files.
 void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);

@@ -100,6 +100,13 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
     return std::as_bytes(std::span(bytes.data(), bytes.size()));
 }
 
+/// Whether the folder has nothing but what a run leaves that is killed before its first manifest is complete.
+bool has_only_leftovers(const fs::path& folder) {
+    return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+        return is_temporary_of(stored::manifest, entry.path());
+    });
+}
+
 }  // namespace
 
 void check_data_folder(const fs::path& folder) {
@@ -113,7 +120,7 @@ void check_data_folder(const fs::path& folder) {
         throw Error(ErrorCode::not_a_folder,
                     fmt::format("cannot write to '{}': it is not a folder; choose another name", folder.string()));
     }
-    if (!fs::is_empty(folder) && !is_replaceable(folder)) {
+    if (!has_only_leftovers(folder) && !is_replaceable(folder)) {
         throw Error(ErrorCode::folder_not_empty, fmt::format("cannot write to '{}': the folder has files that `vvr "
                                                              "extract` did not write; choose a new or empty folder",
                                                              folder.string()));

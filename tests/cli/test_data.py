@@ -5,7 +5,7 @@ import shutil
 import struct
 
 import pytest
-from harness import check, moving_clip, without_colours
+from harness import check, moving_clip, part_name, without_colours
 
 
 def same(t, one, other):
@@ -117,6 +117,16 @@ def test_extract_takes_pictures_at_full_size(t):
     t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())
     t.vvr("extract", "frames", "-o", "data", "--field-size", "source").expect(0, "5 frames of 500x40")
     check(t.path("data/flow/000002.flo").read_bytes()[4:12] == struct.pack("<ii", 500, 40), "not the full size")
+
+
+def test_extract_goes_on_where_a_run_was_killed_at_its_first_file(t):
+    t.clip(seconds=0.5)
+    t.write(f"data/{part_name('manifest.json')}", "half")
+    t.vvr("extract", "clip.avi", "-o", "data").expect(0, "5 frames")
+    check(not list(t.path("data").glob(".*")), "it left the file of the killed run")
+    t.write(f"mine/{part_name('manifest.json')}", "half")
+    t.write("mine/.notes", "keep me")
+    t.vvr("extract", "clip.avi", "-o", "mine").expect(2, "'mine'", code="folder-not-empty")
 
 
 def test_extract_replaces_only_its_own(t):
