@@ -27,6 +27,7 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/options/presets.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"

@@ -15,8 +15,8 @@
 
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/image/name_pattern.h"
 #include "core/video/input_files.h"
 
