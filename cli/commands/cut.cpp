@@ -27,7 +27,6 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
-#include "cli/options/presets.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -299,8 +298,7 @@ class Cut final : public Command {
     /// Refuses options of a search for events, if there is none.
     void refuse_search_options(const options::CommandLine& line) const {
         if (job_.event && job_.report.empty()) return;
-        std::vector<std::string> names{std::string(setting::events.name), std::string(setting::between.name),
-                                       std::string(setting::preset.name)};
+        std::vector<std::string> names{std::string(setting::events.name), std::string(setting::between.name)};
         for (const options::OptionValue& value : line.values(std::array{options::Group::fields}))
             names.push_back(value.name);
         const auto name = std::ranges::find_if(names, [&](const std::string& of) { return line.is_argument(of); });

@@ -282,7 +282,7 @@ def test_cut_needs_a_piece_and_an_output(t):
     t.vvr("cut", "clip.avi", "--event", "1", "--report", "clip.avi", "--start", "0", "-o", "x.avi").expect(1, "--start", "--report", code="usage")
     t.vvr("cut", "clip.avi", "--start", "0", "--between", "02:00-05:00", "-o", "x.avi").expect(1, "--between", "--event", code="option-needs-another")
     t.vvr("cut", "clip.avi", "--start", "0", "--threshold=30", "-o", "x.avi").expect(1, "--threshold", "--event", code="option-needs-another")
-    for option in (("--events", "left"), ("--threshold", "30"), ("--preset", "paper")):
+    for option in (("--events", "left"), ("--threshold", "30")):
         t.vvr("cut", "clip.avi", "--event", "1", "--report", "clip.avi", *option, "-o", "x.avi").expect(1, option[0], "--report", code="options-conflict")
     t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.png").expect(1, "'x.png'", ".mp4, .mov", code="output-format-unknown")
     t.vvr("cut", "clip.avi", "--start", "0", "-o", "x.avi", "--exact").expect(1, ".avi", ".mp4", "--exact", code="output-format-unknown")
