@@ -79,7 +79,7 @@ BREAKS = [
           "Stays.ThatAreKnownExactlyReplaceThoseTheyMeet"),
     Break("core/events/track.cpp", "(std::ssize(moments) - 1) * 9 / 10", "(std::ssize(moments) - 1) * 1 / 10",
           "EventFinder.ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken"),
-    Break("core/events/proximity.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "",
+    Break("core/events/proximity.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "static_cast<void>(field);",
           "EventFinder.WhoLeavesThePictureIsNotTheThingThatStays"),
     Break("core/events/track.cpp", "if (was_occluded) {", "if (!was_occluded) {",
           "EventFinder.ABagThatWasHiddenForAnInstantIsTheSameBag"),
