@@ -39,11 +39,6 @@ std::string flag_of(const OptionValue& option) {
     return option.name == "output" ? "-o" : "--" + option.name;
 }
 
-bool is_blessed(const CommandLine& line) {
-    const std::vector<OptionValue> given = line.given(all_groups);
-    return std::ranges::find(given, setting::bless.name, &OptionValue::name) != given.end();
-}
-
 /// Whether both paths name the same file. It need not exist. A device or a pipe may have several writers.
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code none;
@@ -124,7 +119,7 @@ class Outputs {
 }  // namespace
 
 void check_outputs_differ(const CommandLine& line) {
-    const bool blessed = is_blessed(line);
+    const bool blessed = line.has(setting::bless);
     std::vector<OptionValue> outputs = line.values(all_groups);
     std::error_code none;
     std::erase_if(outputs, [&](const OptionValue& option) {
@@ -150,7 +145,7 @@ void check_outputs_differ(const CommandLine& line) {
 
 void check_no_input_overwritten(const CommandLine& line) {
     Outputs outputs;
-    const bool blessed = is_blessed(line);
+    const bool blessed = line.has(setting::bless);
     std::vector<std::string> inputs = line.arguments();
     if (!line.config().file.empty()) inputs.push_back(line.config().file.string());
     for (const OptionValue& option : line.values(all_groups)) {
