@@ -70,16 +70,20 @@ std::string classes_of(const std::vector<events::Event>& events) {
     return text.empty() ? text : text + ")";
 }
 
+/// What was decoded: " (decoded: reference, 77 %)". Empty if all frames were. The share is that of the first file.
+std::string decoded_text(const video::VideoInfo& info) {
+    if (&*info.decodes == &video::frame_choices().front()) return "";
+    if (info.segments.size() > 1) return fmt::format(" (decoded: {})", info.decodes->name);
+    return fmt::format(" (decoded: {}, {:.0f} %)", info.decodes->name, 100 * info.decoded_share);
+}
+
 }  // namespace
 
 std::string result_text(const RunContext& context) {
     const auto& [plan, seen, composed, run] = context;
     const std::filesystem::path& path = plan.job.output.path;
     const std::string name = path.empty() ? seen.info.name : path.string();
-    const bool all = &*seen.info.decodes == &video::frame_choices().front();
-    const std::string frames =
-        counted(seen.summary.frames, "frame") +
-        (all ? "" : fmt::format(" (decoded: {}, {:.0f} %)", seen.info.decodes->name, 100 * seen.info.decoded_share));
+    const std::string frames = counted(seen.summary.frames, "frame") + decoded_text(seen.info);
     if (plan.products.series) return fmt::format("'{}': {} of {}", name, counted(run.pictures, "picture"), frames);
     return fmt::format("'{}': {} in {} and {}", name, frames, counted(seen.volume.layers(), "layer"),
                        counted(std::ssize(composed.bricks), "brick"));

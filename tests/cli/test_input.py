@@ -131,3 +131,6 @@ def test_decode_leaves_frames_out_and_says_so(t):
         check((f"(decoded: {choice}, " in said) == (choice != "all"), said)
         check(t.json("r.json")["span"]["last"] > 2.9, f"{choice} ends early: {t.json('r.json')['span']}")
     t.render("clip.mp4", "--decode", "keys").expect(1, "'keys'", "all", "reference", "key", "auto", code="choice-unknown")
+    # The share of one file is not that of a recording.
+    t.copy("clip.mp4", "day/1.mp4", "day/2.mp4")
+    t.render("day", "--decode", "key", "--report", "r.json", output=None).expect(0, "8 frames (decoded: key) in")
