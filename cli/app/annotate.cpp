@@ -295,9 +295,10 @@ class Annotator {
             add_numbered(glance::draw_map(objects, seen_.scene, field, box, sheet_.small, background_, lettering_));
         }
         if (plan_.shows(Part::strip)) {
-            add_numbered(glance::label_strip(
-                objects, seen_.findings, glance::unexplained_periods(seen_.volume, seen_.identify), seen_.begin.seconds,
-                seen_.end().seconds, composed_.nothing_moves, sheet_, {ink_, pale_, lines_, background_}, lettering_));
+            const std::vector<glance::Period> unexplained = glance::unexplained_periods(seen_.volume, seen_.identify);
+            const glance::StripContent content{seen_.findings,      unexplained,         seen_.not_chosen,
+                                               seen_.begin.seconds, seen_.end().seconds, composed_.nothing_moves};
+            add_numbered(glance::label_strip(objects, content, sheet_, {ink_, pale_, lines_, background_}, lettering_));
         }
         // Without map and strip, all objects get a number.
         if (numbered.empty()) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/events/event_options.h"
+#include "core/events/path.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {
@@ -45,6 +46,7 @@ ShownEvents events_between(std::span<const events::Event> events, double begin, 
         std::erase_if(event.path, [&](const events::PathPoint& point) {
             return point.at.seconds < begin || point.at.seconds > end;
         });
+        event.path_length = events::length_of(event.path);
         shown.numbers.push_back(k + 1);
         shown.colours.push_back(colours[k]);
     }

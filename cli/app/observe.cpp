@@ -64,14 +64,25 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
     volume.add_gap(last.index + 1, gap, last.pts + apart, apart);
 }
 
+}  // namespace
+
+std::vector<events::Event> take_chosen_events(Observation& seen, const events::EventChoice& choice) {
+    seen.not_chosen.clear();
+    for (const events::Event& event : seen.findings.events) {
+        if (!choice.accepts(event)) seen.not_chosen.push_back({event.first.seconds, event.last.seconds});
+    }
+    return events::choose_events(std::move(seen.findings.events), choice);
+}
+
+namespace {
+
 /// After the last frame: links the tracks of each object and computes its events.
 void conclude(const Plan& plan, ObservationBuilder& builder) {
     Observation& seen = builder.seen;
     builder.set_findings(builder.finder->finish());
     take_stills_from_scene(seen);
     builder.identify();
-    const std::vector<events::Event> events =
-        events::choose_events(std::move(seen.findings.events), plan.job.output.events);
+    const std::vector<events::Event> events = take_chosen_events(seen, plan.job.output.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);
         seen.identify = objects_of(events, seen.volume);

@@ -17,6 +17,7 @@
 #include "core/fields/field.h"
 #include "core/fields/field_source.h"
 #include "core/glance/portraits.h"
+#include "core/glance/time_strip.h"
 #include "core/video/frame.h"
 
 // Reading a clip into an observation.
@@ -40,6 +41,7 @@ struct Observation {
     std::optional<ShownEvents> events{};                ///< none = not searched for
     std::vector<TrackBox> track_boxes{};                ///< of all frames, if they are written
     events::Findings findings{};                        ///< all that was found besides the chosen events
+    std::vector<glance::Period> not_chosen{};           ///< when objects were there whose events weren't chosen
     bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
     glance::Crops crops{};                              ///< pictures of the objects
     std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
@@ -55,6 +57,9 @@ Observation observe(const Plan& plan, fields::FieldSource& source, Observer& obs
 
 /// What the plan needs from the fields of `frames` frames.
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
+
+/// Takes the events that were chosen out of the findings, and keeps of the others only their times.
+std::vector<events::Event> take_chosen_events(Observation& seen, const events::EventChoice& choice);
 
 /// Computes the colours of a frame's voxels, if the volume stores colours.
 class VoxelColours {

@@ -45,12 +45,13 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (ended_ && builder_.finder) {
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
-        tell_ended(events::choose_events(std::move(seen_.findings.events), plan_.job.output.events), true);
+        const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
+        name_events(events);
+        tell_ended(events, true);
     } else if (plan_.products.events) {
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
-        const std::vector<events::Event> events =
-            events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
+        const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
         seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
     }
     seen_.summary = std::move(summary);
@@ -113,8 +114,23 @@ void Window::complete_newest(Draw wanted) {
     frames_of_newest_ = 0;
 }
 
+/// Remembers the first track of each event, by which it is known from look to look. If that track has been forgotten,
+/// the rest of the event is still known by it.
+void Window::name_events(const std::vector<events::Event>& events) {
+    std::set<std::size_t> present;
+    for (const events::Event& event : events) present.insert(event.tracks.begin(), event.tracks.end());
+    std::map<std::size_t, std::size_t> first_tracks;
+    for (const events::Event& event : events) {
+        const auto before = first_tracks_.find(event.tracks.front());
+        const bool is_forgotten = before != first_tracks_.end() && !present.contains(before->second);
+        const std::size_t first = is_forgotten ? before->second : event.tracks.front();
+        for (const std::size_t track : event.tracks) first_tracks[track] = first;
+    }
+    first_tracks_ = std::move(first_tracks);
+}
+
 std::size_t Window::number_of(const events::Event& event) {
-    return numbers_.try_emplace(event.tracks.front(), numbers_.size() + 1).first->second;
+    return numbers_.try_emplace(first_track_of(event), numbers_.size() + 1).first->second;
 }
 
 /// Passes on the events that have ended for good: none of their tracks is followed, and no later one can be linked.
@@ -122,11 +138,11 @@ std::size_t Window::number_of(const events::Event& event) {
 void Window::tell_ended(const std::vector<events::Event>& events, bool all) {
     std::set<std::size_t> told;
     for (const events::Event& event : events) {
-        const std::size_t first = event.tracks.front();
         const double ago = seen_.last->pts - event.last.seconds;
         // Of a group, the same person may come out again.
         const double wait = event.into ? events::thresholds.memory : events::thresholds.link.seconds;
         const bool is_over = all || (ago > wait && !builder_.finder->follows(event.tracks));
+        const std::size_t first = first_track_of(event);
         const bool before = told_.contains(first);
         if (is_over && !before) ended_(event, number_of(event));
         if (is_over || before) told.insert(first);
@@ -143,19 +159,36 @@ void Window::forget_crops_before(double seconds) {
     });
 }
 
+/// The tracks of those who brought or took the things that are still there. Without them, nobody would have left a
+/// thing.
+std::set<std::size_t> Window::tracks_of_bearers(double seconds) const {
+    std::set<std::size_t> tracks;
+    const std::vector<events::Event>& events = seen_.findings.events;
+    for (const events::Event& event : events) {
+        const bool lasts = event.last.seconds >= seconds || builder_.finder->follows(event.tracks);
+        if (!event.evidence || !lasts) continue;
+        for (const std::optional<std::size_t>& other : {event.from, event.into}) {
+            if (other) tracks.insert(events[*other].tracks.begin(), events[*other].tracks.end());
+        }
+    }
+    return tracks;
+}
+
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
     constexpr double link_seconds = events::thresholds.memory;  // whoever returns within it may be the same object
     // After a gap in the signal, the last look may be long ago: what ended since then isn't told yet.
     const double kept = ended_ ? std::min(seen_.begin.seconds, looked_) : seen_.begin.seconds;
-    if (!plan_.products.events) builder_.finder->forget_ended_before(kept - link_seconds);
+    if (!plan_.products.events) builder_.finder->forget_ended_before(kept - link_seconds, bearers_);
     looked_ = seen_.last->pts;
     events::EventFinder until_now = *builder_.finder;
     builder_.set_findings(until_now.finish());
+    seen_.findings.largest_share = builder_.finder->largest_share_since(seen_.begin.seconds);
+    bearers_ = tracks_of_bearers(kept - link_seconds);
     if (!plan_.products.events) forget_crops_before(kept - link_seconds);
     builder_.identify();
-    const std::vector<events::Event> events =
-        events::choose_events(std::move(seen_.findings.events), plan_.job.output.events);
+    const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
+    name_events(events);
     ShownEvents shown = events_between(events, seen_.begin.seconds, seen_.last->pts);
     for (std::size_t k = 0; k < shown.events.size(); ++k) {
         const std::vector<std::size_t>& tracks = shown.events[k].tracks;

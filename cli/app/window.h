@@ -42,7 +42,10 @@ class Window {
     void complete_newest(Draw wanted);
     void look_at_events();
     void forget_crops_before(double seconds);
+    void name_events(const std::vector<events::Event>& events);
+    std::size_t first_track_of(const events::Event& event) const { return first_tracks_.at(event.tracks.front()); }
     std::size_t number_of(const events::Event& event);
+    std::set<std::size_t> tracks_of_bearers(double seconds) const;
     void tell_ended(const std::vector<events::Event>& events, bool all);
 
     const Plan& plan_;
@@ -51,13 +54,15 @@ class Window {
     Observation& seen_;
     FullSink full_;
     EndedSink ended_;
-    std::set<std::size_t> told_;  ///< the first tracks of the events that `ended_` has got
-    double looked_ = 0;           ///< seconds; the last frame when events were last looked at
+    std::set<std::size_t> told_;     ///< the first tracks of the events that `ended_` has got
+    std::set<std::size_t> bearers_;  ///< tracks that explain things that are still there
+    double looked_ = 0;              ///< seconds; the last frame when events were last looked at
     LiveObjects objects_;
-    std::map<std::size_t, std::size_t> numbers_;      ///< of the events already shown, by first track
-    std::optional<Moment> begin_;                     ///< of the clip
-    std::deque<video::SharedFrame> first_of_bricks_;  ///< first frames of the bricks in the window
-    std::int64_t newest_ = 0;                         ///< number of the brick being filled
+    std::map<std::size_t, std::size_t> numbers_;       ///< of the events already shown, by first track
+    std::map<std::size_t, std::size_t> first_tracks_;  ///< of the last events, by track
+    std::optional<Moment> begin_;                      ///< of the clip
+    std::deque<video::SharedFrame> first_of_bricks_;   ///< first frames of the bricks in the window
+    std::int64_t newest_ = 0;                          ///< number of the brick being filled
     std::int64_t frames_of_newest_ = 0;
 };
 

@@ -146,6 +146,22 @@ class Conclusion {
         }
     }
 
+    static bool is_ghost(const Tracklet& own) {
+        return own.settled && own.stood_from_start && own.settled->evidence.edges < own.settled->evidence.scene_edges;
+    }
+
+    /// The next ghost at the place of another in the same stretch: when it begins, the thing that the empty scene has
+    /// is gone again.
+    const Tracklet* next_ghost(const Tracklet& own) const {
+        const Tracklet* next = nullptr;
+        for (const std::size_t k : in_stretch_[own.stretch]) {
+            const Tracklet& other = candidates_[k].whole;
+            if (!is_ghost(other) || other.begin.at.frame <= own.gone.frame || !is_at_same_place(other, own)) continue;
+            if (next == nullptr || other.begin.at.frame < next->begin.at.frame) next = &other;
+        }
+        return next;
+    }
+
     /// Decides what a ghost means: the empty scene has a thing that the frames don't have.
     void judge_ghost(Candidate& candidate) {
         Tracklet& own = candidate.whole;
@@ -159,8 +175,9 @@ class Conclusion {
         // The empty scene is of later frames: the thing was put down when the ghost ended.
         candidate.kind = EventKind::left;
         own.in_scene = true;
+        const Tracklet* const next = next_ghost(own);
         own.begin.at = own.gone;
-        own.end.at = stretch_of(own).last;
+        own.end.at = next != nullptr ? next->begin.at : stretch_of(own).last;
         if (own.seconds() < thresholds.stationary.stay) candidate.wanted = false;
         own.from = own.into;
         own.into.reset();

@@ -14,8 +14,7 @@ std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& c
     std::vector<std::optional<std::size_t>> places(events.size());
     std::size_t count = 0;
     for (std::size_t k = 0; k < events.size(); ++k) {
-        const double seconds = events[k].last.seconds - events[k].first.seconds;
-        if (choice.kinds.contains(events[k].kind) && seconds >= choice.least) places[k] = count++;
+        if (choice.accepts(events[k])) places[k] = count++;
     }
     std::vector<Event> chosen;
     chosen.reserve(count);

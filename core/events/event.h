@@ -110,6 +110,10 @@ double stationary_seconds(const Event& event);
 struct EventChoice {
     std::set<EventKind> kinds = all_kinds();
     double least = 0;  ///< seconds; shorter events are dropped
+
+    bool accepts(const Event& event) const {
+        return kinds.contains(event.kind) && event.last.seconds - event.first.seconds >= least;
+    }
 };
 
 /// The chosen events, in the same order. References to other events are renumbered, and removed where the other was not

@@ -382,7 +382,11 @@ TrackedFrame EventFinder::tracked(const Moment& now) const {
 void EventFinder::record_share(const Plane<std::uint8_t>& field, const Moment& now) {
     const int differs = cv::countNonZero(cv_view(field));
     const double share = differs / std::max<double>(1, static_cast<double>(field.pixels().size()));
-    largest_share_ = std::max(largest_share_, share);
+    if (largest_shares_.empty() || now.seconds - largest_shares_.back().first >= 1) {
+        largest_shares_.emplace_back(now.seconds, share);
+    } else {
+        largest_shares_.back().second = std::max(largest_shares_.back().second, share);
+    }
     shares_.emplace_back(now.seconds, share);
     while (now.seconds - shares_.front().first > thresholds.memory) shares_.pop_front();
 }
@@ -401,8 +405,23 @@ Findings EventFinder::finish() {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
     Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_, clocks_.found()}, options_);
-    found.largest_share = largest_share_;
+    found.largest_share = largest_share_since(first_.seconds);
     return found;
+}
+
+void EventFinder::forget_ended_before(double seconds, const std::set<std::size_t>& needed) {
+    std::erase_if(ended_, [&](const Tracklet& tracklet) {
+        return tracklet.end.at.seconds < seconds && !needed.contains(tracklet.number);
+    });
+    std::erase_if(largest_shares_, [&](const auto& second) { return second.first < seconds; });
+}
+
+double EventFinder::largest_share_since(double seconds) const {
+    double largest = 0;
+    for (const auto& [begin, share] : largest_shares_) {
+        if (begin >= seconds) largest = std::max(largest, share);
+    }
+    return largest;
 }
 
 }  // namespace vvr::events

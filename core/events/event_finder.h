@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,12 +47,15 @@ class EventFinder {
     /// \param now later than in the previous call
     TrackedFrame add(const FrameView& sight, const Moment& now);
 
-    /// Forgets the objects that ended before a time, so that a stream of days needs no more memory than one of minutes.
+    /// Forgets the tracks that ended before a time, so that a stream of days needs no more memory than one of minutes.
     /// `finish` returns only the others.
     /// \param seconds of the clip
-    void forget_ended_before(double seconds) {
-        std::erase_if(ended_, [&](const Tracklet& tracklet) { return tracklet.end.at.seconds < seconds; });
-    }
+    /// \param needed tracks that are kept
+    void forget_ended_before(double seconds, const std::set<std::size_t>& needed);
+
+    /// The largest share of the picture that has differed from the empty scene since a time.
+    /// \param seconds of the clip
+    double largest_share_since(double seconds) const;
 
     /// Whether one of these tracks is still followed, and may go on.
     bool follows(std::span<const std::size_t> tracks) const;
@@ -107,9 +111,9 @@ class EventFinder {
     std::vector<Tracklet> ended_;
     fields::Planes scene_;
     fields::Planes infrared_scene_;
-    bool infrared_ = false;                         ///< the mode of the last frame
-    std::deque<std::pair<double, double>> shares_;  ///< seconds and share of the picture, of recent fields
-    double largest_share_ = 0;
+    bool infrared_ = false;                                 ///< the mode of the last frame
+    std::deque<std::pair<double, double>> shares_;          ///< seconds and share of the picture, of recent fields
+    std::deque<std::pair<double, double>> largest_shares_;  ///< the largest of each second, from its first field on
     Moment first_;
     Moment last_;
     std::vector<Stretch> stretches_;

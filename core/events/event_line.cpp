@@ -26,7 +26,8 @@ double rounded(double seconds) {
 }  // namespace
 
 std::string_view direction_of(const Event& event) {
-    if (row_of(event.kind).is_thing || event.path.size() < 2 || !(event.path_length > 0)) return {};
+    // Nobody saw an event with evidence come or go.
+    if (event.evidence || event.path.size() < 2 || !(event.path_length > 0)) return {};
     const std::optional<std::size_t> heading = heading_of(event.path, event.path_length);
     return heading ? heading_names[*heading] : to_and_fro;
 }

@@ -23,15 +23,12 @@ constexpr int number_gap = 3;  // pixels between a number and its bar
 /// Draws a time strip: maps times to columns and places the rows.
 class Strip {
   public:
-    Strip(const Objects& objects, const events::Findings& found, std::span<const Period> unexplained, double begin,
-          double end, bool nothing_moved, const labels::Sheet& sheet, const StripStyle& style,
+    Strip(const Objects& objects, const StripContent& content, const labels::Sheet& sheet, const StripStyle& style,
           labels::Lettering& lettering)
         : objects_(objects),
-          found_(found),
-          unexplained_(unexplained),
-          begin_(begin),
-          end_(end),
-          nothing_moved_(nothing_moved),
+          content_(content),
+          begin_(content.begin),
+          end_(content.end),
           sheet_(sheet),
           style_(style),
           lettering_(lettering) {
@@ -52,7 +49,7 @@ class Strip {
             if (draw_bar(bar)) with_bar.push_back(bar.event);
         }
         // Without events, the clip may still have motion that was too short to be an object.
-        if (nothing_moved_ || !objects_.events.empty()) label_idle();
+        if (content_.nothing_moved || !objects_.events.empty()) label_idle();
         label_heading(objects_.events.size() - bars.size());
         return with_bar;
     }
@@ -135,10 +132,12 @@ class Strip {
     }
 
     void label_idle() {
-        std::vector<Period> busy(unexplained_.begin(), unexplained_.end());
+        std::vector<Period> busy(content_.unexplained.begin(), content_.unexplained.end());
+        busy.insert(busy.end(), content_.not_chosen.begin(), content_.not_chosen.end());
         for (const events::Event& event : objects_.events) busy.push_back({event.first.seconds, event.last.seconds});
         // Where something changed that is no object, somebody may have been there.
-        for (const events::Change& change : found_.changes) busy.push_back({change.first.seconds, change.last.seconds});
+        for (const events::Change& change : content_.found.changes)
+            busy.push_back({change.first.seconds, change.last.seconds});
         const std::vector<Period> idle_ones = idle_periods(std::move(busy), begin_, end_);
         for (const Period& idle : idle_ones) {
             // The number of the next bar is at the end of the gap.
@@ -161,18 +160,21 @@ class Strip {
     }
 
     std::vector<std::string> texts_without_objects() const {
-        if (nothing_moved_) return {"No objects"};
-        const int percent = std::max(1, static_cast<int>(std::lround(100 * found_.largest_share)));
+        if (content_.nothing_moved) return {"No objects"};
+        if (!content_.not_chosen.empty()) {
+            const std::string others = counted(std::ssize(content_.not_chosen), "object");
+            return {fmt::format("{} found, but none that --events chooses", others),
+                    fmt::format("{}, none chosen", others)};
+        }
+        const int percent = std::max(1, static_cast<int>(std::lround(100 * content_.found.largest_share)));
         return {fmt::format("Changes in up to {} % of the picture, but none could be identified as an object", percent),
                 fmt::format("Changes in up to {} % of the picture, no object", percent)};
     }
 
     const Objects& objects_;
-    const events::Findings& found_;
-    std::span<const Period> unexplained_;
+    const StripContent& content_;
     double begin_;
     double end_;
-    bool nothing_moved_;
     const labels::Sheet& sheet_;
     const StripStyle& style_;
     labels::Lettering& lettering_;
@@ -237,11 +239,9 @@ std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::spa
     return bars;
 }
 
-std::vector<std::size_t> label_strip(const Objects& objects, const events::Findings& found,
-                                     std::span<const Period> unexplained, double begin, double end, bool nothing_moved,
-                                     const labels::Sheet& sheet, const StripStyle& style,
-                                     labels::Lettering& lettering) {
-    return Strip(objects, found, unexplained, begin, end, nothing_moved, sheet, style, lettering).draw();
+std::vector<std::size_t> label_strip(const Objects& objects, const StripContent& content, const labels::Sheet& sheet,
+                                     const StripStyle& style, labels::Lettering& lettering) {
+    return Strip(objects, content, sheet, style, lettering).draw();
 }
 
 namespace {
@@ -288,7 +288,9 @@ std::vector<Period> unexplained_periods(const bricks::Volume& volume, const bric
     std::vector<Period> periods;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         const bricks::Layer& layer = volume.layer(i);
-        if (!has_unowned_thing(volume, layer, identify)) continue;
+        // A few lost frames hide nobody.
+        const bool has_frames = 2 * layer.missing < layer.frames;
+        if (has_frames && !has_unowned_thing(volume, layer, identify)) continue;
         const double end = i + 1 < volume.layers() ? volume.layer(i + 1).pts : layer.last_pts;
         if (!periods.empty() && periods.back().end >= layer.pts) {
             periods.back().end = end;

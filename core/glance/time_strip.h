@@ -23,8 +23,8 @@ struct Period {
 /// \param busy periods in any order; they may overlap
 std::vector<Period> idle_periods(std::vector<Period> busy, double begin, double end);
 
-/// The times at which something compact differs from the empty scene and belongs to no object, for as long as an event
-/// lasts at least. Somebody may be there.
+/// The times at which somebody may have been there, although no object was: where something compact differs from the
+/// empty scene for as long as an event lasts at least, and where there are no frames.
 std::vector<Period> unexplained_periods(const bricks::Volume& volume, const bricks::Identify& identify);
 
 /// An object's bar in the time strip.
@@ -47,15 +47,20 @@ struct StripStyle {
     image::Rgba background{};
 };
 
+/// What a time strip shows besides objects.
+struct StripContent {
+    const events::Findings& found;        ///< changes that are no objects
+    std::span<const Period> unexplained;  ///< other times at which somebody may have been there
+    std::span<const Period> not_chosen;   ///< when objects were there whose events weren't chosen
+    double begin = 0;                     ///< seconds of the clip
+    double end = 0;
+    bool nothing_moved = false;  ///< the clip has no motion at all
+};
+
 /// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary, and where
 /// there was nobody. Objects that find no row are only counted.
-/// \param found the changes that are no objects
-/// \param unexplained other times at which somebody may have been there
-/// \param begin, end seconds of the clip
-/// \param nothing_moved the clip has no motion at all
 /// \returns the indices of the events that have a bar with a number
-std::vector<std::size_t> label_strip(const Objects& objects, const events::Findings& found,
-                                     std::span<const Period> unexplained, double begin, double end, bool nothing_moved,
-                                     const labels::Sheet& sheet, const StripStyle& style, labels::Lettering& lettering);
+std::vector<std::size_t> label_strip(const Objects& objects, const StripContent& content, const labels::Sheet& sheet,
+                                     const StripStyle& style, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

@@ -210,3 +210,12 @@ def test_a_transparent_picture(t):
     t.clip()
     t.render("clip.avi", "--background", "none").expect(0)
     check(t.probe("out.png", "stream=pix_fmt") == "rgba", f"{t.probe('out.png', 'stream=pix_fmt')} has no transparency")
+
+
+def test_events_that_are_not_chosen_were_found(t):
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=192x144:rate=10:duration=12", "-f", "lavfi", "-i",
+             "testsrc2=size=30x40:rate=10:duration=12", "-filter_complex",
+             "[0][1]overlay=x='if(between(t,4,7),60*(t-4),-100)':y=50:eval=frame", "-c:v", "mpeg4", "-q:v", "2", "walk.avi")
+    texts = texts_of(labels_of(t, "walk.avi", "--events", "left", size="1280x800"))
+    check("1 object found, but none that --events chooses" in texts, f"{texts}")
+    check(not any("could be identified" in text for text in texts), f"{texts}")

@@ -183,3 +183,15 @@ def test_watch_tells_at_the_end_what_still_lasts(t):
     walk(t, "gate.avi", begins=7, seconds=9)
     t.vvr("watch", "gate.avi", "-o", "gate.png", "--brick", "2s", *FAST, "--events-to", "events.jsonl").expect(0)
     check(len(lines(t)) == 1 and lines(t)[0]["page"] is None and lines(t)[0]["last"] > 8.5, f"{lines(t)}")
+
+
+def test_watch_tells_of_a_bag_that_lay_for_long(t):
+    """It lies for 95 s, longer than the window and all that a stream remembers of those who have gone."""
+    t.scene("left_bag", "hall.y4m", "--size", "192x144", "--rate", "8")
+    t.vvr("watch", "hall.y4m", "-o", "hall.png", "--brick", "1s", "--window", "3", *FAST, "--reference", "first", "--events-to",
+          "events.jsonl").expect(0)
+    told = lines(t)
+    left = [line for line in told if line["kind"] == "left"]
+    check(len(left) == 1 and left[0]["seconds"] > 90, f"{told}")
+    numbers = [line["number"] for line in told]
+    check(len(set(numbers)) == len(numbers), f"told twice: {told}")

@@ -254,3 +254,7 @@ def test_report_names_a_rate_that_is_too_low_for_things(t):
         said = t.vvr("render", f"{rate}.avi", "--report", "r.json").expect(0, out=None)
         advice = [text for text in t.json("r.json")["advice"] if "fewer than 5" in text]
         check(len(advice) == count == said.err.count("2 frames per second; with fewer than 5"), f"{advice} {said}")
+    # The clip has enough frames, but only its key frames were decoded.
+    t.ffmpeg("-i", "bag.y4m", "-c:v", "mpeg4", "-g", "25", "-q:v", "2", "25.avi")
+    said = t.vvr("render", "25.avi", "--decode", "key", "--report", "r.json").expect(0, out=None).err
+    check("1 frames per second of '25.avi' were decoded" in said and "use --decode all" in said, said)

@@ -319,6 +319,48 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
     EXPECT_EQ(early[1].last.frame, 199);
 }
 
+// The empty scene has a box that was put down after the beginning and fetched before the end.
+TEST(EventFinder, WhatTheSceneHasIsGoneWhenItsPlaceIsEmptyAgain) {
+    const Plane<std::uint8_t> floor({120, 90}, 90);
+    fields::Planes scene{floor, {}};
+    fill(scene.grey, {60, 60, 72, 70}, 220);
+    events::EventFinder finder({120, 90});
+    finder.set_scene(scene);
+    for (int f = 0; f < 600; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        Plane<std::uint8_t> picture = scene.grey;
+        const bool ghost = f < 150 || f >= 450;
+        if (ghost) fill(field, {60, 60, 72, 70}, 130);
+        if (ghost) picture = floor;
+        for (const int passes : {150, 450}) {
+            fill(field, {f - passes + 60, 15, f - passes + 72, 55}, 100);
+            fill(picture, {f - passes + 60, 15, f - passes + 72, 55}, 30);
+        }
+        finder.add({field, picture, {}}, at(f));
+    }
+    std::vector<events::Event> things = finder.finish().events;
+    std::erase_if(things, [](const events::Event& event) { return !events::row_of(event.kind).is_thing; });
+    ASSERT_EQ(things.size(), 2U);
+    EXPECT_EQ(things[0].kind, events::EventKind::left);
+    EXPECT_NEAR(static_cast<double>(things[0].first.frame), 150, 5);
+    EXPECT_NEAR(static_cast<double>(things[0].last.frame), 450, 5) << "not to the end";
+    EXPECT_EQ(things[1].kind, events::EventKind::taken);
+    EXPECT_NEAR(static_cast<double>(things[1].first.frame), 450, 5);
+}
+
+TEST(EventFinder, KnowsTheLargestChangeSinceATime) {
+    events::EventFinder finder({120, 90});
+    for (int f = 0; f < 100; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        fill(field, {0, 0, f < 25 ? 120 : 12, 9}, 100);
+        finder.add({field, field, {}}, at(f));
+    }
+    EXPECT_NEAR(finder.largest_share_since(0), 0.1, 1e-9);
+    EXPECT_NEAR(finder.largest_share_since(2), 0.01, 1e-9);
+    finder.forget_ended_before(1.5, {});
+    EXPECT_NEAR(finder.largest_share_since(0), 0.01, 1e-9);
+}
+
 /// What is found in 400 frames of a camera that changes to infrared in the middle.
 std::vector<events::Event> events_at_dusk(
     const fields::Planes& infrared,

@@ -111,6 +111,16 @@ TEST(UnexplainedPeriods, AreThoseWithAThingThatIsNoObject) {
     EXPECT_NEAR(periods[0].end, 5, 1e-9);
 }
 
+TEST(UnexplainedPeriods, AreThoseWithoutFramesToo) {
+    bricks::Volume volume = changed_in(100, 100, 1);
+    volume.add_gap(100, 30, 10, 0.1);
+    volume.add({130, 13, Plane<std::uint8_t>(volume.size()), {}, {}});
+    const std::vector<glance::Period> periods = glance::unexplained_periods(volume, bricks::no_identities);
+    ASSERT_EQ(periods.size(), 1U);
+    EXPECT_NEAR(periods[0].begin, 10, 1e-9);
+    EXPECT_NEAR(periods[0].end, 13, 1e-9);
+}
+
 TEST(UnexplainedPeriods, DoNotCountNoiseAndFlashes) {
     EXPECT_TRUE(glance::unexplained_periods(changed_in(30, 49, 7), bricks::no_identities).empty());
     EXPECT_TRUE(glance::unexplained_periods(changed_in(30, 34, 1), bricks::no_identities).empty());
