@@ -27,11 +27,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a folder's name is a time, such as recorders create and remove: mostly digits.
+/// Whether a folder's name is a date or a number, such as recorders create and remove. Letters are only in dates that
+/// begin with the year ("2026Y11M21D"): "D01" and "192.168.1.10" are cameras.
 bool is_time_folder(std::string_view folder) {
     const auto digits = std::ranges::count_if(folder, is_digit);
     const auto others = std::ranges::count_if(folder, [](char c) { return c != '-' && c != '_' && c != '.'; }) - digits;
-    return digits > 0 && digits >= 2 * others;
+    const bool is_address = std::ranges::count(folder, '.') == 3 && folder.find('.') <= 3;
+    if (others == 0) return digits > 0 && !is_address;
+    const bool has_year =
+        (folder.starts_with("19") || folder.starts_with("20")) && std::ranges::all_of(folder.substr(0, 4), is_digit);
+    return has_year && digits >= 2 * others;
+}
+
+/// Whether a folder shows nothing, or can't be read. The scan skips hidden names, and mount points often have some.
+bool seems_empty(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        if (!entry->path().filename().string().starts_with('.')) return false;
+    }
+    return true;
 }
 
 /// The folder of a missing clip, if it may be an unmounted disk: an empty folder, a broken link, or a camera's own
@@ -46,11 +61,7 @@ std::optional<std::string> missing_folder(const fs::path& in, const std::string&
         missing = folder;
         folder = folder.parent_path();
     }
-    if (!folder.empty()) {
-        std::error_code error;
-        const bool empty = fs::is_empty(in / folder, error);
-        return empty || error ? std::optional(folder.string()) : std::nullopt;
-    }
+    if (!folder.empty()) return seems_empty(in / folder) ? std::optional(folder.string()) : std::nullopt;
     const std::string top = missing.string();
     if (top.empty() || is_time_folder(top) || present.cameras.contains(recorders.camera_of(clip))) return std::nullopt;
     return top;

@@ -66,6 +66,8 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     write(in() / "there.avi");
     write(in() / "gate/2026-11-20/x.avi");
     fs::create_directories(in() / "unmounted");
+    write(in() / "hidden/.keep");
+    write(in() / "notes/read me.txt");
     fs::create_directory_symlink("nowhere", in() / "linked");
     const auto fate = [&](const archive::Sidecar& sidecar, const archive::ClipNames& names = archive::ClipNames()) {
         return archive::source_state_of(in(), sidecar, archive::find_present(in(), out(), names, recorders), recorders);
@@ -78,8 +80,17 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
              {"2026-11-19/08/x.avi", archive::SourceState::gone, ""},
              {"unmounted/a.avi", archive::SourceState::away, "unmounted"},
              {"unmounted/deep/a.avi", archive::SourceState::away, "unmounted"},
+             {"hidden/a.avi", archive::SourceState::away, "hidden"},
+             {"hidden/deep/a.avi", archive::SourceState::away, "hidden"},
+             {"notes/a.avi", archive::SourceState::gone, ""},
              {"linked/a.avi", archive::SourceState::away, "linked"},
              {"no camera/b.avi", archive::SourceState::away, "no camera"},
+             {"D01/a.avi", archive::SourceState::away, "D01"},
+             {"10B/a.avi", archive::SourceState::away, "10B"},
+             {"192.168.1.10/a.avi", archive::SourceState::away, "192.168.1.10"},
+             {"07/a.avi", archive::SourceState::gone, ""},
+             {"2026.11.21/a.avi", archive::SourceState::gone, ""},
+             {"2026Y11M21D20H/a.avi", archive::SourceState::gone, ""},
          }) {
         const archive::SourceStatus verdict = fate(done(clip));
         EXPECT_EQ(verdict.fate, expected) << clip;
