@@ -341,12 +341,8 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             continue;
         }
         try {
-            const fs::path place = archive::sidecar_path(job.out, sidecar.clip.path);
-            const auto claim =
-                archive::LockFile::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
-            if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
-            archive::remove_outputs(job.out, sidecar);
+            if (!archive::remove_clip(job.out, job.in, sidecar)) continue;  // another run is drawing it
             environment.log.info("{}: {}, so its picture was removed", name,
                                  moved ? "its clips belong to other days now" : "the clip was deleted");
         } catch (const Error& error) {
@@ -381,14 +377,11 @@ void remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry
             continue;
         }
         try {
-            const fs::path folder = archive::sidecar_path(job.out, clip).parent_path();
-            archive::check_own_folder(job.out, folder);
-            const auto claim = archive::LockFile::try_take(folder, fs::path(clip).filename().string());
-            if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
-            const std::vector<std::string> removed = archive::remove_outputs(job.out, sidecar);
+            const auto removed = archive::remove_clip(job.out, job.in, sidecar);
+            if (!removed) continue;  // another run is drawing it
             environment.log.info("{}: older than --keep; removed {}", archive::text_of_path(clip),
-                                 archive::text_of_path(fmt::format("{}", fmt::join(removed, ", "))));
+                                 archive::text_of_path(fmt::format("{}", fmt::join(*removed, ", "))));
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
             cli::log_error(environment.log, error.code(), error.what());

@@ -129,31 +129,49 @@ std::vector<std::string> written_names(const std::string& file_name) {
     return names;
 }
 
+namespace {
+
+/// Removes what a killed program left of a clip. The caller holds its lock.
+/// \param owned files that belong to other clips, or to the archive
+void remove_unfinished(const fs::path& folder, const std::string& name, const std::set<fs::path>& owned) {
+    remove_leftovers(folder, written_names(name));
+    remove_staging(staging_of(folder, name));
+    std::error_code none;
+    if (fs::exists(sidecar_path(folder, name), none)) return;
+    // No run has finished it, and no sidecar will ever name these files.
+    for (const OutputRow& row : output_rows) {
+        const fs::path path = output_path(folder, name, row.kind);
+        // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
+        // that of the index.
+        if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
+        fs::remove(path, none);
+    }
+    const fs::path pieces = pieces_folder(folder, name);
+    std::vector<std::string> names = list_pieces(pieces);
+    std::erase_if(names, [&](const std::string& piece) { return owned.contains(pieces / piece); });
+    remove_pieces(pieces, names);
+}
+
+}  // namespace
+
 void tidy(const fs::path& out, const Outputs& outputs) {
     if (outputs.locks.empty()) return;
     const std::set<fs::path> owned = files_with_owners(out, outputs);
     for (const fs::path& file : outputs.locks) {
-        const auto left = LockFile::take_over(file);
-        if (!left) continue;
-        const fs::path folder = file.parent_path();
-        const std::string& name = left->second;
-        remove_leftovers(folder, written_names(name));
-        remove_staging(staging_of(folder, name));
-        std::error_code none;
-        if (fs::exists(sidecar_path(folder, name), none)) continue;
-        // No run has finished it, and no sidecar will ever name these files.
-        for (const OutputRow& row : output_rows) {
-            const fs::path path = output_path(folder, name, row.kind);
-            // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
-            // that of the index.
-            if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
-            fs::remove(path, none);
-        }
-        const fs::path pieces = pieces_folder(folder, name);
-        std::vector<std::string> names = list_pieces(pieces);
-        std::erase_if(names, [&](const std::string& piece) { return owned.contains(pieces / piece); });
-        remove_pieces(pieces, names);
+        if (const auto left = LockFile::take_over(file)) remove_unfinished(file.parent_path(), left->second, owned);
     }
+}
+
+std::optional<std::vector<std::string>> remove_clip(const fs::path& out, const fs::path& in, const Sidecar& sidecar) {
+    const fs::path folder = sidecar_path(out, sidecar.clip.path).parent_path();
+    const std::string name = fs::path(sidecar.clip.path).filename().string();
+    check_own_folder(out, folder);
+    const auto claim = LockFile::try_take(folder, name);
+    if (!claim) return std::nullopt;
+    std::vector<std::string> removed = remove_outputs(out, sidecar);
+    // The lock of a killed run goes with the claim, so `tidy` would not find it.
+    if (claim->is_stale()) remove_unfinished(folder, name, files_with_owners(out, list_outputs(out, in)));
+    return removed;
 }
 
 Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ Outputs list_outputs(const std::filesystem::path& out, const std::filesystem::pa
 /// Removes files and locks of killed programs that no later run would finish. Neither the index nor files of other
 /// clips are removed.
 void tidy(const std::filesystem::path& out, const Outputs& outputs);
+
+/// Removes a clip's files and its sidecar, and what a killed program left of it.
+/// \param in the folder of clips, as in `list_outputs`
+/// \returns what the sidecar named and was removed, below `out`; nothing if another program is drawing the clip
+/// \throws Error io
+std::optional<std::vector<std::string>> remove_clip(const std::filesystem::path& out, const std::filesystem::path& in,
+                                                    const Sidecar& sidecar);
 
 /// The staging folder of a clip's files, next to their final place. It is hidden, and exists only while a program makes
 /// them.

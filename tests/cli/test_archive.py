@@ -413,6 +413,25 @@ def test_archive_removes_what_a_killed_index_left(t):
     complete(t, ["a.avi"])
 
 
+def test_archive_removes_what_a_killed_redraw_left_of_a_clip_that_goes(t):
+    """With --prune and with --keep: nobody will draw it again."""
+    t.old_clips("gate/a.avi", "gate/gone.avi", "gate/old.avi")
+    t.stamp("in/gate/old.avi", -40 * 86400)
+    archive(t, "--write", "pictures,index").expect(0, "3 clips drawn")
+    for name in ("gone.avi", "old.avi"):
+        t.write(f"out/gate/{lock_name(name)}", name)
+        t.write(f"out/gate/{part_name(f'{name}.json')}", "half")
+        t.write(f"out/gate/.vvr-{fnv1a(name):016x}.new/{name}.png", "half")
+        t.write(f"out/gate/{name}.html", "moved to its place, and in no sidecar")
+        t.write(f"out/gate/{name}.txt", "mine")
+    t.path("in/gate/gone.avi").unlink()
+    archive(t, "--write", "pictures", "--prune", "--keep", "30d").expect(
+        0, "gate/gone.avi: the clip was deleted", "gate/old.avi: older than --keep; removed gate/old.avi.png, ")
+    nothing_hidden(t)
+    left = [name for name in outputs(t) if not name.startswith("gate/a.avi")]
+    check(left == ["gate/gone.avi.txt", "gate/old.avi.txt", "index.html"], f"{left}")
+
+
 def start(t, *arguments, **options):
     return t.start("archive", "in", "-o", "out", *QUICK, *arguments, stderr=subprocess.PIPE, start_new_session=True,
                    **options)
