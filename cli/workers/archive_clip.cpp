@@ -59,6 +59,8 @@ ClipTask::~ClipTask() {
     if (finished_ || lock_.descriptor() < 0) return;
     remove_leftovers(folder(), archive::written_names(file_name()));
     archive::remove_staging(staging());
+    // Nobody was told of its events, and the next run must not take it for a report that was told.
+    if (report_moved_ && !before_) remove_files(job_->out, clip_.path, {archive::OutputKind::report}, {});
 }
 
 fs::path ClipTask::folder() const {
@@ -260,13 +262,13 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     return sidecar;
 }
 
-/// Call it while the older report is still in its place.
+/// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
+/// it, so it counts without one too.
 std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
     const bool told = day() != nullptr ? job_->tells_days : job_->tells_clips;
     if (!told || !sidecar.events) return {};
     const archive::OlderReport older =
-        before_ ? archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report))
-                : archive::OlderReport{};
+        archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
     std::vector<events::EventLine> lines =
         archive::new_events(staged(archive::OutputKind::report), older,
                             day() != nullptr ? archive::Reported::day : archive::Reported::clip);
@@ -345,6 +347,7 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             if (error)
                 throw system_error(error.value(), fmt::format("cannot write '{}'", place.string()),
                                    "choose another folder or fix its permissions");
+            if (kind == archive::OutputKind::report) report_moved_ = true;
         }
     }
     archive::write_sidecar(job_->out, sidecar);

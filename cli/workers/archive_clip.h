@@ -99,6 +99,7 @@ class ClipTask {
     std::optional<archive::Sidecar> before_;
     archive::LockFile lock_;
     std::vector<events::EventLine> new_events_;
+    bool report_moved_ = false;
     bool finished_ = false;
 };
 

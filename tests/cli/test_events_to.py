@@ -64,6 +64,25 @@ def test_archive_tells_each_event_once(t):
     check([line["clip"][-12:] for line in lines(t)] == ["20-00-00.avi", "20-30-00.avi"], f"{lines(t)}")
 
 
+def test_a_clip_without_its_sidecar_tells_no_event_again(t):
+    """Removing the sidecar has a clip drawn again; its report says what was told."""
+    clips(t, "in/gate/a.avi")
+    archive(t).expect(0)
+    told = lines(t)
+    check(len(told) == 1, f"{told}")
+    t.path("out/gate/a.avi.json").unlink()
+    archive(t).expect(0, "1 clip drawn")
+    check(lines(t) == told, "told again")
+    # Where no report says so, nothing is known; whatever is there instead stops nobody.
+    for count, report in enumerate((None, "{", '{"span": {"last": "x"}}', '{"span":' * 100, "{" + " " * 100_000_001), start=2):
+        t.path("out/gate/a.avi.json").unlink()
+        t.path("out/gate/a.avi.report.json").unlink()
+        if report is not None:
+            t.write("out/gate/a.avi.report.json", report)
+        archive(t).expect(0, "1 clip drawn")
+        check(lines(t) == told * count, f"{(report or '')[:30]}: {len(lines(t))} lines")
+
+
 @pytest.mark.nightly
 def test_a_day_tells_the_events_of_its_new_files(t):
     t.zone("UTC")

@@ -4,6 +4,7 @@ They take minutes, so they are of the nightly set. VVR_FAULTS and VVR_KILLS ask 
 others, and VVR_FAULT_ONLY for one alone, as malloc:17 or read:3+.
 """
 
+import json
 import os
 import pathlib
 import random
@@ -290,3 +291,21 @@ def test_opengl_that_fails_anywhere(t, error, lasts, status, code):
         t.expect_files("clip.avi", "out.png")
     check(number > 10, f"OpenGL was asked {number - 1} times for errors")
     t.expect_picture(size=(64, 40))
+
+
+def test_an_archive_tells_each_event_once_whichever_file_cannot_be_moved(t):
+    """The files of a clip are moved to their places one by one, and its report isn't the last."""
+    t.old_clips("a.avi", seconds=4)
+    archive = ("archive", "in", "-o", "out", *SMALL, "--flow", "none", "--backend", "software", "--events-to", "events.jsonl")
+    failed = 0
+    for number in range(1, 10):
+        shutil.rmtree(t.path("out"), ignore_errors=True)
+        t.path("events.jsonl").unlink(missing_ok=True)
+        run = t.vvr(*archive, env=os.environ | {"VVR_FAULT": f"rename:{number}", "VVR_FAULT_IN": "main",
+                                                "LD_PRELOAD": built(t, "libvvr_fail_nth.so")})
+        failed += "a.avi failed" in run.err
+        t.vvr(*archive).expect(0)
+        events = [event["number"] for event in t.json("out/a.avi.report.json")["events"]]
+        told = [json.loads(line)["number"] for line in t.path("events.jsonl").read_text(encoding="utf-8").splitlines()]
+        check(events and told == events, f"rename {number}: told are {told} of {events}\n{run}")
+    check(failed >= 7, f"only {failed} of the files could not be moved")
