@@ -244,14 +244,14 @@ bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
     ArchiveJob job = job_of(options, video::RecorderNames(options.pictures.names, options.in));
+    const archive::ClipNames clips(options.match, options.exclude);
     if (!options.draws()) {
         make_folder(options.out);
-        write_index(job, environment);
+        write_index(job, clips, environment);
         environment.log.info("'{}' is up to date", (options.out / archive::index_name).string());
         return cli::ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const archive::ClipNames clips(options.match, options.exclude);
     const Survey found = survey(options, clips, job, environment.log);
     if (found.clips == 0) {
         environment.log.warn("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
@@ -286,7 +286,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     const bool aged =
         !options.keep || succeeds(environment.log, [&] { remove_expired(job, options.shard, false, environment); });
     const bool indexed =
-        !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, environment); });
+        !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, clips, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     const bool told = events.finish();

@@ -118,15 +118,27 @@ void put_file(const fs::path& path, const std::string& text, cli::Signals& signa
     replace_link(path, std::as_bytes(std::span(text)));
 }
 
-/// The clips that no longer exist. None if their folder is missing or empty, as its disk may not be mounted.
-std::set<std::string> gone_of(const fs::path& in, const std::vector<archive::Sidecar>& sidecars) {
-    std::set<std::string> gone;
-    std::error_code none;
-    if (in.empty() || !fs::is_directory(in, none) || fs::is_empty(in, none)) return gone;
-    for (const archive::Sidecar& sidecar : sidecars) {
-        if (!sidecar.day && archive::is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
+/// The clips that certainly no longer exist, as `prune` judges it. None if that can't be known.
+std::set<std::string> gone_of(const ArchiveJob& job, const archive::ClipNames& clips,
+                              const std::vector<archive::Sidecar>& sidecars) {
+    const auto may_be_gone = [&](const archive::Sidecar& sidecar) {
+        return !sidecar.day && archive::is_gone(job.in / sidecar.clip.path);
+    };
+    // The other clips are looked at only where one is missing, because that takes long.
+    if (job.in.empty() || std::ranges::none_of(sidecars, may_be_gone)) return {};
+    try {
+        const archive::Present present = archive::find_present(job.in, job.out, clips, job.names);
+        archive::check_can_prune(job.in, present);
+        std::set<std::string> gone;
+        for (const archive::Sidecar& sidecar : sidecars) {
+            if (!may_be_gone(sidecar)) continue;
+            const archive::SourceStatus status = archive::source_state_of(job.in, sidecar, present, job.names);
+            if (status.fate == archive::SourceState::gone) gone.insert(sidecar.clip.path);
+        }
+        return gone;
+    } catch (const Error&) {
+        return {};  // the index is useful without the marks
     }
-    return gone;
 }
 
 /// Removes files of days that have no clip left.
@@ -285,7 +297,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
     return drawing.wait_for_all();
 }
 
-void write_index(const ArchiveJob& job, const cli::Environment& environment) {
+void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, const cli::Environment& environment) {
     // If two runs end at the same time, the second must read what the first wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
     const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
@@ -313,7 +325,8 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
         }
     }
     put_file(job.out / archive::index_name,
-             archive::make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)), environment.signals);
+             archive::make_index(outputs.sidecars, names, gone_of(job, clip_names, outputs.sidecars)),
+             environment.signals);
     remove_other_days(job.out, days);
 }
 

@@ -37,7 +37,8 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
                           cli::EventFile& events, const cli::Environment& environment);
 
 /// Writes the index from the sidecars if it has changed, and removes what killed runs left behind.
-void write_index(const ArchiveJob& job, const cli::Environment& environment);
+/// \param clip_names which files are clips; see `prune`
+void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, const cli::Environment& environment);
 
 /// Decides what to do with each day of a camera, newest first.
 std::vector<PlannedClip> plan_days(const ArchiveJob& job);

@@ -413,6 +413,30 @@ def test_archive_removes_what_a_killed_index_left(t):
     complete(t, ["a.avi"])
 
 
+def gone_in_index(t):
+    """The clips that the index marks as gone."""
+    return sorted(row[1] for row in days_of(t)[1]["clips"] if row[5] & 256)
+
+
+def test_index_marks_as_gone_only_what_prune_would_remove(t):
+    """A camera's disk that is not mounted has lost no clip."""
+    t.old_clips("gate/a.avi", "hall/b.avi", "hall/gone.avi", "yard/c.avi")
+    archive(t).expect(0, "4 clips drawn")
+    check(gone_in_index(t) == [], f"{gone_in_index(t)}")
+    t.path("in/hall/gone.avi").unlink()
+    t.path("in/gate/a.avi").unlink()
+    t.path("in/yard").rename(t.path("elsewhere"))
+    archive(t, "--match", "b.avi").expect(0)
+    check(gone_in_index(t) == ["./hall/gone.avi"], f"{gone_in_index(t)}")
+    t.vvr("archive", "in", "-o", "out", "--write", "index").expect(0)
+    check(gone_in_index(t) == ["./hall/gone.avi"], f"{gone_in_index(t)}")
+    # No clip at all: nobody knows, and the index is written.
+    t.path("in/hall/b.avi").unlink()
+    t.write("in/note.txt", "mine")
+    archive(t).expect(0, "no clips found")
+    check(gone_in_index(t) == [], f"{gone_in_index(t)}")
+
+
 def test_archive_removes_what_a_killed_redraw_left_of_a_clip_that_goes(t):
     """With --prune and with --keep: nobody will draw it again."""
     t.old_clips("gate/a.avi", "gate/gone.avi", "gate/old.avi")
