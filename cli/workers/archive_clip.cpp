@@ -51,8 +51,7 @@ bool affects_one_file(const Error& error) {
     return error.kind() == ErrorKind::io && error.code() != ErrorCode::disk_full;
 }
 
-ClipTask::ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
-                   archive::LockFile claim)
+ClipTask::ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, LockFile claim)
     : job_(&job), clip_(std::move(clip)), before_(std::move(before)), lock_(std::move(claim)) {}
 
 ClipTask::~ClipTask() {
@@ -141,7 +140,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     if (error) {
         throw_no_folder(folder, error);
     }
-    std::optional<archive::LockFile> claim = archive::LockFile::try_take(folder, name);
+    std::optional<LockFile> claim = LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
     if (claim->is_stale()) remove_leftovers(folder, archive::written_names(name));
     archive::remove_staging(archive::staging_of(job.out, path));
@@ -263,12 +262,14 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
 }
 
 /// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
-/// it, so it counts without one too.
+/// it, so it counts without one too. That of a killed run doesn't: nobody was told of its events.
 std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
     const bool told = day() != nullptr ? job_->tells_days : job_->tells_clips;
     if (!told || !sidecar.events) return {};
     const archive::OlderReport older =
-        archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
+        before_ || !lock_.is_stale()
+            ? archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report))
+            : archive::OlderReport{};
     std::vector<events::EventLine> lines =
         archive::new_events(staged(archive::OutputKind::report), older,
                             day() != nullptr ? archive::Reported::day : archive::Reported::clip);

@@ -10,9 +10,9 @@
 #include "cli/signals.h"
 #include "cli/workers/worker.h"
 #include "core/archive/clips.h"
-#include "core/archive/lock_file.h"
 #include "core/archive/need.h"
 #include "core/base/error.h"
+#include "core/base/lock_file.h"
 #include "core/events/event_line.h"
 #include "core/video/recorder_names.h"
 
@@ -80,8 +80,7 @@ class ClipTask {
     const std::vector<events::EventLine>& new_events() const { return new_events_; }
 
   private:
-    ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
-             archive::LockFile claim);
+    ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, LockFile claim);
 
     std::filesystem::path folder() const;
     std::filesystem::path staging() const;
@@ -97,7 +96,7 @@ class ClipTask {
     const ArchiveJob* job_;
     archive::Clip clip_;
     std::optional<archive::Sidecar> before_;
-    archive::LockFile lock_;
+    LockFile lock_;
     std::vector<events::EventLine> new_events_;
     bool report_moved_ = false;
     bool finished_ = false;

@@ -300,7 +300,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, const cli::Environment& environment) {
     // If two runs end at the same time, the second must read what the first wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
-    const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
+    const LockFile claim = LockFile::wait_for(job.out, files.front());
     if (claim.is_stale()) remove_leftovers(job.out, files);
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {

@@ -14,11 +14,11 @@
 #include <fmt/format.h>
 
 #include "core/archive/clips.h"
-#include "core/archive/lock_file.h"
 #include "core/archive/pieces.h"
 #include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "core/base/lock_file.h"
 #include "core/base/text.h"
 
 namespace vvr::archive {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -19,6 +20,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/lock_file.h"
 #include "core/base/plane.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/planes.h"
@@ -103,8 +105,21 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
 /// Whether the folder has nothing but what a run leaves that is killed before its first manifest is complete.
 bool has_only_leftovers(const fs::path& folder) {
     return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
-        return is_temporary_of(stored::manifest, entry.path());
+        return is_temporary_of(stored::manifest, entry.path()) || LockFile::is_lock_of(stored::manifest, entry.path());
     });
+}
+
+/// Two runs that write the same names would mix their data, and one that fails would remove the data of the other.
+/// \throws Error file_locked if another run is writing to the folder
+LockFile lock_folder(const fs::path& folder) {
+    std::optional<LockFile> lock = LockFile::try_take(folder, stored::manifest);
+    if (!lock) {
+        throw Error(ErrorCode::file_locked,
+                    fmt::format("cannot write to '{}': another `vvr extract` is writing to this folder; wait until it "
+                                "has ended, or choose another folder",
+                                folder.string()));
+    }
+    return std::move(*lock);
 }
 
 }  // namespace
@@ -126,6 +141,7 @@ void check_data_folder(const fs::path& folder) {
                                                              folder.string()));
     }
     check_file_path(folder / stored::manifest);
+    lock_folder(folder);  // released at once: this run may take long to its first frame, or never have one
 }
 
 DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::move(folder)), flow_every_(flow_every) {
@@ -133,6 +149,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::
     std::error_code error;
     created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
+    lock_.emplace(lock_folder(folder_));
     // With this manifest, the next run recognises the folder if this run is killed.
     replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
@@ -147,6 +164,7 @@ DataFolder::~DataFolder() {
     if (closed_ || !remove_data()) return;
     std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
+    lock_.reset();  // its file is in the folder
     if (created_) fs::remove(folder_, none);
 }
 

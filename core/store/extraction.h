@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/lock_file.h"
 #include "core/fields/field.h"
 #include "core/fields/field_source.h"
 #include "core/fields/reference.h"
@@ -12,17 +14,18 @@
 
 namespace vvr::store {
 
-/// Checks that data files can be written to `folder`: it doesn't exist, is empty, or holds an extraction.
+/// Checks that data files can be written to `folder`: it doesn't exist, is empty, or holds an extraction, and no other
+/// run is writing to it.
 /// \throws Error io if they can't
 void check_data_folder(const std::filesystem::path& folder);
 
 /// Writes the data files of Fig. 3 to a folder. Until `close`, the manifest marks them as unfinished; destruction
-/// without `close` removes them.
+/// without `close` removes them. While it lives, it holds the lock of the folder.
 class DataFolder {
   public:
     /// Creates the folder, or deletes an older extraction in it.
     /// \param flow_every store flow and seeds of frames whose index is a multiple of it; 0 = never
-    /// \throws Error io if the folder can't be written
+    /// \throws Error io if the folder can't be written, or another run is writing to it
     DataFolder(std::filesystem::path folder, std::int64_t flow_every);
     ~DataFolder();
     DataFolder(const DataFolder&) = delete;
@@ -41,6 +44,7 @@ class DataFolder {
 
     std::filesystem::path folder_;
     std::int64_t flow_every_;
+    std::optional<LockFile> lock_;
     bool created_ = false;
     bool closed_ = false;
     std::vector<StoredFrame> frames_;

@@ -1,8 +1,12 @@
 """Data files: extract, render of what it wrote, lists of seeds, inspect."""
 
+import contextlib
 import json
 import shutil
+import signal
 import struct
+import subprocess
+import time
 
 import pytest
 from harness import check, moving_clip, part_name, without_colours
@@ -127,6 +131,39 @@ def test_extract_goes_on_where_a_run_was_killed_at_its_first_file(t):
     t.write(f"mine/{part_name('manifest.json')}", "half")
     t.write("mine/.notes", "keep me")
     t.vvr("extract", "clip.avi", "-o", "mine").expect(2, "'mine'", code="folder-not-empty")
+
+
+@contextlib.contextmanager
+def extracting(t, clip):
+    """A run of `vvr extract` that is writing to the folder `data`, and is stopped there."""
+    run = subprocess.Popen([t.vvr_path, "extract", clip, "-o", "data"], cwd=t.folder, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+    try:
+        until = time.monotonic() + 60
+        while not t.path("data/first.png").exists():
+            check(run.poll() is None and time.monotonic() < until, "it wrote no frame, or all of them")
+            time.sleep(0.001)
+        run.send_signal(signal.SIGSTOP)
+        yield run
+    finally:
+        run.kill()
+        run.wait()
+
+
+def test_extract_writes_a_folder_once_at_a_time(t):
+    t.clip("long.avi", seconds=60)
+    t.clip("short.avi", seconds=1)
+    with extracting(t, "long.avi") as first:
+        t.vvr("extract", "short.avi", "-o", "data").expect(2, "'data'", "another `vvr extract`", code="file-locked")
+        first.send_signal(signal.SIGCONT)
+        check(first.wait(timeout=120) == 0, f"the second run broke the first: status {first.returncode}")
+    check(len(list(t.path("data/scalar").iterdir())) == 600, "frames of the first run are lost")
+    # A run that was killed holds nothing up.
+    shutil.rmtree(t.path("data"))
+    with extracting(t, "long.avi"):
+        pass
+    t.vvr("extract", "short.avi", "-o", "data").expect(0, "10 frames")
+    check(not list(t.path("data").glob(".*")), "a lock stays")
 
 
 def test_extract_replaces_only_its_own(t):

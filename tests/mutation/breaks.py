@@ -16,6 +16,8 @@ BREAKS = [
           "ReadFile.TakesNoMoreFromAPipeThanItMay"),
     Break("core/base/file.cpp", "wait ? LOCK_EX : LOCK_EX | LOCK_NB", "wait ? LOCK_SH : LOCK_SH | LOCK_NB",
           "LockFile.HasOneOwner"),
+    Break("core/base/lock_file.cpp", "if (!is_same_file(file, path)) {", "if (file < 0) {",
+          "Archive.HasOneOwnerHoweverManyAsk"),
     Break("core/base/text.cpp", "host.rfind('@')", "host.find('@')",
           "ShownText.TellsNoSecrets"),
     Break("core/base/wall_clock.cpp", "best && !near && utc < *best", "best && !near && utc > *best",
@@ -118,12 +120,12 @@ BREAKS = [
     # core/store
     Break("core/store/manifest.cpp", "frame.pts < frames.back().pts", "frame.pts < frames.front().pts",
           "ManifestText.HasNoValueThatCannotBe"),
+    Break("core/store/extraction.cpp", "lock_.emplace(lock_folder(folder_));", "",
+          "Store.IsWrittenByOneAtATime"),
     # core/page
     Break("core/page/preview.cpp", "if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);", "",
           "Preview.TakesFramesOfOneTime"),
     # core/archive
-    Break("core/archive/lock_file.cpp", "if (!is_same_file(file, path)) {", "if (file < 0) {",
-          "Archive.HasOneOwnerHoweverManyAsk"),
     Break("core/archive/prune.cpp", "::lstat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR)", "::lstat(path.c_str(), &status) != 0",
           "Gone.IsOnlyWhatIsCertainlyNotThere"),
     # gl

@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/archive/lock_file.h"
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/lock_file.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -26,9 +26,9 @@ using namespace std::chrono_literals;
 using test::Archive;
 
 TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
-    const auto held = archive::LockFile::try_take(out(), "index.html");
-    EXPECT_THROW(archive::LockFile::wait_for(out(), "index.html", 50ms), Error);
-    EXPECT_NO_THROW(archive::LockFile::wait_for(out(), "other.html", 50ms));
+    const auto held = LockFile::try_take(out(), "index.html");
+    EXPECT_THROW(LockFile::wait_for(out(), "index.html", 50ms), Error);
+    EXPECT_NO_THROW(LockFile::wait_for(out(), "other.html", 50ms));
 }
 
 TEST_F(Archive, HasOneOwnerHoweverManyAsk) {
@@ -37,7 +37,7 @@ TEST_F(Archive, HasOneOwnerHoweverManyAsk) {
     std::atomic<int> taken = 0;
     const auto ask = [&] {
         for (int i = 0; i < 3000; ++i) {
-            const auto lock = archive::LockFile::try_take(out(), "a.avi");
+            const auto lock = LockFile::try_take(out(), "a.avi");
             if (!lock) continue;
             ++taken;
             if (++owners > 1) ++shared;
@@ -54,25 +54,25 @@ TEST_F(Archive, HasOneOwnerHoweverManyAsk) {
 }
 
 TEST_F(Archive, IsClaimedByOneAtATime) {
-    auto first = archive::LockFile::try_take(out(), "a.avi");
+    auto first = LockFile::try_take(out(), "a.avi");
     ASSERT_TRUE(first);
     EXPECT_FALSE(first->is_stale());
-    EXPECT_FALSE(archive::LockFile::try_take(out(), "a.avi"));
-    EXPECT_TRUE(archive::LockFile::try_take(out(), "b.avi"));
+    EXPECT_FALSE(LockFile::try_take(out(), "a.avi"));
+    EXPECT_TRUE(LockFile::try_take(out(), "b.avi"));
     const fs::path file = fs::directory_iterator(out())->path();
-    EXPECT_TRUE(archive::LockFile::is_lock_file(file));
-    EXPECT_FALSE(archive::LockFile::take_over(file));
+    EXPECT_TRUE(LockFile::is_lock_file(file));
+    EXPECT_FALSE(LockFile::take_over(file));
     first.reset();
     EXPECT_TRUE(fs::is_empty(out())) << "a claim leaves no file";
-    EXPECT_TRUE(archive::LockFile::try_take(out(), std::string(255, 'a')));
-    EXPECT_THROW(archive::LockFile::try_take(out() / "none", "a"), Error);
+    EXPECT_TRUE(LockFile::try_take(out(), std::string(255, 'a')));
+    EXPECT_THROW(LockFile::try_take(out() / "none", "a"), Error);
 }
 
 TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     const auto be_killed = [&] {
         const pid_t child = ::fork();
         if (child == 0) {
-            const auto claim = archive::LockFile::try_take(out(), "a.avi");
+            const auto claim = LockFile::try_take(out(), "a.avi");
             ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
         }
         int status = 0;
@@ -83,7 +83,7 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     write(out() / "a.avi.png");
     write(out() / "other.png");
     {
-        const auto claim = archive::LockFile::try_take(out(), "a.avi");
+        const auto claim = LockFile::try_take(out(), "a.avi");
         ASSERT_TRUE(claim);
         EXPECT_TRUE(claim->is_stale());
         archive::tidy(out(), archive::list_outputs(out(), in()));
@@ -114,14 +114,14 @@ TEST_F(Archive, TakesOverNoClaimThatIsNone) {
     fs::remove(files.back());
     ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
     for (const fs::path& file : files) {
-        EXPECT_TRUE(archive::LockFile::is_lock_file(file));
-        EXPECT_FALSE(archive::LockFile::take_over(file)) << file;
+        EXPECT_TRUE(LockFile::is_lock_file(file));
+        EXPECT_FALSE(LockFile::take_over(file)) << file;
         EXPECT_TRUE(fs::exists(file)) << file;
     }
     archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
     EXPECT_TRUE(fs::exists(out() / "photo.png"));
-    EXPECT_TRUE(archive::LockFile::take_over(leave_claim("good", "good")));
+    EXPECT_TRUE(LockFile::take_over(leave_claim("good", "good")));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -5,10 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/lock_file.h"
 #include "core/fields/seed_list.h"
 #include "core/store/extraction.h"
 #include "core/store/manifest.h"
@@ -120,6 +125,40 @@ TEST_F(Store, WithoutCloseNothingStays) {
         EXPECT_THROW(store::StoredFields{names}, Error);
     }
     EXPECT_EQ(folder.files(), 0);
+}
+
+TEST_F(Store, IsWrittenByOneAtATime) {
+    const std::string name = folder / "a";
+    {
+        store::DataFolder data(name, 1);
+        data.add(frame_of(0), field_of(0));
+        test::expect_error(ErrorCode::file_locked, [&] { store::check_data_folder(name); }, {name, "vvr extract"});
+        test::expect_error(ErrorCode::file_locked, [&] { store::DataFolder(name, 1); }, {name, "vvr extract"});
+        data.close(manifest_of(), {});
+    }
+    const std::vector<std::string> names{name};
+    EXPECT_EQ(store::StoredFields(names).read({}, [](const auto&, const auto&) {}).frames, 1);
+    const auto is_hidden = [](const fs::directory_entry& entry) {
+        return entry.path().filename().string().starts_with('.');
+    };
+    EXPECT_TRUE(std::ranges::none_of(fs::directory_iterator(name), is_hidden)) << "a lock stays";
+    EXPECT_NO_THROW(store::check_data_folder(name));
+}
+
+TEST_F(Store, GoesOnWhereARunWasKilled) {
+    const fs::path name = folder / "a";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        fs::create_directory(name);
+        const auto lock = LockFile::try_take(name, store::stored::manifest);
+        ::_exit(lock ? 0 : 1);  // without a destructor, as SIGKILL would
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+    ASSERT_FALSE(fs::is_empty(name));
+    { const store::DataFolder data(name, 1); }
+    EXPECT_TRUE(fs::is_empty(name)) << "it held nothing but a lock";
 }
 
 TEST_F(Store, ListsReplaceSeeds) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace vvr::archive {
+namespace vvr {
 
 /// The exclusive right to write the files of one name in a folder, for the life of this object. It is a lock (`flock`)
 /// on a hidden file: the kernel releases it however the program ends. It holds between machines if the file system's
@@ -30,6 +30,9 @@ class LockFile {
     /// Whether `file` has the name of a lock's hidden file.
     static bool is_lock_file(const std::filesystem::path& file);
 
+    /// Whether `file` is the hidden file of the lock of `name` in its folder.
+    static bool is_lock_of(const std::string& name, const std::filesystem::path& file);
+
     LockFile(LockFile&& other) noexcept;
     LockFile& operator=(LockFile&&) = delete;
     LockFile(const LockFile&) = delete;
@@ -52,4 +55,4 @@ class LockFile {
     bool stale_;
 };
 
-}  // namespace vvr::archive
+}  // namespace vvr

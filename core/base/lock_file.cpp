@@ -1,4 +1,4 @@
-#include "core/archive/lock_file.h"
+#include "core/base/lock_file.h"
 
 #include <array>
 #include <cerrno>
@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 
-namespace vvr::archive {
+namespace vvr {
 
 namespace {
 
@@ -120,6 +120,10 @@ bool LockFile::is_lock_file(const fs::path& file) {
            name.ends_with(lock_extension);
 }
 
+bool LockFile::is_lock_of(const std::string& name, const fs::path& file) {
+    return file == file_for(file.parent_path(), name);
+}
+
 std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::path& file) {
     const int open = open_no_follow(file, O_RDWR);
     if (open < 0) return std::nullopt;
@@ -133,4 +137,4 @@ std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::pa
     return std::pair(LockFile(file, open, true), std::move(*name));
 }
 
-}  // namespace vvr::archive
+}  // namespace vvr
