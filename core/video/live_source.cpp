@@ -21,8 +21,7 @@ constexpr std::size_t frames_of_a_pipe = 8;  // decoded ahead
 constexpr std::size_t arrivals_kept = 512;
 constexpr std::int64_t pixels_waiting = 500'000'000;  // limit for all waiting frames together
 
-// Seconds. If a timestamp advances this much more than the reader's clock, the camera has set its clock. Even a stream
-// that arrives faster than real time doesn't advance as much between two frames.
+// Seconds. If a live camera's timestamp advances this much more than the reader's clock, the camera has set its clock.
 constexpr double leap = 10;
 
 double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::time_point to) {
@@ -58,7 +57,9 @@ double LiveClock::operator()(std::optional<double> stamp, double arrival) {
 double LiveClock::step(const std::optional<double>& stamp, double arrival) const {
     const double passed = std::max(duration_, arrival - arrival_);
     if (!stamp) return duration_;
-    if (!stamp_ || *stamp < *stamp_ || *stamp > *stamp_ + passed + leap) return passed;
+    // A file may be read faster than real time, so the reader's clock says nothing about a hole in it.
+    const double longest = waits_ ? longest_clip : passed + leap;
+    if (!stamp_ || *stamp < *stamp_ || *stamp - *stamp_ > longest) return passed;
     return *stamp - *stamp_;
 }
 
@@ -80,7 +81,7 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
     info_.frames = 0;
     info_.duration = 0;
     field_size_ = field_size_for(info_.size, options_.source.field_size);
-    clock_ = LiveClock(1 / info_.rate);
+    clock_ = LiveClock(1 / info_.rate, waits_);
     begin_ = Clock::now();
     reader_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

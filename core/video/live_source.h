@@ -22,11 +22,13 @@
 namespace vvr::video {
 
 /// Converts a live stream's presentation timestamps to times that start at 0 and never decrease. Within a connection,
-/// time follows the timestamps. Across a reconnection, it follows the reader's clock.
+/// time follows the timestamps. Across a reconnection, or if a camera sets its clock, it follows the reader's clock.
 class LiveClock {
   public:
     /// \param duration seconds per frame
-    explicit LiveClock(double duration) : duration_(duration) {}
+    /// \param waits whether the sender waits for the reader, as a file does: then only the timestamps tell how long a
+    ///     gap is
+    explicit LiveClock(double duration, bool waits = false) : duration_(duration), waits_(waits) {}
 
     /// Call it after a reconnection: later timestamps are unrelated to earlier ones.
     void restart() { stamp_.reset(); }
@@ -40,6 +42,7 @@ class LiveClock {
     double step(const std::optional<double>& stamp, double arrival) const;
 
     double duration_;
+    bool waits_;
     std::optional<double> time_;
     std::optional<double> stamp_;
     double arrival_ = 0;

@@ -246,6 +246,23 @@ def test_watch_a_pipe_drops_nothing(t):
     check(t.path("fifo.png").read_bytes()[:4] == b"\x89PNG", "no picture of the named pipe")
 
 
+def test_watch_keeps_the_hole_of_a_file_or_a_pipe(t):
+    """Both are read in a moment, so the clock of the machine says nothing about the minute in which nothing was recorded."""
+    source(t, seconds=8)
+    t.ffmpeg("-i", "cam.ts", "-vf", "setpts=PTS+gte(N\\,150)*60/TB", "-vsync", "0", "-c:v", "libx264", "-preset", "ultrafast", "-bf", "0",
+             "2026-11-21_08-00-00.ts")
+    look = ("-o", "out.png", "--brick", "2s", "--reference", "first", *SIZE)
+    said = Watch(t, "2026-11-21_08-00-00.ts", *look).end()
+    check(67 < figures(said)["seconds"] < 69, said)
+    check("2026-11-21 08:01:0" in said, f"the time of day after the hole: {said}")
+    with t.path("2026-11-21_08-00-00.ts").open("rb") as clip:
+        cat = subprocess.Popen(["cat"], stdin=clip, stdout=subprocess.PIPE)
+        said = Watch(t, "-", *look, stdin=cat.stdout).end()
+        cat.stdout.close()
+        cat.wait()
+    check(67 < figures(said)["seconds"] < 69, said)
+
+
 def test_watch_of_a_finished_file_is_not_now(t):
     """What is in a file has been: its clock is that of its name, or none, and `render` is meant."""
     source(t)

@@ -77,6 +77,15 @@ TEST(LiveClock, GoesByTheReadersClockWhereStampsSayNothing) {
     EXPECT_NEAR(clock(5000.04, 12.24), 12.24, 1e-9);
 }
 
+TEST(LiveClock, KeepsTheHoleOfAFileThatIsReadAtOnce) {
+    video::LiveClock clock(0.04, true);
+    clock(100.0, 0);
+    EXPECT_NEAR(clock(160.0, 0.001), 60, 1e-9);
+    EXPECT_NEAR(clock(160.04, 0.002), 60.04, 1e-9);
+    EXPECT_NEAR(clock(1e12, 0.003), 60.08, 1e-9);  // no clip is as long
+    EXPECT_NEAR(clock(3.0, 0.004), 60.12, 1e-9);   // its camera's clock went back
+}
+
 TEST(LiveClock, NeverRunsBackwards) {
     video::LiveClock clock(0.04);
     double last = -1;
