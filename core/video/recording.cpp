@@ -253,6 +253,27 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
     warn(", and their creation and modification times contradict each other; vvr orders them by their names");
 }
 
+/// The length in a file's header, seconds; 0 if it has none or can't be read.
+double length_in_header(const std::string& path) {
+    try {
+        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 25)).length;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::out_of_memory) throw;
+        return 0;  // reported when it is read
+    }
+}
+
+/// When a file begins whose name has this time. In the hour that repeats at the end of daylight saving time, the file's
+/// modification time decides: that is when the file ended.
+std::int64_t begin_from_name(const std::string& path, const NamedTime& time) {
+    const std::int64_t first = utc_of(time);
+    const double written = modified_at(path).value_or(0);
+    const std::int64_t second = utc_of(time, std::llround(written));
+    if (second == first) return first;  // it is the only one, or the file ended near it
+    if (const double length = length_in_header(path); length > 0) return utc_of(time, std::llround(written - length));
+    return static_cast<double>(second) < written ? second : first;
+}
+
 /// Sorts by start time. A file without one stays behind its predecessor by name.
 void sort_by_time(std::vector<Segment>& segments) {
     std::optional<std::int64_t> before;
@@ -297,7 +318,7 @@ Segment segment_from_name(const std::string& path, const RecorderNames& layouts)
     segment.camera = std::move(name.camera);
     segment.layout = std::move(name.layout);
     if (name.begin) {
-        segment.begin = utc_of(*name.begin, std::llround(modified_at(path).value_or(0)));
+        segment.begin = begin_from_name(path, *name.begin);
         segment.begin_source = ClockSource::file_name;
     }
     return segment;

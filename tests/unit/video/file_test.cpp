@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +16,9 @@ extern "C" {
 #include "core/video/input_files.h"
 #include "core/video/packet_copy.h"
 #include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 #include "tests/support/errors.h"
+#include "tests/support/zone.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -196,6 +202,26 @@ TEST(VideoFile, BeganWhenItWasLastWrittenLessItsLength) {
     const auto untold = video::open_source(counting_clip(folder, "clip.h264", "-c:v libx264 -qp 4"));
     EXPECT_EQ(untold->info().duration, 0);
     EXPECT_FALSE(untold->info().modified) << "a length of 0 is none";
+}
+
+TEST(VideoFile, BeganInTheHourThatFitsItsLength) {
+    const TempFolder folder;
+    const InZone berlin("Europe/Berlin");
+    constexpr std::int64_t first = 1792886400;  // 2026-10-25 02:00 CEST; it is 02:00 again an hour later
+    constexpr std::int64_t hour = 3600;
+    const std::string name = folder / "gate/2026-10-25_02-00-00.mp4";
+    std::filesystem::create_directory(folder / "gate");
+    const auto begin_if_written = [&](std::int64_t when) {
+        const timespec times[] = {{when, 0}, {when, 0}};
+        EXPECT_EQ(::utimensat(AT_FDCWD, name.c_str(), times, 0), 0);
+        return video::segment_from_name(name, video::RecorderNames()).begin;
+    };
+    ffmpeg("-f lavfi -i color=size=64x48:rate=1/60:duration=3600 -c:v mpeg4 " + quoted(name));
+    EXPECT_EQ(begin_if_written(first + hour), first) << "the file is an hour long";
+    EXPECT_EQ(begin_if_written(first + 2 * hour), first + hour);
+    write_bytes(name, "of no known length");
+    EXPECT_EQ(begin_if_written(first + hour), first) << "it was not written before it began";
+    EXPECT_EQ(begin_if_written(first + hour + 600), first + hour);
 }
 
 TEST(VideoFile, TakesTinyAndOddSizes) {
