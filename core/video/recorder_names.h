@@ -88,7 +88,8 @@ class RecorderPattern {
 };
 
 /// Converts a time in a name to seconds since 1970 (UTC).
-/// \param near approximately the same time, not the end of the recording, to resolve the hour that repeats at the end of daylight saving time
+/// \param near approximately the same time, not the end of the recording, to resolve the hour that repeats at the end
+/// of daylight saving time
 std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near = {});
 
 /// What a file name states.
