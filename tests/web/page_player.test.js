@@ -27,6 +27,16 @@ test('typed times of the day', () => {
     assert.equal(of('14:20'), null);
 });
 
+test('typed times of a night in which summer time begins or ends', () => {
+    const hours = 3600;
+    const night = (month, day, at, by) => new Timeline(
+        [[0, 8 * hours, 0, 1]], {begin: Date.UTC(2026, month, day, 22) / 1000, leaps: [[at * hours, by]], zone: null, by: ''});
+    const spring = text => momentOf(text, night(2, 28, 4, hours));  // 02:00 becomes 03:00
+    assert.deepEqual(['23:00', '03:30', '02:30', '06:15'].map(spring), [1, 4.5, 4, 7.25].map(hour => hour * hours));
+    const autumn = text => momentOf(text, night(9, 24, 5, -hours));  // 03:00 becomes 02:00
+    assert.deepEqual(['02:30', '03:30', '22:00'].map(autumn), [4.5, 6.5, 0].map(hour => hour * hours));
+});
+
 test('busy stretches, and what plays after a frame', () => {
     const events = [{first: 50, last: 90}, {first: 10, last: 30}, {first: 25, last: 40}, {first: 92, last: 95}];
     const stretches = busyStretches(events, 3);

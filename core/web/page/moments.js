@@ -23,16 +23,22 @@ export function momentOf(text, time) {
 }
 
 /**
- * The first second of the clip at which the clock of the day shows so many seconds after midnight.
+ * The first second of the clip at which the clock of the day shows so many seconds after midnight. A time that the clock
+ * leaps over, where summer time begins, is the moment of the leap.
  * @param {number} ofDay
  * @param {import('./timeline.js').Timeline} time
  */
 function secondAt(ofDay, time) {
     const day = 86400;
-    const wall = time.wallSeconds(time.begins);
-    const ahead = ((ofDay - wall) % day + day) % day;
-    const seconds = time.begins + ahead;
-    if (seconds <= time.ends) return seconds;
+    const aheadOf = (/** @type {number} */ from) => ((ofDay - time.wallSeconds(from)) % day + day) % day;
+    const leaps = (time.clock?.leaps ?? []).filter(([at]) => at > time.begins && at <= time.ends);
+    const parts = [time.begins, ...leaps.map(([at]) => at)];
+    for (const [k, from] of parts.entries()) {
+        const seconds = from + aheadOf(from);
+        const [to, by] = leaps[k] ?? [Infinity, 0];
+        if (seconds < to && seconds <= time.ends) return seconds;
+        if (seconds >= to && seconds < to + by) return to;
+    }
     // A minute in which the clip begins means the clip's beginning.
-    return day - ahead < 60 ? time.begins : null;
+    return day - aheadOf(time.begins) < 60 ? time.begins : null;
 }
