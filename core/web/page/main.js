@@ -19,7 +19,7 @@ import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, 
 import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
-import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
+import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip, whyNoFrames} from './strip.js';
 import {drawStage, listenToView, roomOf} from './view.js';
 
 /** Characters that change the direction of writing are shown as code points. */
@@ -31,7 +31,7 @@ function drawNames() {
 function drawSummary() {
     const {data, time} = state;
     const seen = time.secondsSeen();
-    const lost = time.gaps.length ? ` of video, no signal for ${spanOf(time.ends - time.begins - seen)}` : '';
+    const lost = time.gaps.length ? ` of video, ${whyNoFrames()} for ${spanOf(time.ends - time.begins - seen)}` : '';
     const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
     const span = `${time.span()}, ${frames}, ${spanOf(seen)}${lost}`;
     const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';

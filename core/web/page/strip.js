@@ -86,12 +86,17 @@ export function drawTicks() {
     }));
 }
 
-/** Time without signal is hatched, as in the picture. */
+/** Why there are no frames. With `--between`, parts were left out, and others may have had no signal. */
+export function whyNoFrames() {
+    return state.data.settings.between ? 'left out or no signal' : 'no signal';
+}
+
+/** Time without frames is hatched, as in the picture. */
 export function drawGaps() {
     at('gaps').replaceChildren(...state.time.gapSpans().flatMap(span => {
         const [from, to] = span.map(seconds => clamp(shareOnStrip(seconds), 0, 1));
         if (to <= from) return [];
-        const gap = element('i', '', (to - from) * state.stripWidth > 70 ? 'no signal' : '');
+        const gap = element('i', '', (to - from) * state.stripWidth > 7 * whyNoFrames().length ? whyNoFrames() : '');
         gap.style.left = from * 100 + '%';
         gap.style.width = (to - from) * 100 + '%';
         return [gap];
@@ -208,7 +213,7 @@ export function listenToStrip() {
         const frame = state.time.frameAt(seconds);
         if (drags) goTo(frame);
         point(frame, event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOf(event.target),
-              state.time.isInGap(seconds) ? 'no signal after ' : '');
+              state.time.isInGap(seconds) ? `${whyNoFrames()} after ` : '');
     });
     const up = () => { if (rubbing) rubbing.down = false; };
     strip.addEventListener('pointerup', up);
