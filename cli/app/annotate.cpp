@@ -158,22 +158,6 @@ std::vector<labels::LegendEntry> legend_of(const Plan& plan, const Composition& 
     return entries;
 }
 
-/// Distinguishes gaps between the requested parts from losses of signal.
-std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
-    std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
-    if (span.parts.empty()) return gaps;
-    constexpr double little = 1;  // seconds
-    for (labels::TimeGap& gap : gaps) {
-        double asked = 0;
-        for (const video::FrameSpan::Part& part : span.parts) {
-            asked += std::max(0.0, std::min(part.end, gap.end) - std::max(part.begin, gap.begin));
-        }
-        const bool left_out = gap.end - gap.begin - asked > little;
-        if (left_out) gap.reason = asked > little ? "left out, no signal" : "left out";
-    }
-    return gaps;
-}
-
 /// Adds text around the volume, the most important first. Later items get the room that is left.
 class Annotator {
   public:
@@ -227,7 +211,7 @@ class Annotator {
     void add_ruler() {
         if (!plan_.shows(Part::ruler)) return;
         const labels::TimeEdge& edge = composed_.framing.edge;
-        labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_, sheet_,
+        labels::label_gaps(explained_gaps(plan_, seen_), *plan_.layout, edge, camera_, sheet_,
                            rgba(plan_.job.look.theme.fast), lettering_);
         const std::span<const labels::TimeTick> ticks = composed_.ticks;
         const auto label = [&](std::span<const labels::TimeTick> some) {
@@ -324,6 +308,12 @@ class Annotator {
 };
 
 }  // namespace
+
+std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation& seen) {
+    std::vector<labels::TimeGap> gaps = labels::time_gaps(seen.volume);
+    for (labels::TimeGap& gap : gaps) gap.reason = video::reason_for_gap(plan.job.fields.span, gap.begin, gap.end);
+    return gaps;
+}
 
 labels::Lettering annotate(const Plan& plan, const Observation& seen, const Composition& composed) {
     return Annotator(plan, seen, composed).write();

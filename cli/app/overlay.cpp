@@ -56,7 +56,7 @@ std::vector<page::Overlay::Note> notes_of(const Plan& plan, const Observation& s
             labels::mark_in_picture(*plan.layout, framing.edge, t, framing.camera, plan.job.picture.size);
         notes.push_back({text, mark.end, mark.out});
     };
-    for (const labels::TimeGap& gap : labels::time_gaps(volume)) add(gap.reason, (gap.t_begin + gap.t_end) / 2);
+    for (const labels::TimeGap& gap : explained_gaps(plan, seen)) add(gap.reason, (gap.t_begin + gap.t_end) / 2);
     const std::vector<labels::TimeTick>& ticks = composed.ticks;
     if (!ticks.empty()) add(ticks.front().text, volume.t_of_seconds(ticks.front().seconds));
     for (std::size_t k = ticks.size(); k-- > 1;) add(ticks[k].text, volume.t_of_seconds(ticks[k].seconds));

@@ -177,6 +177,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.picture = std::move(picture);
     content.settings = settings;
     content.moments = std::move(moments);
+    content.span = job.fields.span;
     content.clock = plan.clock;
     if (seen.events) {
         content.events = seen.events->events;

@@ -12,6 +12,7 @@
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/moments.h"
+#include "core/video/frame_span.h"
 
 namespace vvr::page {
 
@@ -82,6 +83,7 @@ struct PageContent {
     image::Picture picture;          ///< includes pixel data
     image::Metadata settings;        ///< of the picture
     Moments moments;
+    video::FrameSpan span{};                           ///< the requested part of the clip
     std::optional<std::vector<events::Event>> events;  ///< none = not detected
     std::vector<std::size_t> numbers;                  ///< numbers of the events in the picture; empty = index plus 1
     std::vector<glm::vec3> colours;                    ///< of the events in the picture, sRGB; empty = no colours

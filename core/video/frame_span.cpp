@@ -142,6 +142,16 @@ bool is_between_parts(const FrameSpan& span, double pts) {
         span.parts, [pts](const FrameSpan::Part& part) { return pts >= part.begin - slack && pts < part.end - slack; });
 }
 
+std::string_view reason_for_gap(const FrameSpan& span, double begin, double end) {
+    constexpr double little = 1;  // seconds
+    if (span.parts.empty()) return "no signal";
+    double asked = 0;
+    for (const FrameSpan::Part& part : span.parts)
+        asked += std::max(0.0, std::min(part.end, end) - std::max(part.begin, begin));
+    if (end - begin - asked <= little) return "no signal";
+    return asked > little ? "left out, no signal" : "left out";
+}
+
 std::string text_of(const FrameSpan& span) {
     // Rounds to milliseconds, to hide floating-point errors.
     const auto shown = [](double seconds) { return std::round(seconds * 1000) / 1000; };

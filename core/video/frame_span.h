@@ -89,6 +89,9 @@ bool is_past(const FrameSpan& span, std::int64_t index, double pts);
 /// Whether a frame within the limits lies between two parts.
 bool is_between_parts(const FrameSpan& span, double pts);
 
+/// Why a stretch of a clip, in seconds, has no frames: "left out" if they were not requested, else "no signal".
+std::string_view reason_for_gap(const FrameSpan& span, double begin, double end);
+
 /// The span for messages: "from 2 s to frame 80".
 std::string text_of(const FrameSpan& span);
 

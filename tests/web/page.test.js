@@ -8,7 +8,7 @@ import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, numberO
         sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
 import {pageAction, stripAction} from '../../core/web/page/key_table.js';
 import {contentsOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
-import {Timeline} from '../../core/web/page/timeline.js';
+import {inSentence, Timeline} from '../../core/web/page/timeline.js';
 import {placed, zoomedAbout} from '../../core/web/page/zoom.js';
 
 const near = (value, wanted) => assert.ok(Math.abs(value - wanted) < 1e-9, `${value}, not ${wanted}`);
@@ -48,13 +48,23 @@ test('how long a frame is shown: by the next one, by the one before it, or as no
     const time = gappy();
     assert.deepEqual([0, 9, 50, 90, 91].map(frame => Number(time.lengthOf(frame).toFixed(6))), [0.1, 0.1, 0.04, 0.2, 0.2]);
     near(time.secondsSeen(), 1 + 0.04 + 0.4);
-    assert.deepEqual([0.95, 1.05, 29.9, 30.01, 30.05, 59.9, 60].map(seconds => time.isInGap(seconds)), [false, true, true, false, true, true, false]);
+    assert.deepEqual([0.95, 1.05, 29.9, 30.01, 30.05, 59.9, 60].map(seconds => time.reasonAt(seconds) !== undefined), [false, true, true, false, true, true, false]);
     near(time.endOf({last: 9}), 1);
     near(time.endOf({last: 91}), 60.4);
     // Several frames at one time: the last of them is shown until the next time.
     const crowded = new Timeline([[0, 3, 0, 0], [3, 2, 0.5, 0.1]], null);
     near(crowded.lengthOf(0), 0.5);
     near(crowded.endOf({last: 2}), 0.5);
+});
+
+test('gaps are told by their reasons', () => {
+    const gaps = reasons => new Timeline([[0, 10, 0, 0.1], [50, 10, 30, 0.1], [90, 2, 60, 0.2], [200, 2, 100, 0.2]], null, reasons);
+    const time = gaps(['left out', 'no signal', 'left out']);
+    assert.deepEqual([15, 30.5, 45, 80].map(seconds => time.reasonAt(seconds)), ['left out', undefined, 'no signal', 'left out']);
+    assert.deepEqual(time.secondsWithout().map(([reason, seconds]) => [reason, Math.round(seconds)]), [['left out', 69], ['no signal', 29]]);
+    assert.deepEqual(gaps().secondsWithout().map(([reason]) => reason), ['no signal']);
+    assert.deepEqual(steady().secondsWithout(), []);
+    assert.deepEqual(['no signal', 'left out, no signal'].map(inSentence), ['no signal', 'left out and no signal']);
 });
 
 test('the clock is that of the day where it is known, and leaps with summer time', () => {

@@ -47,6 +47,7 @@
  * @property {{ending: string, names: string[]}} cut
  * @property {[number, number]} size
  * @property {Stretch[]} times
+ * @property {string[]} [gaps] why there are no frames: of each gap in the times
  * @property {WallClock | null} clock
  * @property {string} told the source of the time of day
  * @property {import('../shared/kinds.js').KindRow[]} kinds

@@ -62,7 +62,7 @@ function takeOver(text) {
     const json = (/** @type {string} */ id) => JSON.parse(fresh.getElementById(id)?.textContent ?? 'null');
     const [data, pixels, stills] = ['data', 'pixeldata', 'stilldata'].map(json);
     if (!data || !(picture instanceof HTMLImageElement)) return;
-    const time = new Timeline(data.times, data.clock);
+    const time = new Timeline(data.times, data.clock, data.gaps);
     const parts = {...state.parts, ...pixels, ...stills};
     const events = withPortraits(data.events ?? [], parts.portraits);
     const number = state.chosen === null ? null : numberOf(state.events, state.chosen);

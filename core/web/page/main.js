@@ -19,7 +19,8 @@ import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, 
 import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
-import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip, whyNoFrames} from './strip.js';
+import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
+import {inSentence} from './timeline.js';
 import {drawStage, listenToView, roomOf} from './view.js';
 
 /** Characters that change the direction of writing are shown as code points. */
@@ -31,9 +32,9 @@ function drawNames() {
 function drawSummary() {
     const {data, time} = state;
     const seen = time.secondsSeen();
-    const lost = time.gaps.length ? ` of video, ${whyNoFrames()} for ${spanOf(time.ends - time.begins - seen)}` : '';
+    const lost = time.secondsWithout().map(([reason, seconds]) => `, ${inSentence(reason)} for ${spanOf(seconds)}`);
     const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
-    const span = `${time.span()}, ${frames}, ${spanOf(seen)}${lost}`;
+    const span = `${time.span()}, ${frames}, ${spanOf(seen)}${lost.length ? ' of video' : ''}${lost.join('')}`;
     const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';
     at('summary').textContent = data.clock === null ? `${span}; ${data.told}`
         : `${time.dayOf(time.begins)}, ${span}; times${zone}, ${data.told}`;

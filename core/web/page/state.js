@@ -9,7 +9,7 @@ import {Timeline} from './timeline.js';
 const data = dataOfPage();
 /** @type {import('./data.js').Parts} */
 const nothing = {pixels: null, objects: null, stills: [], portraits: [], preview: null};
-const time = new Timeline(data.times, data.clock);
+const time = new Timeline(data.times, data.clock, data.gaps);
 
 const picture = at('picture', HTMLImageElement);
 /** Width and height of the picture. */

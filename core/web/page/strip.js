@@ -11,6 +11,7 @@ import {stripAction} from './key_table.js';
 import {goBy, goTo, show} from './player.js';
 import {point} from './pointing.js';
 import {kindOf, set, state} from './state.js';
+import {inSentence} from './timeline.js';
 import {wheelZooms} from './zoom.js';
 
 export const strip = at('strip');
@@ -86,17 +87,13 @@ export function drawTicks() {
     }));
 }
 
-/** Why there are no frames. With `--between`, parts were left out, and others may have had no signal. */
-export function whyNoFrames() {
-    return state.data.settings.between ? 'left out or no signal' : 'no signal';
-}
-
-/** Time without frames is hatched, as in the picture. */
+/** Time without frames is hatched, as in the picture, and says why where there is room. */
 export function drawGaps() {
-    at('gaps').replaceChildren(...state.time.gapSpans().flatMap(span => {
+    const {reasons} = state.time;
+    at('gaps').replaceChildren(...state.time.gapSpans().flatMap((span, k) => {
         const [from, to] = span.map(seconds => clamp(shareOnStrip(seconds), 0, 1));
         if (to <= from) return [];
-        const gap = element('i', '', (to - from) * state.stripWidth > 7 * whyNoFrames().length ? whyNoFrames() : '');
+        const gap = element('i', '', (to - from) * state.stripWidth > 7 * reasons[k].length ? reasons[k] : '');
         gap.style.left = from * 100 + '%';
         gap.style.width = (to - from) * 100 + '%';
         return [gap];
@@ -211,9 +208,10 @@ export function listenToStrip() {
         const drags = Boolean(rubbing?.down && (rubbing.far ||= Math.abs(event.clientX - rubbing.x) > 4));
         const seconds = secondsOnStrip(event);
         const frame = state.time.frameAt(seconds);
+        const reason = state.time.reasonAt(seconds);
         if (drags) goTo(frame);
         point(frame, event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOf(event.target),
-              state.time.isInGap(seconds) ? `${whyNoFrames()} after ` : '');
+              reason ? `${inSentence(reason)} after ` : '');
     });
     const up = () => { if (rubbing) rubbing.down = false; };
     strip.addEventListener('pointerup', up);

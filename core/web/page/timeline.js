@@ -10,7 +10,7 @@ import {dateOf, dayText, timeText} from '../shared/wall_clock.js';
  */
 
 /**
- * Stretches without signal, [the last frame before, the first one after] each: numbers skip the frames that were lost.
+ * Stretches without frames, [the last frame before, the first one after] each: numbers skip the frames that were lost.
  * @param {Stretch[]} times
  * @returns {[number, number][]}
  */
@@ -24,19 +24,27 @@ function gapsIn(times) {
     return gaps;
 }
 
+/**
+ * Why there are no frames, within a sentence.
+ * @param {string} reason
+ */
+export const inSentence = reason => reason.replace(', ', ' and ');
+
 /** Seconds are those of the clip. */
 export class Timeline {
     /**
      * @param {Stretch[]} times in order
      * @param {WallClock | null} clock
+     * @param {string[]} [reasons] of the gaps
      */
-    constructor(times, clock) {
+    constructor(times, clock, reasons = []) {
         const last = times[times.length - 1];
         this.times = times;
         this.clock = clock;
         this.firstFrame = times[0][0];
         this.lastFrame = last[0] + last[1] - 1;
         this.gaps = gapsIn(times);
+        this.reasons = this.gaps.map((_, k) => reasons[k] ?? 'no signal');
         this.frames = times.reduce((sum, [, count]) => sum + count, 0);
         this.begins = this.secondsOf(this.firstFrame);
         this.ends = this.secondsOf(this.lastFrame) + this.lengthOf(this.lastFrame);
@@ -132,7 +140,7 @@ export class Timeline {
         return this.secondsOf(event.last) + (step > 0 ? step : this.lengthOf(event.last));
     }
 
-    /** Seconds of video, without those that have no signal. */
+    /** Seconds of video, without those that have no frames. */
     secondsSeen() {
         return this.gapSpans().reduce((sum, [from, to]) => sum - (to - from), this.ends - this.begins);
     }
@@ -145,9 +153,24 @@ export class Timeline {
         return this.gaps.map(([last, first]) => [this.secondsOf(last) + this.lengthOf(last), this.secondsOf(first)]);
     }
 
-    /** @param {number} seconds */
-    isInGap(seconds) {
-        return this.gapSpans().some(([from, to]) => seconds >= from && seconds < to);
+    /**
+     * Why there are no frames at a time; undefined = there are.
+     * @param {number} seconds
+     * @returns {string | undefined}
+     */
+    reasonAt(seconds) {
+        return this.reasons[this.gapSpans().findIndex(([from, to]) => seconds >= from && seconds < to)];
+    }
+
+    /**
+     * Why there are no frames, and for how many seconds in all: the reasons in the order in which they occur.
+     * @returns {[string, number][]}
+     */
+    secondsWithout() {
+        /** @type {Map<string, number>} */
+        const sums = new Map();
+        this.gapSpans().forEach(([from, to], k) => sums.set(this.reasons[k], (sums.get(this.reasons[k]) ?? 0) + to - from));
+        return [...sums];
     }
 
     /**

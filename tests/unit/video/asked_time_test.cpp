@@ -143,6 +143,16 @@ TEST(RequestedTime, HasToBeInTheClip) {
                        {"between: 12:00-13:00", "'gate'"});
 }
 
+TEST(FrameSpan, TellsWhatWasLeftOutFromLossesOfSignal) {
+    const video::FrameSpan span{.parts = {{10, 20}, {100, 120}}};
+    EXPECT_EQ(video::reason_for_gap({}, 20, 100), "no signal");
+    EXPECT_EQ(video::reason_for_gap(span, 12, 18), "no signal");
+    EXPECT_EQ(video::reason_for_gap(span, 20, 100), "left out");
+    EXPECT_EQ(video::reason_for_gap(span, 19.5, 100), "left out") << "a part has frames up to its end, about";
+    EXPECT_EQ(video::reason_for_gap(span, 15, 100), "left out, no signal");
+    EXPECT_EQ(video::reason_for_gap(span, 15, 20.5), "no signal");
+}
+
 TEST(FrameSpan, ToleratesTimesThatWereRounded) {
     video::FrameSpan span;
     span.start = 1.04;
