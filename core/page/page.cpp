@@ -81,7 +81,7 @@ std::string list_of(const PageContent& content) {
     for (std::size_t k = 0; k < content.events->size(); ++k) {
         const events::Event& event = (*content.events)[k];
         list += fmt::format(
-            "<li>{}. {}: {}{}</li>\n", k + 1,
+            "<li>{}. {}: {}{}</li>\n", content.number_of(k),
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
             event.identity ? fmt::format("{} ", event.identity->what->name) : "",
             k < content.deeds.size() ? std::string_view(content.deeds[k]) : row_of(event.kind).words);

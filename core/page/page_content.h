@@ -93,6 +93,9 @@ struct PageContent {
     std::optional<LiveState> live;  ///< of a stream
     Overlay overlay;
 
+    /// The number that people see of the event at an index.
+    std::size_t number_of(std::size_t k) const { return k < numbers.size() ? numbers[k] : k + 1; }
+
     ClockSource clock_source() const { return clock ? clock->source : ClockSource::none; }
 };
 

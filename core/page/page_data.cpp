@@ -56,7 +56,7 @@ class Places {
     explicit Places(const PageContent& content) {
         const std::size_t count = content.events ? content.events->size() : 0;
         for (std::size_t k = 0; k < count; ++k) {
-            places_[k < content.numbers.size() ? content.numbers[k] : k + 1] = static_cast<std::int64_t>(k) + 1;
+            places_[content.number_of(k)] = static_cast<std::int64_t>(k) + 1;
         }
     }
 

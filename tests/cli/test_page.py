@@ -236,7 +236,7 @@ def test_page_steps_through_events(t):
                             (Keys.ARROW_LEFT, 1), (Keys.ARROW_UP, 0), (Keys.ARROW_DOWN, 1)):
             page.key(key)
             check(page.run("return [chosen, now]") == [number, firsts[number]], f"{page.run('return [chosen, now]')}, not {number}")
-            check(page.text("said").startswith(f"Event {number + 1} of 3"), page.text("said"))
+            check(page.text("said").startswith(f"Event {number + 1}, {number + 1} of 3 in the list, from "), page.text("said"))
             page.wait("the player is there", f"return Math.floor(video.currentTime * 25 + 1e-6) === {firsts[number]}")
         check(page.run("return document.querySelectorAll('#events [aria-current=true]').length") == 1, "which is chosen?")
         page.run("show(150, false)")

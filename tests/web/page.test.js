@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {addressOfClip, addressOfEvent, addressOfHit, addressOfMoment, addressWith, readAddress} from '../../core/web/page/address.js';
 import {cutCommand, filesOf, maskOption, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
-import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
+import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, nameOf, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
         sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
 import {pageAction, stripAction} from '../../core/web/page/key_table.js';
 import {contentsOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
@@ -154,6 +154,7 @@ test('an event that began before a stream’s page does has its whole length', (
 test('numbers are not places', () => {
     const numbered = [event('moved', 0, 1, {number: 7}), event('moved', 0, 1)];
     assert.deepEqual([numberOf(numbered, 0), numberOf(numbered, 1)], [7, 2]);
+    assert.equal(nameOf(numbered, 0, [1, 0]), 'Event 7, 2 of 2 in the list');
     assert.deepEqual([placeOfNumber(numbered, 7), placeOfNumber(numbered, 2), placeOfNumber(numbered, 1)], [0, 1, null]);
 });
 

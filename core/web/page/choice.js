@@ -3,7 +3,7 @@
 import {at} from '../shared/dom.js';
 import {addressWith, readAddress} from './address.js';
 import {endOfHit} from './around.js';
-import {deedOf, factsOf, numberOf, placeBeside, placeOfNumber} from './events.js';
+import {deedOf, factsOf, nameOf, numberOf, placeBeside, placeOfNumber} from './events.js';
 import {answerOf, listedEvents, wantedEvents} from './filters.js';
 import {say, tell} from './messages.js';
 import {bringIntoSight, isPlaying, show} from './player.js';
@@ -74,5 +74,5 @@ export function step(by) {
     if (document.activeElement?.closest('#events')) rowOf(place)?.focus();
     const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame));
     const facts = [deedOf(event), ...factsOf(event, time, kindOf(event.kind), answerOf(event))].join(' · ');
-    say(`Event ${numberOf(events, place)} of ${events.length}, from ${clock(event.first)} to ${clock(event.last)}, ${facts}`);
+    say(`${nameOf(events, place, listedEvents())}, from ${clock(event.first)} to ${clock(event.last)}, ${facts}`);
 }

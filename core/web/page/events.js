@@ -31,6 +31,15 @@ export function placeOfNumber(events, number) {
 }
 
 /**
+ * Which event it is, for a screen reader. The list is another than that of all: its numbers need not begin at 1.
+ * @param {PageEvent[]} events
+ * @param {number} place
+ * @param {number[]} listed the places in the list
+ */
+export const nameOf = (events, place, listed) =>
+    `Event ${numberOf(events, place)}, ${listed.indexOf(place) + 1} of ${listed.length} in the list`;
+
+/**
  * What it did, in the words of the picture.
  * @param {PageEvent} event
  */

@@ -209,13 +209,30 @@ TEST(Preview, OfNothingIsNone) {
     EXPECT_FALSE(page::Preview({16, 16}, {}).finish());
 }
 
-TEST(Page, NamesNothingThatIsNotInIt) {
+page::PageContent small_content() {
     page::PageContent content;
-    content.name = "</title><script>";
     content.shown = content.field = {8, 6};
     content.picture.pixels = Plane<image::Rgba>({20, 10}, {1, 1, 1, 1});
     content.picture.pixel_data.frame = Plane<float>({20, 10}, -1);
     content.moments.times = {{5, 3, 0.2, 0.04}};
+    return content;
+}
+
+TEST(Page, HasLastingNumbersWithoutScriptsToo) {
+    page::PageContent content = small_content();
+    content.events.emplace(2);
+    content.numbers = {57, 60};
+    const std::string page = page::make_page(content);
+    EXPECT_NE(page.find("<li>57. "), std::string::npos);
+    EXPECT_NE(page.find("<li>60. "), std::string::npos);
+    EXPECT_EQ(page.find("<li>1. "), std::string::npos);
+    content.numbers.clear();
+    EXPECT_NE(page::make_page(content).find("<li>2. "), std::string::npos);
+}
+
+TEST(Page, NamesNothingThatIsNotInIt) {
+    page::PageContent content = small_content();
+    content.name = "</title><script>";
     content.moments.stills.push_back({5, 0.2, Plane<Bgr>({8, 6})});
     const std::string page = page::make_page(content);
     EXPECT_EQ(page, page::make_page(content));
