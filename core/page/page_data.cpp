@@ -209,6 +209,8 @@ Json json_of(const events::Event& event, Size field, Size shown) {
             {"box", json_of_place(event.box, field)},
             {"first", event.first.frame},
             {"last", event.last.frame},
+            {"begin", rounded(event.first.seconds)},
+            {"end", rounded(event.last.seconds)},
             {"still", rounded(events::stationary_seconds(event))},
             {"stays", json_of(event.stays)},
             {"from", number_of(event.from)},

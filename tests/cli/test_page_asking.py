@@ -114,7 +114,7 @@ def test_page_copies_a_command_that_works_as_it_stands(t):
     for clip, files in (("bag.avi", ["./bag.avi"]), ("day", [f"./day/gate {k}.mp4" for k in range(4)])):
         t.vvr("render", clip, "-o", "out.html", "--size", "640x400", "--backend", "software", "--start-time", "none").expect(0)
         with Page(t, "out.html") as page:
-            longest = page.run("return sortedPlaces(events, [...events.keys()], 'longest', time, kindOf)[0]")
+            longest = page.run("return sortedPlaces(events, [...events.keys()], 'longest', kindOf)[0]")
             first, last = page.run(f"choose({longest}); return [data.events[{longest}].first, data.events[{longest}].last]")
             program, command, *arguments = shlex.split(copied(page, "#copycut"))
         check(arguments[:arguments.index("--start")] == (files if clip == "bag.avi" else files[first // 125:last // 125 + 1]), f"{arguments}")

@@ -141,9 +141,14 @@ def test_live_page_says_how_long_an_event_has_lasted(t):
     t.ffmpeg("-i", "stands.y4m", "-c:v", "libx264", "-preset", "ultrafast", "-pix_fmt", "yuv420p", "-g", "25", "cam.ts")
     Watch(t, "cam.ts", "-o", "live.html", "--brick", "1s", "--window", "4", "--size", "480x300", "--backend", "software").end()
     with Live(t, "live.html") as page:
-        first, begins, lasts, still = page.run("return [events[0].first, time.firstFrame, time.whenOf(events[0].last) - time.whenOf(events[0].first), events[0].still]")
+        first, begins, lasts, still = page.run("return [events[0].first, time.firstFrame, events[0].end - events[0].begin, events[0].still]")
         check(first < begins and lasts > still > 4, f"it stood for {still} of {lasts} s, from frame {first} on; the page begins at {begins}")
         check(page.texts("#events .lasts")[0] == f" · {lasts:.0f} s", f"{page.texts('#events .lasts')}: {lasts} s")
+        # A screen reader hears of the same time that the list has.
+        began = page.run("return time.clockOf(events[0].begin)")
+        page.run("document.getElementById('next').click()")
+        check(f", from {began} to " in page.text("said"), f"{page.text('said')}, not {began}")
+        check(began[:-2] in page.texts("#events .row b")[0], f"{page.texts('#events .row b')}, not {began}")
 
 
 def test_live_page_says_when_the_stream_has_ended(t):

@@ -14,8 +14,8 @@ pytestmark = pytest.mark.browser
 
 def with_events(t, name, paths, kind_of=lambda _: "moved"):
     """The page out.html with other events, of these paths of [frame, x, y], and ways by them."""
-    events = [{"kind": kind_of(k), "first": path[0][0], "last": path[-1][0], "still": 0, "from": None, "into": None, "by": None,
-               "path": path, "stays": [], "box": [0.1, 0.1, 0.3, 0.3], "way": [value for frame, x, y in path for value in (frame / RATE * 10, 1000 * x, 1000 * y)],
+    events = [{"kind": kind_of(k), "first": path[0][0], "last": path[-1][0], "begin": path[0][0] / RATE, "end": path[-1][0] / RATE,
+               "still": 0, "from": None, "into": None, "by": None, "path": path, "stays": [], "box": [0.1, 0.1, 0.3, 0.3], "way": [value for frame, x, y in path for value in (frame / RATE * 10, 1000 * x, 1000 * y)],
                "deed": {"left": "left behind"}.get(kind_of(k), kind_of(k)), "number": k + 1} for k, path in enumerate(paths)]
     text = t.path("out.html").read_text()
     overlay = {"sections": [], "notes": [], "portraits": [], "captions": 0, "numbers": False, "map": None}

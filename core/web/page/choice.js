@@ -72,7 +72,6 @@ export function step(by) {
     const event = events[place];
     show(event.first, plays, {until: event.last, touring: touring && plays});
     if (document.activeElement?.closest('#events')) rowOf(place)?.focus();
-    const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame));
-    const facts = [deedOf(event), ...factsOf(event, time, kindOf(event.kind), answerOf(event))].join(' · ');
-    say(`${nameOf(events, place, listedEvents())}, from ${clock(event.first)} to ${clock(event.last)}, ${facts}`);
+    const facts = [deedOf(event), ...factsOf(event, kindOf(event.kind), answerOf(event))].join(' · ');
+    say(`${nameOf(events, place, listedEvents())}, from ${time.clockOf(event.begin)} to ${time.clockOf(event.end)}, ${facts}`);
 }

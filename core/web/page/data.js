@@ -10,6 +10,8 @@
  * @property {number | null} [score] of the class
  * @property {number} first frame
  * @property {number} last frame
+ * @property {number} begin seconds of the clip: when its first frame was, though a stream's page may no longer have that
+ * @property {number} end seconds, of its last frame
  * @property {number} still seconds
  * @property {number | null} from
  * @property {number | null} into

@@ -6,7 +6,6 @@ import {clamp} from '../shared/text.js';
 
 /**
  * @typedef {import('./data.js').PageEvent} PageEvent
- * @typedef {import('./timeline.js').Timeline} Timeline
  * @typedef {import('../shared/kinds.js').Kind} Kind
  * @typedef {(name: string) => Kind} KindOf
  * @typedef {{kind: string, what: string, leastSeconds: number}} Filter
@@ -45,8 +44,8 @@ export const nameOf = (events, place, listed) =>
  */
 export const deedOf = event => event.deed ?? event.kind;
 
-/** @type {(event: PageEvent, time: Timeline) => number} */
-export const secondsFor = (event, time) => time.whenOf(event.last) - time.whenOf(event.first);
+/** @type {(event: PageEvent) => number} */
+export const secondsFor = event => event.end - event.begin;
 
 /** @type {(event: PageEvent, name: string) => boolean} */
 export const isOf = (event, name) => name === '' || (name === '?' ? !event.class : event.class === name || event.group === name);
@@ -58,14 +57,13 @@ export const isSet = filter => filter.kind !== 'all' || filter.what !== '' || fi
  * The places of the events that pass, in the order of time.
  * @param {PageEvent[]} events
  * @param {Filter} filter
- * @param {Timeline} time
  * @param {(event: PageEvent) => string | null} answerOf what an event has to do with the place that is asked for; null = nothing
  */
-export function wantedPlaces(events, filter, time, answerOf) {
+export function wantedPlaces(events, filter, answerOf) {
     return [...events.keys()].filter(place => {
         const event = events[place];
         return (filter.kind === 'all' || event.kind === filter.kind) && isOf(event, filter.what) &&
-            secondsFor(event, time) >= filter.leastSeconds && answerOf(event) !== null;
+            secondsFor(event) >= filter.leastSeconds && answerOf(event) !== null;
     });
 }
 
@@ -74,15 +72,14 @@ export function wantedPlaces(events, filter, time, answerOf) {
  * @param {PageEvent[]} events
  * @param {number[]} places
  * @param {string} order
- * @param {Timeline} time
  * @param {KindOf} kindOf
  */
-export function sortedPlaces(events, places, order, time, kindOf) {
+export function sortedPlaces(events, places, order, kindOf) {
     /** @type {Record<string, (a: number, b: number) => number>} */
     const orders = {
         time: (a, b) => a - b,
         newest: (a, b) => events[b].first - events[a].first,
-        longest: (a, b) => secondsFor(events[b], time) - secondsFor(events[a], time),
+        longest: (a, b) => secondsFor(events[b]) - secondsFor(events[a]),
         kind: (a, b) => kindOf(events[a].kind).rank - kindOf(events[b].kind).rank || events[b].still - events[a].still,
     };
     return [...places].sort(orders[order]);
@@ -145,12 +142,11 @@ export function countsOfClasses(events) {
 /**
  * What an event did, in parts.
  * @param {PageEvent} event
- * @param {Timeline} time
  * @param {Kind} kind
  * @param {string | null} answer what it has to do with the place that is asked for
  */
-export function factsOf(event, time, kind, answer) {
-    const facts = [durationOf(secondsFor(event, time))];
+export function factsOf(event, kind, answer) {
+    const facts = [durationOf(secondsFor(event))];
     if (event.class) facts.push(`${event.class} (${Math.round((event.score ?? 0) * 100)} %)`);
     if (kind.tally === 'still' && !event.deed) facts.push(kind.words + ' ' + durationOf(event.still));
     if (answer) facts.push(answer);

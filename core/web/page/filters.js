@@ -36,7 +36,7 @@ const isMarkedRight = event => (state.showsHidden || !isNothing(event)) && (!sta
 
 /** The places of the wanted events, in the order of time. */
 export const wantedEvents = derived(() => [state.events, state.kind, state.what, state.leastSeconds, state.asked, state.marks, state.onlyStarred, state.showsHidden],
-                                    () => wantedPlaces(state.events, state, state.time, answerOf).filter(place => isMarkedRight(state.events[place])));
+                                    () => wantedPlaces(state.events, state, answerOf).filter(place => isMarkedRight(state.events[place])));
 
 /** The same, in the order of the list. */
-export const listedEvents = derived(() => [wantedEvents(), state.order], () => sortedPlaces(state.events, wantedEvents(), state.order, state.time, kindOf));
+export const listedEvents = derived(() => [wantedEvents(), state.order], () => sortedPlaces(state.events, wantedEvents(), state.order, kindOf));

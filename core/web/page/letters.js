@@ -65,9 +65,8 @@ function portraitOf({event: place, box, to}) {
     if (wide >= smallest) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
-        const clock = (/** @type {number} */ frame) => time.clockOf(time.secondsOf(frame), false);
         caption.append(number, element('span', 'deed', ' ' + (event.deed ?? event.kind)));
-        if (data.overlay.captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', clock(event.first)));
+        if (data.overlay.captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', time.clockOf(event.begin, false)));
         made.append(caption);
     } else {
         made.append(number);

@@ -119,8 +119,8 @@ function itemOf(place) {
     row.dataset.event = String(place);
     row.tabIndex = -1;
     const words = element('span', 'words');
-    const [lasts, ...facts] = factsOf(event, time, kind, answerOf(event));
-    const head = element('b', '', time.clockOf(time.whenOf(event.first), false));
+    const [lasts, ...facts] = factsOf(event, kind, answerOf(event));
+    const head = element('b', '', time.clockOf(event.begin, false));
     head.prepend(ofEvent(element('span', 'number', String(numberOf(events, place))), place), ' ');
     head.append(element('span', 'lasts', ' · ' + lasts));
     words.append(head, element('span', 'kind ' + kind.emphasis, deedOf(event)));

@@ -65,11 +65,11 @@ export function changed(marks, key, change) {
  * @param {import('./timeline.js').Timeline} time
  */
 export function savedMarks(data, events, marks, time) {
-    const clock = (/** @type {number} */ frame) => `${time.dayOf(time.secondsOf(frame))} ${time.clockOf(time.secondsOf(frame))}`.trim();
+    const clock = (/** @type {number} */ seconds) => `${time.dayOf(seconds)} ${time.clockOf(seconds)}`.trim();
     const rows = [...events.keys()].filter(place => marks[keyOf(events[place])]).map(place => {
         const event = events[place];
         const mark = marks[keyOf(event)];
-        return {event: numberOf(events, place), from: clock(event.first), to: clock(event.last), frames: [event.first, event.last],
+        return {event: numberOf(events, place), from: clock(event.begin), to: clock(event.end), frames: [event.first, event.last],
                 deed: deedOf(event), class: event.class ?? null, star: Boolean(mark.star), nothing: Boolean(mark.nothing), note: mark.note ?? ''};
     });
     return JSON.stringify({clip: upright(data.name), camera: data.camera, file: data.clip, events: rows}, null, 2) + '\n';

@@ -73,15 +73,6 @@ export class Timeline {
     }
 
     /**
-     * When a frame was, though it may be from before the beginning: a stream's page has the last minutes alone.
-     * @param {number} frame
-     */
-    whenOf(frame) {
-        const [first, , begin, step] = this.times[0];
-        return frame < first ? begin - (first - frame) * step : this.secondsOf(frame);
-    }
-
-    /**
      * The frame that is shown at a time.
      * @param {number} seconds
      */

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/page/html.h"
+#include "core/page/page_data.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
 #include "tests/support/planes.h"
@@ -228,6 +229,16 @@ TEST(Page, HasLastingNumbersWithoutScriptsToo) {
     EXPECT_EQ(page.find("<li>1. "), std::string::npos);
     content.numbers.clear();
     EXPECT_NE(page::make_page(content).find("<li>2. "), std::string::npos);
+}
+
+TEST(Page, HasTheTimesOfAnEventFromBeforeItsFrames) {
+    page::PageContent content = small_content();
+    content.events.emplace(1);
+    content.events->front().first = {1, -20.5};
+    content.events->front().last = {6, 0.24};
+    const nlohmann::ordered_json event = page::page_data(content)["events"][0];
+    EXPECT_EQ(event["begin"], -20.5);
+    EXPECT_EQ(event["end"], 0.24);
 }
 
 TEST(Page, NamesNothingThatIsNotInIt) {
