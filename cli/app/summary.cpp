@@ -52,16 +52,11 @@ std::optional<std::string> advice_on_rate(const Observation& seen) {
     constexpr double enough = 4.5;  // frames per second; with 5, a bag was found as with 30, with 2 it was not
     const double rate = seen.info.rate;
     if (!seen.events || rate <= 0 || rate >= enough) return std::nullopt;
-    if (seen.info.decoded_share < 1) {
-        return fmt::format(
-            "{:.3g} frames per second of '{}' were decoded; with fewer than 5, vvr may miss things that were left "
-            "behind "
-            "or taken; use --decode all",
-            rate, seen.info.name);
-    }
-    return fmt::format(
-        "'{}' has {:.3g} frames per second; with fewer than 5, vvr may miss things that were left behind or taken",
-        seen.info.name, rate);
+    const bool all = seen.info.decoded_share == 1;
+    const std::string found = all ? fmt::format("'{}' has {:.3g} frames per second", seen.info.name, rate)
+                                  : fmt::format("{:.3g} frames per second of '{}' were decoded", rate, seen.info.name);
+    return fmt::format("{}; with fewer than 5, vvr may miss things that were left behind or taken{}", found,
+                       all ? "" : "; use --decode all");
 }
 
 /// The classes of the events, the most frequent first: " (3 person, 1 car)". Empty without a detector.

@@ -42,17 +42,16 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (frames_of_newest_ > 0) complete_newest(Draw::yes);
     if (begin_) seen_.begin = *begin_;
     seen_.events.reset();
-    if (ended_ && builder_.finder) {
+    if (builder_.finder && (ended_ || plan_.products.events)) {
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
         const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
-        name_events(events);
-        tell_ended(events, true);
-    } else if (plan_.products.events) {
-        builder_.set_findings(builder_.finder->finish());
-        builder_.identify();
-        const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
-        seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
+        if (ended_) {
+            name_events(events);
+            tell_ended(events, true);
+        } else {
+            seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
+        }
     }
     seen_.summary = std::move(summary);
     seen_.info = source.info();              // only now complete for a recording of several files

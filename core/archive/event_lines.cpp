@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <string_view>
 
@@ -97,8 +96,6 @@ OlderReport read_older_report(const fs::path& report) {
         if (older.files.empty()) older.files.insert(only_file_of(json));
         return older;
     } catch (const Json::exception&) {
-        return {};
-    } catch (const std::bad_alloc&) {
         return {};
     }
 }

@@ -17,7 +17,7 @@ struct OlderReport {
     std::set<std::string> files{};  ///< of a day
 };
 
-/// Reads an older report; one that is invalid or too large counts as none.
+/// Reads an older report; an invalid one counts as none.
 OlderReport read_older_report(const std::filesystem::path& report);
 
 /// What a report is about.

@@ -54,7 +54,7 @@ class EventFinder {
     void forget_ended_before(double seconds, const std::set<std::size_t>& needed);
 
     /// The largest share of the picture that has differed from the empty scene since a time.
-    /// \param seconds of the clip
+    /// \param seconds of the clip; accurate to a second
     double largest_share_since(double seconds) const;
 
     /// Whether one of these tracks is still followed, and may go on.

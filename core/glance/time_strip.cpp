@@ -25,13 +25,7 @@ class Strip {
   public:
     Strip(const Objects& objects, const StripContent& content, const labels::Sheet& sheet, const StripStyle& style,
           labels::Lettering& lettering)
-        : objects_(objects),
-          content_(content),
-          begin_(content.begin),
-          end_(content.end),
-          sheet_(sheet),
-          style_(style),
-          lettering_(lettering) {
+        : objects_(objects), content_(content), sheet_(sheet), style_(style), lettering_(lettering) {
         const int under = sheet.small * 7 / 4;  // the axis and its times
         const int over = sheet.small * 3 / 2;   // the heading
         rows_ = {sheet.strip.left + 3 * sheet.small / 2, sheet.strip.top + over, sheet.strip.right,
@@ -41,7 +35,7 @@ class Strip {
     }
 
     std::vector<std::size_t> draw() {
-        if (rows_.height() < row_height_ || !(end_ > begin_)) return {};
+        if (rows_.height() < row_height_ || !(content_.end > content_.begin)) return {};
         label_axis();
         const std::vector<StripBar> bars = place_bars();
         std::vector<std::size_t> with_bar;
@@ -58,7 +52,7 @@ class Strip {
     /// Places the bars. If there are many, rows are as low as the numbers allow.
     std::vector<StripBar> place_bars() {
         const std::vector<std::size_t> order = by_importance(objects_.events);
-        const double seconds_per_pixel = (end_ - begin_) / rows_.width();
+        const double seconds_per_pixel = (content_.end - content_.begin) / rows_.width();
         const double apart = (number_width() + 2 * number_gap) * seconds_per_pixel;
         const auto bars = [&] { return strip_bars(objects_.events, order, rows_.height() / row_height_, apart); };
         std::vector<StripBar> usual = bars();
@@ -76,7 +70,7 @@ class Strip {
     }
 
     int column(double seconds) const {
-        const double share = std::clamp((seconds - begin_) / (end_ - begin_), 0.0, 1.0);
+        const double share = std::clamp((seconds - content_.begin) / (content_.end - content_.begin), 0.0, 1.0);
         return rows_.left + static_cast<int>(std::lround(share * rows_.width()));
     }
 
@@ -85,7 +79,7 @@ class Strip {
         draw_line(rows_.left, rows_.right, rows_.bottom, thin, style_.lines);
         const int most = std::clamp(rows_.width() / (6 * sheet_.small), 2, 11);
         const int base = rows_.bottom + sheet_.small * 3 / 2;
-        for (const labels::TimeTick& tick : labels::time_ticks(begin_, end_, most, objects_.clock)) {
+        for (const labels::TimeTick& tick : labels::time_ticks(content_.begin, content_.end, most, objects_.clock)) {
             const int x = column(tick.seconds);
             if (x >= rows_.right) continue;
             const image::Rgba pale = glm::mix(style_.lines, style_.background, 0.6F);
@@ -138,10 +132,10 @@ class Strip {
         // Where something changed that is no object, somebody may have been there.
         for (const events::Change& change : content_.found.changes)
             busy.push_back({change.first.seconds, change.last.seconds});
-        const std::vector<Period> idle_ones = idle_periods(std::move(busy), begin_, end_);
+        const std::vector<Period> idle_ones = idle_periods(std::move(busy), content_.begin, content_.end);
         for (const Period& idle : idle_ones) {
             // The number of the next bar is at the end of the gap.
-            const int number = idle.end < end_ ? number_width() + number_gap : 0;
+            const int number = idle.end < content_.end ? number_width() + number_gap : 0;
             const PixelBox room{column(idle.begin), rows_.top, column(idle.end) - number, rows_.bottom};
             const labels::Label label =
                 labels::make_centred_label("nobody found", sheet_.small, (room.left + room.right) / 2.0,
@@ -173,8 +167,6 @@ class Strip {
 
     const Objects& objects_;
     const StripContent& content_;
-    double begin_;
-    double end_;
     const labels::Sheet& sheet_;
     const StripStyle& style_;
     labels::Lettering& lettering_;

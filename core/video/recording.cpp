@@ -256,7 +256,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
 /// The length in a file's header, seconds; 0 if it has none or can't be read.
 double length_in_header(const std::string& path) {
     try {
-        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 25)).length;
+        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, SourceOptions{}.rate)).length;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::out_of_memory) throw;
         return 0;  // reported when it is read

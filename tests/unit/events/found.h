@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -11,6 +12,11 @@
 
 // What is found in generated scenes.
 namespace vvr::test {
+
+/// The moment of a frame at 25 frames per second.
+inline Moment at(std::int64_t frame) {
+    return {frame, static_cast<double>(frame) / 25};
+}
 
 struct Found {
     generator::Scene scene;
