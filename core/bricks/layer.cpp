@@ -86,13 +86,17 @@ PixelBox Sparse<T>::box() const {
 }
 
 template <class T>
-void Sparse<T>::keep_maximum(const Sparse& other) {
-    // Reserves exactly the added tiles, because in a long clip most layers are not extended again.
+void Sparse<T>::reserve_for(const Sparse& other) {
     std::size_t added_tiles = 0;
     for (std::size_t place = 0; place < held_.size(); ++place) {
         if (held_[place] == none && other.held_[place] != none) ++added_tiles;
     }
     tiles_.reserve(tiles_.size() + added_tiles);
+}
+
+template <class T>
+void Sparse<T>::keep_maximum(const Sparse& other) {
+    reserve_for(other);
     for (std::size_t place = 0; place < held_.size(); ++place) {
         const Tile* const added = other.tile_at(place);
         if (added == nullptr) continue;
@@ -144,6 +148,7 @@ SparsePlane merged_planes(fields::Values values, const SparsePlane& before, cons
 
 void merge(Layer& layer, const Layer& next, fields::Values values) {
     if (!next.colour.empty() || !next.owner.empty()) {
+        if (!next.owner.empty()) layer.owner.reserve_for(next.owner);
         next.scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (const std::uint8_t value : run) {
                 if (value > layer.scalar.at(column, row)) {

@@ -42,6 +42,10 @@ class Sparse {
     /// The number of non-zero pixels.
     std::int64_t count() const;
 
+    /// Allocates memory for the tiles that another picture of the same size has and this one lacks, and no more: in a
+    /// long clip, most layers are not extended again.
+    void reserve_for(const Sparse& other);
+
     /// Sets each pixel to the maximum of itself and that of a picture of the same size.
     void keep_maximum(const Sparse& other);
 

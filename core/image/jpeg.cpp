@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -51,16 +52,16 @@ struct JpegSource {
 
 std::vector<std::byte> encode(const JpegSource& source, std::string_view what) {
     const Handle handle = owned(tjInitCompress());
-    std::vector<std::byte> jpeg(tjBufSize(source.size.width, source.size.height, source.subsampling));
-    auto* at = reinterpret_cast<unsigned char*>(jpeg.data());
-    auto bytes = static_cast<unsigned long>(jpeg.size());  // NOLINT(google-runtime-int): its type
+    std::vector<std::byte> room(tjBufSize(source.size.width, source.size.height, source.subsampling));
+    auto* at = reinterpret_cast<unsigned char*>(room.data());
+    auto bytes = static_cast<unsigned long>(room.size());  // NOLINT(google-runtime-int): its type
     if (tjCompress2(handle.get(), reinterpret_cast<const unsigned char*>(source.values), source.size.width, 0,
                     source.size.height, source.format, &at, &bytes, source.subsampling, source.quality,
                     TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT) != 0) {
         fail(handle, what);
     }
-    jpeg.resize(bytes);
-    return jpeg;
+    // A copy, because `room` is for the worst case: ten times as large as most pictures, which callers keep.
+    return {room.begin(), room.begin() + static_cast<std::ptrdiff_t>(bytes)};
 }
 
 void append(std::vector<std::byte>& to, std::string_view text) {
