@@ -125,8 +125,8 @@ class Log {
     void keep(const std::string& line);
 
     const Watchdog* watchdog_ = nullptr;
-    bool out_of_memory_ = false;
-    std::int64_t excused_ = 0;
+    std::atomic<bool> out_of_memory_ = false;  ///< several decoders may share a log
+    std::atomic<std::int64_t> excused_ = 0;
     mutable std::mutex mutex_;
     std::string last_;
     std::int64_t errors_ = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <limits>
 #include <thread>
 #include <utility>
 
@@ -15,21 +14,8 @@
 namespace vvr::video {
 namespace {
 
-constexpr double clock_was_set = 1;  // seconds
-
 // Consecutive failures after which reading ends: about a quarter of an hour of frames.
 constexpr int max_failures = 20'000;
-
-// Each decoder thread holds its own frames, so huge pictures get fewer threads. For small pictures, the overhead of
-// threads exceeds the gain.
-int thread_count(int asked, std::int64_t pixels) {
-    constexpr std::int64_t pixels_in_flight = 256'000'000;
-    constexpr std::int64_t small = 200'000;
-    if (asked <= 0 && pixels < small) return 1;
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const std::int64_t affordable = std::max<std::int64_t>(1, pixels_in_flight / std::max<std::int64_t>(1, pixels));
-    return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
-}
 
 // Codecs whose decoders reliably stop at the first damage on request, so that frames never depend on a race. MPEG-4 is
 // not among them, because its decoder fails an assertion with threads. HEVC and VP8 are not, because their decoders
@@ -38,12 +24,6 @@ bool stops_cleanly(AVCodecID codec) {
     constexpr std::array known{AV_CODEC_ID_H264, AV_CODEC_ID_VP9,    AV_CODEC_ID_AV1,       AV_CODEC_ID_MJPEG,
                                AV_CODEC_ID_FFV1, AV_CODEC_ID_PRORES, AV_CODEC_ID_MPEG2VIDEO};
     return std::find(known.begin(), known.end(), codec) != known.end();
-}
-
-/// Whether the codec has frames that refer to other frames.
-bool has_inter_frames(const Demuxer& demuxer) {
-    const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
-    return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
 
 /// Distinguishes damage from a lack of memory, which some decoders report as -1.
@@ -63,6 +43,17 @@ bool is_damaged(const AVFrame& frame) {
 
 }  // namespace
 
+// Each decoder thread holds its own frames, so huge pictures get fewer threads. For small pictures, the overhead of
+// threads exceeds the gain.
+int decoder_threads(int asked, std::int64_t pixels) {
+    constexpr std::int64_t pixels_in_flight = 256'000'000;
+    constexpr std::int64_t small = 200'000;
+    if (asked <= 0 && pixels < small) return 1;
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const std::int64_t affordable = std::max<std::int64_t>(1, pixels_in_flight / std::max<std::int64_t>(1, pixels));
+    return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
+}
+
 Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::function<bool(const AVPacket&)> decodes,
                  const HwaccelRow& hwaccel)
     : demuxer_(&demuxer), decodes_(std::move(decodes)), wants_hardware_(hwaccel.device != AV_HWDEVICE_TYPE_NONE) {
@@ -81,7 +72,7 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
     int code = avcodec_parameters_to_context(codec_.get(), &parameters);
     codec_->pkt_timebase = demuxer.stream().time_base;
     codec_->max_pixels = av::max_pixels;
-    codec_->thread_count = thread_count(threads, std::int64_t{parameters.width} * parameters.height);
+    codec_->thread_count = decoder_threads(threads, std::int64_t{parameters.width} * parameters.height);
     if (!stops_cleanly(parameters.codec_id)) codec_->thread_count = 1;
     if (wants_hardware_ && hardware_format(*codec, hwaccel.device) != AV_PIX_FMT_NONE)
         use_device(*codec_, open_device(hwaccel));
@@ -114,14 +105,6 @@ bool Decoder::read() {
         if (!decodes_ || decodes_(*packet_)) return true;
     }
     return false;
-}
-
-AvFrame Decoder::next_alone() {
-    while (read()) {
-        if (auto frame = decode_alone(*packet_)) return frame;
-        ++bad_packets_;
-    }
-    return nullptr;
 }
 
 AvFrame Decoder::next() {
@@ -172,130 +155,6 @@ AvFrame Decoder::decode_alone(const AVPacket& packet) {
         if (sent >= 0 && received >= 0 && !is_damaged(*frame)) return to_memory(std::move(frame));
     }
     return nullptr;
-}
-
-double StampClock::operator()(std::optional<double> stamp) {
-    if (!origin_ && stamp) origin_ = *stamp - next();
-    double time = stamp ? *stamp - *origin_ : next();
-    if (last_ && time < *last_ - clock_was_set) {
-        time = next();
-        origin_ = *stamp - time;
-    }
-    if (last_ && time < *last_) time = *last_;
-    last_ = time;
-    return time;
-}
-
-double StampClock::next() const {
-    return last_ ? *last_ + duration_ : 0;
-}
-
-VideoReader::VideoReader(Input input, double rate, int threads, const FrameChoiceRow& choice, const HwaccelRow& hwaccel)
-    : input_(std::move(input)), rate_(rate), threads_(threads), choice_(&choice), hwaccel_(&hwaccel) {
-    open({});
-}
-
-void VideoReader::open(const SeekPoint& start) {
-    close();
-    demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
-    const AVCodecParameters& stream = *demuxer_->stream().codecpar;
-    decoder_ = std::make_unique<Decoder>(
-        *demuxer_, input_.name, choice_->alone ? 1 : threads_,
-        [this, &stream](const AVPacket& packet) { return choice_->decodes(packet, stream); }, *hwaccel_);
-    forgotten_ = 0;
-    pass_frames_ = 0;
-    pass_until_.reset();
-    const double duration = demuxer_->frame_duration();
-    clock_ = origin_ ? StampClock(duration, *origin_) : StampClock(duration);
-    const auto packet = av::make_packet();
-    for (std::int64_t i = 0; i < start.packets; ++i) {
-        if (!demuxer_->read(*packet)) return;
-    }
-}
-
-void VideoReader::close() {
-    if (decoder_) damaged_ = decoder_->damaged();
-    fell_back_ = fell_back();
-    decoder_.reset();
-    demuxer_.reset();
-}
-
-void VideoReader::choose(const FrameChoiceRow& choice) {
-    choice_ = &choice;
-    rewind();
-}
-
-void VideoReader::rewind(const SeekPoint& start) {
-    start_ = start;
-    given_ = 0;
-    open(start);
-}
-
-SeekPoint VideoReader::find(double time) const {
-    Demuxer demuxer(input_, Demuxer::Kind::video, rate_);
-    const double end = origin() + time;
-    const auto packet = av::make_packet();
-    std::int64_t packets = 0;
-    std::int64_t frames = 0;
-    // Decoding begins one key frame early. Then leading frames, which follow a key frame but are shown before it, and
-    // streams with gradual refresh are intact.
-    std::int64_t last_key = 0;
-    std::int64_t key_before = 0;
-    std::int64_t keys = 0;
-    double last_dts = -std::numeric_limits<double>::infinity();
-    while (demuxer.read(*packet)) {
-        const auto pts = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
-        const auto dts = demuxer.seconds(packet->dts);
-        // Without ascending timestamps, the frame count would be a guess.
-        if (!pts || !dts || *dts < last_dts) return {};
-        if (*dts >= end) break;
-        last_dts = *dts;
-        if (*pts < end && choice_->decodes(*packet, *demuxer.stream().codecpar)) ++frames;
-        keys += packet->flags & AV_PKT_FLAG_KEY ? 1 : 0;
-        if (packet->flags & AV_PKT_FLAG_KEY && *pts <= end) {
-            key_before = last_key;
-            last_key = packets;
-        }
-        ++packets;
-    }
-    // Some files mark every packet as a key frame, which is implausible for these codecs.
-    if (keys == packets && has_inter_frames(demuxer)) return {};
-    return {key_before, frames};
-}
-
-VideoReader::Timed VideoReader::next() {
-    while (decoder_) {
-        auto image = choice_->alone ? decoder_->next_alone() : decoder_->next();
-        if (!image && !decoder_->stopped()) return {};
-        if (!image) {
-            fall_back_to_one_thread();
-            continue;
-        }
-        const double time = clock_(demuxer_->seconds(image->best_effort_timestamp));
-        if (!origin_) origin_ = clock_.origin();
-        if (pass_frames_ > 0 || (pass_until_ && time <= *pass_until_)) {
-            pass_frames_ = std::max<std::int64_t>(0, pass_frames_ - 1);
-            forget_damage();
-            continue;
-        }
-        ++given_;
-        last_ = time;
-        return {std::move(image), time};
-    }
-    return {};
-}
-
-/// Decodes again from shortly before the damage, and skips the frames that were already returned.
-void VideoReader::fall_back_to_one_thread() {
-    threads_ = 1;
-    const auto near = given_ > 0 ? find(last_) : SeekPoint{};
-    if (near.packets > start_.packets) {
-        open(near);
-        pass_until_ = last_;
-    } else {
-        open(start_);
-        pass_frames_ = given_;
-    }
 }
 
 }  // namespace vvr::video

@@ -151,7 +151,7 @@ std::vector<Frame> FileSource::sample(int count) {
     keys.scan(reader_.input(), options_.rate, 0);
     unread_ = keys.unread();
     Scaler scale(*this);
-    auto frames = keys.decode(options_.rate, scale);
+    auto frames = keys.decode(options_.rate, options_.threads, scale);
     const bool all = info_.decodes == Choice<FrameChoiceRow>(frame_choices().front());
     if (frames.empty() && all) frames = sample_needed(reader_.input(), options_, count, scale);
     if (frames.empty()) {

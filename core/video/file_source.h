@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/video/decoder.h"
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
+#include "core/video/video_reader.h"
 
 namespace vvr::video {
 

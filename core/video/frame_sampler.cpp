@@ -11,6 +11,8 @@
 #include "core/video/container.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
+#include "core/video/key_frame_decoder.h"
+#include "core/video/video_reader.h"
 
 namespace vvr::video {
 
@@ -53,7 +55,7 @@ bool KeyFrames::are_enough(std::span<const KeyPacket> keys) const {
     return widest <= most_apart * (end_ - begin_);
 }
 
-std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
+std::vector<Frame> KeyFrames::decode(double rate, int threads, Scaler& scale) {
     const std::vector<KeyPacket> keys = sampler_.take();
     if (!are_enough(keys)) return {};
     std::vector<Frame> frames;
@@ -61,10 +63,11 @@ std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
         const Input& input = files_[key->file];
         Demuxer demuxer(input, Demuxer::Kind::video, rate);
         // In software: for these few frames, opening hardware would take longer.
-        Decoder decoder(demuxer, input.name, 1);
+        KeyFrameDecoder decoder(demuxer, input.name, threads);
         const auto end = std::find_if(key, keys.end(), [&](const KeyPacket& k) { return k.file != key->file; });
-        for (; key != end; ++key) {
-            auto image = decoder.decode_alone(*key->packet);
+        for (auto sent = key; key != end; ++key) {
+            for (; sent != end && decoder.has_room(); ++sent) decoder.send(*sent->packet);
+            auto image = decoder.receive();
             if (image) frames.push_back(scale({0, key->time, orientation_of(demuxer.stream()), std::move(image)}));
         }
     }

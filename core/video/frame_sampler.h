@@ -78,7 +78,8 @@ class KeyFrames {
 
     /// Decodes the frames, in order. Empty if there are too few key frames, if they are unevenly spread, or if they
     /// don't decode on their own. Call it only once.
-    std::vector<Frame> decode(double rate, Scaler& scale);
+    /// \param threads 0 = one per core, or a single one for small pictures
+    std::vector<Frame> decode(double rate, int threads, Scaler& scale);
 
   private:
     struct KeyPacket {

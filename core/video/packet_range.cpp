@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/video/decoder.h"
 #include "core/video/demuxer.h"
 #include "core/video/packet_copy.h"
+#include "core/video/video_reader.h"
 
 namespace vvr::video {
 namespace {
 
-constexpr double clock_was_set = 1;    // seconds, as in StampClock
 constexpr std::size_t reordered = 16;  // packets; no codec reorders more
 constexpr double slack = 0.0005;       // seconds; tolerance for rounded times
 

@@ -287,7 +287,7 @@ std::vector<Frame> RecordingSource::sample_key_frames(int count) {
     }
     unread_ = keys.unread();
     Scaler scale(field_size_, options_.colour);
-    return keys.decode(options_.rate, scale);
+    return keys.decode(options_.rate, options_.threads, scale);
 }
 
 }  // namespace vvr::video

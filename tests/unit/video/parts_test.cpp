@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/video/decoder.h"
 #include "core/video/frame_sampler.h"
 #include "core/video/frame_source.h"
 #include "core/video/input_files.h"
 #include "core/video/live_source.h"
+#include "core/video/video_reader.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
