@@ -7,6 +7,7 @@ import whole_runs
 PARTS = {
     "pipeline": whole_runs.pipeline,
     "cameras": whole_runs.cameras,
+    "files": whole_runs.files,
     "page": whole_runs.page,
     "archive": whole_runs.archive,
     "many": whole_runs.many,

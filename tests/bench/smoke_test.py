@@ -11,6 +11,7 @@ import time
 
 HERE = pathlib.Path(__file__).parent
 CLIPS = ("left_bag.mp4", "vtest_h264.mp4", "camera.mp4", "camera_h265.mp4", "recorder.mp4", "camera_4k.mp4", "camera_4k_h265.mp4",
+         "camera_file.mp4", "camera_h265_file.mp4", "recorder_file.mp4", "camera_4k_file.mp4",
          "minute.mp4", "three_minutes.mp4", "minutes.mp4", "ten_frames.mkv")
 
 

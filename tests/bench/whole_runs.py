@@ -47,23 +47,40 @@ def processor_over(results, others):
     return ratios([r.processor for r in results], [r.processor for r in others])
 
 
+def beside_ffmpeg(setting, clips, what):
+    """Renders each clip with several choices of frames, in turn with FFmpeg. `clips`: names, and the choices of `--decode` for each."""
+    rows, numbers = [], {}
+    for name, choices in clips.items():
+        clip = setting.made(name)
+        results = in_turn({"ffmpeg": floor_of(clip)} | {choice: setting.render(clip, "--decode", choice) for choice in choices}, setting.runs)
+        frames, floor = frames_of(clip), results["ffmpeg"]
+        for choice in choices:
+            of = results[choice]
+            rows.append([f"`{name}`", frames, f"{frames / seconds_of(floor):.0f}", choice, spread(seconds_over(floor, of)),
+                         spread(processor_over(of, floor)), spread(seconds_over(results["all"], of)), f"{megabytes_of(of):.0f}"])
+        numbers[name] = {"frames": frames} | {key: numbers_of(of) for key, of in results.items()}
+    measured = (f"`vvr render CLIP -o out.png --decode CHOICE` beside {FLOOR}. {what} A camera's have no B-frames. Rate: frames per second "
+                "over FFmpeg's; time: processor time over FFmpeg's; speed: rate over that of `all`.")
+    head = ["clip", "frames", "FFmpeg, frames/s", "decode", "rate", "time", "speed", "MB"]
+    return measured, table(head, rows), numbers
+
+
 def cameras(setting):
     """Large pictures as cameras and recorders write them, with all frames decoded and with fewer."""
-    rows, numbers = [], {}
-    for name in ("camera.mp4", "camera_h265.mp4", "recorder.mp4", "camera_4k.mp4", "camera_4k_h265.mp4"):
-        clip = setting.made(name)
-        results = in_turn({"ffmpeg": floor_of(clip)} | {choice: setting.render(clip, "--decode", choice) for choice in
-                                                        ("all", "auto", "key")}, setting.runs)
-        frames = frames_of(clip)
-        floor = results.pop("ffmpeg")
-        rows.append([f"`{name}`", frames, f"{frames / seconds_of(floor):.0f}", *[spread(seconds_over(floor, of)) for of in results.values()],
-                     *[spread(processor_over(of, floor)) for of in results.values()], f"{megabytes_of(results['all']):.0f}"])
-        numbers[name] = {"frames": frames, "ffmpeg": numbers_of(floor)} | {key: numbers_of(of) for key, of in results.items()}
-    measured = (f"`vvr render CLIP -o out.png --decode all`, `auto` and `key` beside {FLOOR}. A generated hall at 25 frames/s: 1920×1080 for "
-                "60 s, 3840×2160 for 20 s; a camera's have no B-frames. Rate: frames per second over FFmpeg's; time: processor "
-                "time over FFmpeg's.")
-    head = ["clip", "frames", "FFmpeg, frames/s", "rate, all", "rate, auto", "rate, key", "time, all", "time, auto", "time, key", "MB, all"]
-    return section("Large pictures", measured, table(head, rows)), numbers
+    every = ("all", "auto", "key")
+    names = ("camera.mp4", "camera_h265.mp4", "recorder.mp4", "camera_4k.mp4", "camera_4k_h265.mp4")
+    measured, body, numbers = beside_ffmpeg(setting, dict.fromkeys(names, every),
+                                            "A generated hall at 25 frames/s: 1920×1080 for 60 s, 3840×2160 for 20 s.")
+    return section("Large pictures", measured, body), numbers
+
+
+def files(setting):
+    """The same in files as long as recorders write them, in which fixed costs count less."""
+    choices = {"camera_file.mp4": ("all", "key"), "camera_h265_file.mp4": ("all", "key"), "recorder_file.mp4": ("all", "auto", "key"),
+               "camera_4k_file.mp4": ("all", "key")}
+    measured, body, numbers = beside_ffmpeg(setting, choices, "The clips of large pictures over and over: ten minutes of 1920×1080, two of "
+                                            "3840×2160. Without B-frames, `auto` decodes all frames.")
+    return section("Files of recorders", measured, body), numbers
 
 
 def page(setting):
@@ -114,18 +131,18 @@ def length(setting):
     """Memory and time a frame over the clip's length."""
     clips = {"1 minute": "minute.mp4", "3 minutes": "three_minutes.mp4", "10 minutes": "minutes.mp4"}
     if setting.long:
-        clips["6 hours"] = "hours.mp4"
+        clips |= {"1 hour": "hour.mp4", "6 hours": "hours.mp4"}
     rows, numbers, first = [], {}, None
     for name, file in clips.items():
         clip = setting.made(file)
         # Of the longest once is enough: it is an average over half a million frames.
-        results = in_turn({name: setting.render(clip)}, setting.runs)[name] if name != "6 hours" else [run(setting.render(clip))]
+        results = in_turn({name: setting.render(clip)}, setting.runs if name != "6 hours" else 1)[name]
         frames = frames_of(clip)
         each, held = [1e3 * r.seconds / frames for r in results], [r.megabytes for r in results]
         first = first or (median(each), median(held))
         rows.append([name, frames, spread(each), f"{median(each) / first[0]:.2f}", spread(held, 0), f"{median(held) / first[1]:.3f}"])
         numbers[name] = {"frames": frames, "runs": numbers_of(results)}
-    measured = "`vvr render` of the left-bag clip over and over; `scripts/bench --long length` measures 6 hours as well."
+    measured = "`vvr render` of the left-bag clip over and over; `scripts/bench --long length` measures 1 and 6 hours as well."
     return section("Length of the clip", measured, table(["clip", "frames", "ms per frame", "of the first", "MB", "of the first"], rows)), numbers
 
 
