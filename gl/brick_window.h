@@ -7,6 +7,7 @@
 #include "core/base/plane.h"
 #include "core/bricks/brick.h"
 #include "core/bricks/cells.h"
+#include "core/bricks/owners.h"
 #include "core/space/layout.h"
 #include "gl/objects.h"
 

@@ -126,9 +126,13 @@ std::vector<labels::LegendEntry> legend_of_transfer(const Plan& plan) {
              fmt::format("{}: little to much", filter.help), std::string(filter.name)}};
 }
 
-/// Whether there are more objects than colours.
+/// Whether two objects of the picture have the same colour.
 bool shares_colours(const Composition& composed) {
-    return composed.objects.events.size() > std::size_t{events::object_colours};
+    const auto& colours = composed.objects.colours;
+    for (auto one = colours.begin(); one != colours.end(); ++one) {
+        if (std::find(one + 1, colours.end(), *one) != colours.end()) return true;
+    }
+    return false;
 }
 
 std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan, const Composition& composed) {

@@ -63,7 +63,7 @@ std::string tracks_table(const RunContext& context) {
         const events::Event& event = seen.events->events[*events[one.track]];
         if (one.frame < event.first.frame || one.frame > event.last.frame) continue;
         const auto [at, is_new] = boxes.try_emplace({one.frame, *events[one.track]}, one.box);
-        if (!is_new) at->second = around(at->second, one.box);
+        if (!is_new) at->second = bounding_box(at->second, one.box);
     }
     // The fields don't show an object that the empty scene has, so its track ends before it lies there.
     for (std::size_t k = 0; k < seen.events->events.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
 #include <stop_token>
 #include <string_view>
@@ -83,7 +84,8 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
     if (!seen.events || seen.events->events.empty() || files.empty()) return kept;
     PieceJob job = job_for(plan, seen, camera);
     PieceRecord record{camera, plan.clock, plan.job.settings};
-    std::set<std::string> footage;
+    std::map<std::string, HashedFile> footage;
+    std::set<std::string> used;  // files of the pieces
     std::size_t failed = 0;
     for (Group& events : group(seen.events->events, output.margin)) {
         try {
@@ -99,9 +101,14 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
             const std::string name = video::piece_name(events.events.front().number, extension);
             job.path = output.folder / name;
             job.place = output.place / name;
+            // Before the copy: if the footage is removed during it, no piece lacks its record.
+            for (const FootagePart& part : job.parts) {
+                const std::string& file = part.file.path;
+                if (!footage.contains(file)) footage.emplace(file, hashed(file, file));
+            }
             const auto times = copy_piece(job, observer, std::stop_token());
             record.pieces.push_back({name, times.value(), true, std::move(events.events)});
-            for (const FootagePart& part : job.parts) footage.insert(part.file.path);
+            for (const FootagePart& part : job.parts) used.insert(part.file.path);
         } catch (const Error& error) {
             if (!is_of_the_footage(error)) throw;
             if (failed == 0) kept.problem = error.what();
@@ -114,7 +121,7 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
         observer.warn(kept.problem);
     }
     if (record.pieces.empty()) return kept;
-    record.footage.assign(footage.begin(), footage.end());
+    for (const std::string& file : used) record.footage.push_back(footage.at(file));
     write_record(output.folder, record, observer);
     kept.pieces = std::move(record.pieces);
     return kept;

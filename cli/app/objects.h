@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/bricks/layer.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 #include "core/events/colouring.h"
 #include "core/events/event.h"

@@ -69,7 +69,8 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 std::vector<events::Event> take_chosen_events(Observation& seen, const events::EventChoice& choice) {
     seen.not_chosen.clear();
     for (const events::Event& event : seen.findings.events) {
-        if (!choice.accepts(event)) seen.not_chosen.push_back({event.first.seconds, event.last.seconds});
+        const bool is_shown = event.last.seconds >= seen.begin.seconds && event.first.seconds <= seen.last->pts;
+        if (is_shown && !choice.accepts(event)) seen.not_chosen.push_back({event.first.seconds, event.last.seconds});
     }
     return events::choose_events(std::move(seen.findings.events), choice);
 }
@@ -100,6 +101,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     fields::MotionDetector motion;
     Observation& seen = builder.seen;
     const int keyframes = plan.job.look.keyframes;
+    int passed = 0;  // key frames, at equal distances
     seen.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
         fill_gap(*seen.last, field, seen.volume);
         builder.add(frame, field, plan.nonuniform && motion(field));
@@ -109,10 +111,11 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
             seen.begin = {frame->index, frame->pts};
         }
         seen.last = frame;
-        const auto wanted = std::ssize(seen.keyframes) + 1;
-        if (expected > 0 && wanted <= keyframes && number == wanted * (expected - 1) / (keyframes + 1)) {
-            seen.keyframes.push_back({frame, number});
-        }
+        // Frames may be missing where a key frame should be. Then the next one shows the end of the gap.
+        const int before = passed;
+        while (expected > 0 && passed < keyframes && number >= (passed + 1) * (expected - 1) / (keyframes + 1))
+            ++passed;
+        if (passed > before) seen.keyframes.push_back({frame, number});
         observer.frames(number + 1, expected);
     });
     require_frames(seen.volume.frames(), source.info());

@@ -11,7 +11,7 @@
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
 #include "cli/app/track_boxes.h"
-#include "core/bricks/layer.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 #include "core/events/event_finder.h"
 #include "core/fields/field.h"

@@ -60,12 +60,8 @@ Json json_of(const WallClock& clock) {
         {"source", source.name}, {"words", source.words}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
 }
 
-/// A file with its size and SHA-256.
-Json hashed(const fs::path& path, const std::string& name) {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(path, error);
-    if (error) throw system_error(error.value(), fmt::format("cannot read '{}'", path.string()));
-    return {{"file", name}, {"bytes", bytes}, {"sha256", hex_sha256_of_file(path)}};
+Json json_of(const HashedFile& file) {
+    return {{"file", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}};
 }
 
 void write(const fs::path& path, const std::string& text, Observer& observer) {
@@ -75,11 +71,19 @@ void write(const fs::path& path, const std::string& text, Observer& observer) {
 
 }  // namespace
 
+HashedFile hashed(const fs::path& path, const std::string& name) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    if (error) throw system_error(error.value(), fmt::format("cannot read '{}'", path.string()));
+    return {name, bytes, hex_sha256_of_file(path)};
+}
+
 void write_record(const fs::path& folder, const PieceRecord& record, Observer& observer) {
     std::string sums;
     const auto add = [&](const std::string& name, Json more) {
-        Json json = hashed(folder / name, name);
-        sums += fmt::format("{}  {}\n", json["sha256"].get<std::string>(), name);
+        const HashedFile file = hashed(folder / name, name);
+        sums += fmt::format("{}  {}\n", file.sha256, name);
+        Json json = json_of(file);
         json.update(more);
         return json;
     };
@@ -91,7 +95,7 @@ void write_record(const fs::path& folder, const PieceRecord& record, Observer& o
               {"pieces", Json::array()},
               {"stills", Json::array()},
               {"settings", Json::object()}};
-    for (const std::string& file : record.footage) json["footage"].push_back(hashed(file, file));
+    for (const HashedFile& file : record.footage) json["footage"].push_back(json_of(file));
     for (const WrittenPiece& piece : record.pieces) json["pieces"].push_back(add(piece.file, json_of(record, piece)));
     if (record.still) json["stills"].push_back(add(record.still->file, moment(record, record.still->seconds)));
     for (const auto& [name, value] : record.settings) json["settings"][name] = value;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,12 +22,22 @@ struct WrittenPiece {
     std::vector<PieceEvent> events{};
 };
 
+/// A file with its size and the SHA-256 of all its bytes.
+struct HashedFile {
+    std::string name;
+    std::uintmax_t bytes = 0;
+    std::string sha256;
+};
+
+/// \throws Error io if it can't be read
+HashedFile hashed(const std::filesystem::path& path, const std::string& name);
+
 /// Where the files of a folder of pieces come from.
 struct PieceRecord {
-    std::string camera;                  ///< empty = unknown
-    WallClock clock;                     ///< of the footage; none = unknown
-    image::Metadata settings;            ///< with which the events were found
-    std::vector<std::string> footage{};  ///< the files of the pieces
+    std::string camera;                 ///< empty = unknown
+    WallClock clock;                    ///< of the footage; none = unknown
+    image::Metadata settings;           ///< with which the events were found
+    std::vector<HashedFile> footage{};  ///< the files of the pieces
     std::vector<WrittenPiece> pieces{};
 
     struct Still {
@@ -36,9 +47,8 @@ struct PieceRecord {
     std::optional<Still> still{};
 };
 
-/// Writes evidence.json and SHA256SUMS into the folder in which the files of the record lie. Reads these files and the
-/// footage as a whole.
-/// \throws Error io
+/// Writes evidence.json and SHA256SUMS into the folder in which the files of the record lie. Hashes these files, but
+/// not the footage. \throws Error io
 void write_record(const std::filesystem::path& folder, const PieceRecord& record, Observer& observer);
 
 }  // namespace vvr::app

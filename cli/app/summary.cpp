@@ -91,7 +91,10 @@ std::string result_text(const RunContext& context) {
                        counted(std::ssize(composed.bricks), "brick"));
 }
 
-std::string events_summary(const std::vector<events::Event>& events, const WallClock& clock) {
+std::string events_summary(const std::vector<events::Event>& events, std::size_t not_chosen, const WallClock& clock) {
+    if (events.empty() && not_chosen > 0)
+        return fmt::format("no event that --events chooses, of {}",
+                           counted(static_cast<std::int64_t>(not_chosen), "event"));
     if (events.empty()) return "no events";
     const auto longest = std::ranges::max_element(events, {}, length_of);
     const double first = longest->first.seconds;
@@ -102,7 +105,8 @@ std::string events_summary(const std::vector<events::Event>& events, const WallC
     const events::EventKindRow& row = row_of(longest->kind);
     if (row.is_thing) text += fmt::format(", {}", row.words);
     if (row.tally == events::Tally::still)
-        text += fmt::format(", {} {}", row.words, labels::format_duration(events::stationary_seconds(*longest)));
+        text += fmt::format(", {} {}{}", row.words, labels::format_duration(events::stationary_seconds(*longest)),
+                            longest->stays.size() > 1 ? " in all" : "");
     return text;
 }
 
@@ -130,9 +134,10 @@ void log_warnings(const RunContext& context, const std::vector<std::string>& adv
             "'{}' stores only the first and the last picture of the clip, so no other frames are shown", name));
     }
     if (!plan.products.series && std::ssize(seen.keyframes) < plan.job.look.keyframes) {
-        observer.warn(
-            fmt::format("'{}': only {} of {} are shown, because its header states no length, or too great a length",
-                        name, seen.keyframes.size(), counted(plan.job.look.keyframes, "key frame")));
+        observer.warn(fmt::format(
+            "'{}': only {} of {} are shown, because the clip has no frames where the others should be, or its "
+            "header states no length, or too great a length",
+            name, seen.keyframes.size(), counted(plan.job.look.keyframes, "key frame")));
     }
     if (composed.lettering.font_missing) {
         observer.warn("fontconfig found no font, so the picture has no text; install one, such as fonts-dejavu-core");

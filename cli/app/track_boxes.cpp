@@ -5,10 +5,6 @@
 
 namespace vvr::app {
 
-PixelBox around(const PixelBox& a, const PixelBox& b) {
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes) {
     const auto begin = std::ssize(boxes);
     for (const fields::LabelRun& run : labels.runs) {
@@ -19,7 +15,7 @@ void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes) 
         if (known == boxes.end()) {
             boxes.push_back({labels.at.frame, run.track, box});
         } else {
-            known->box = around(known->box, box);
+            known->box = bounding_box(known->box, box);
         }
     }
 }

@@ -9,9 +9,6 @@
 
 namespace vvr::app {
 
-/// The box around two boxes.
-PixelBox around(const PixelBox& a, const PixelBox& b);
-
 /// Where a track was seen in one frame.
 struct TrackBox {
     std::int64_t frame = 0;

@@ -166,7 +166,7 @@ std::set<std::size_t> Window::tracks_of_bearers(double seconds) const {
     for (const events::Event& event : events) {
         const bool lasts = event.last.seconds >= seconds || builder_.finder->follows(event.tracks);
         if (!event.evidence || !lasts) continue;
-        for (const std::optional<std::size_t>& other : {event.from, event.into}) {
+        for (const std::optional<std::size_t>& other : {event.from, event.into, event.by}) {
             if (other) tracks.insert(events[*other].tracks.begin(), events[*other].tracks.end());
         }
     }

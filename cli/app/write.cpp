@@ -184,6 +184,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
         for (const events::Event& event : *content.events) content.deeds.push_back(glance::deed_of(event));
         if (plan.products.series) content.numbers = seen.events->numbers;
         content.colours = composed.objects.colours;
+        content.not_chosen = seen.not_chosen.size();
         if (plan.products.portraits) content.portraits = glance::portraits_of(seen.events->events, seen.crops);
     }
     content.live = live;
@@ -244,7 +245,7 @@ void Writer::finish(const RunContext& context, double seconds) {
     files_.close();
     observer_.info(fmt::format("{}, {:.1f} s", result_text(context), seconds));
     if (context.plan.products.events && context.seen.events)
-        observer_.info(events_summary(context.seen.events->events, context.plan.clock));
+        observer_.info(events_summary(context.seen.events->events, context.seen.not_chosen.size(), context.plan.clock));
     if (!output.report.empty())
         write_text(output.report, format_report(context, advice, seconds, {tiles_, kept_.problem}), observer_);
     if (!output.events_csv.empty()) write_text(output.events_csv, events_table(context), observer_);

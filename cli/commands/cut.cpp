@@ -163,7 +163,9 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     app::PieceRecord record{piece.camera, piece.clock, selection.settings};
     record.pieces.push_back({file, *times, !job.exact, {}});
     if (selection.event) record.pieces.front().events.push_back(*selection.event);
-    for (const app::FootagePart& part : piece.parts) record.footage.push_back(part.file.path);
+    for (const app::FootagePart& part : piece.parts) {
+        record.footage.push_back(app::hashed(part.file.path, part.file.path));
+    }
     const double middle = (times->begin + times->end) / 2;
     const app::FullFrame frame =
         app::frame_of(piece, selection.event ? selection.event->best.value_or(middle) : middle);

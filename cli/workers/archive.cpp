@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "cli/log.h"
 #include "cli/workers/archive_run.h"
+#include "core/archive/index.h"
 #include "core/archive/output_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -263,6 +264,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         return cli::ExitStatus::done;
     }
     make_folder(options.out);
+    if (options.writes(Written::index)) archive::check_own_index(options.out);  // before hours of drawing
     std::vector<PlannedClip> work = found.planned;
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     cli::EventFile events(options.events_to, environment.log);

@@ -298,6 +298,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 }
 
 void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, const cli::Environment& environment) {
+    archive::check_own_index(job.out);
     // If two runs end at the same time, the second must read what the first wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
     const LockFile claim = LockFile::wait_for(job.out, files.front());

@@ -21,6 +21,7 @@
 #include <fmt/ranges.h>
 
 #include "core/archive/output_files.h"
+#include "core/archive/pieces.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -141,7 +142,8 @@ class Walk {
             scan_.problems.push_back({folder, text_of_system_error(errno), true});
         } else if (above_.contains({status.st_dev, status.st_ino})) {
             scan_.problems.push_back({folder, "it is a symbolic link to a folder above the archive; remove it"});
-        } else if (!is_kernel_filesystem(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
+        } else if (!is_kernel_filesystem(in_ / folder) && !is_pieces_folder(in_ / folder) &&
+                   seen_.emplace(status.st_dev, status.st_ino).second) {
             list(folder);
         }
     }

@@ -15,7 +15,7 @@ namespace vvr::archive {
 struct FoundEvent {
     events::EventKind kind = events::EventKind::moved;
     int number = 0;                               ///< in the picture, the page and the report
-    int still = 0;                                ///< tenths of a second for which it was stationary
+    int still = 0;                                ///< its longest stay, tenths of a second
     std::vector<events::Waypoint> path;           ///< its simplified path, from its first to its last moment
     const detector::ObjectClass* what = nullptr;  ///< null = unknown
 

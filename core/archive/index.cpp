@@ -1,8 +1,10 @@
 #include "core/archive/index.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
+#include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
@@ -60,10 +63,12 @@ int files_of(const Sidecar& sidecar) {
 struct Place {
     std::string camera;
     Begin begin;
+    double seconds = 0;  ///< length
 };
 
 Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
-    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
+    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names),
+            sidecar.seconds};
 }
 
 /// What the index says of a clip's events of a kind: seconds or a number; 0 = nothing.
@@ -173,15 +178,18 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
 /// are skipped, because a clip with a wrong time may be all there is.
 Json zone_of(const std::vector<Place>& places) {
     constexpr std::int64_t years = 3 * 366 * std::int64_t{86'400};
-    std::set<std::int64_t> begins;
-    for (const Place& place : places) begins.insert(place.begin.utc);
+    std::set<std::int64_t> moments;  // at which clips begin and end
+    for (const Place& place : places) {
+        const double seconds = std::min(place.seconds, longest_recording);
+        moments.insert({place.begin.utc, place.begin.utc + std::llround(seconds)});
+    }
     Json zone = Json::array();
     const auto add = [&](const ZoneChange& change) {
         zone.push_back({change.from, change.offset, zone_text(change.from)});
     };
-    for (auto begin = begins.begin(); begin != begins.end();) {
+    for (auto begin = moments.begin(); begin != moments.end();) {
         auto end = begin;
-        for (auto next = std::next(begin); next != begins.end() && *next - *end < years; ++next) end = next;
+        for (auto next = std::next(begin); next != moments.end() && *next - *end < years; ++next) end = next;
         std::ranges::for_each(zone_changes(*begin, *end), add);
         begin = std::next(end);
     }
@@ -213,15 +221,38 @@ std::string listed_date_of(const Sidecar& sidecar, const video::RecorderNames& n
     return sidecar.day ? sidecar.day->date : date_of(begin_of(sidecar, names).utc);
 }
 
+void check_own_index(const std::filesystem::path& out) {
+    constexpr std::string_view title = "<title>Video archive</title>";  // as in core/web/index/index.html
+    const std::filesystem::path file = out / index_name;
+    if (irregular_file_at(file)) return;  // `check_own_place` refuses it
+    std::array<char, 4096> beginning{};
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return;
+    stream.read(beginning.data(), beginning.size());
+    const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.empty() || text.find(title) != std::string_view::npos) return;
+    throw Error(ErrorCode::file_invalid,
+                fmt::format("cannot write '{}': it is another page, which vvr did not write; choose another folder for "
+                            "the pictures, or move this page",
+                            file.string()));
+}
+
 DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
-    // If a camera's clips are listed singly, a picture of the whole day would repeat them.
-    std::set<std::string> one_by_one;
+    // If clips of a camera's day or night are listed singly, its picture would repeat them.
+    std::map<std::string, std::set<std::int64_t>> single;  // begins, by camera
     for (const Sidecar& sidecar : sidecars) {
-        if (!sidecar.day) one_by_one.insert(names.camera_of(sidecar.clip.path));
+        if (!sidecar.day) single[names.camera_of(sidecar.clip.path)].insert(begin_of(sidecar, names).utc);
     }
+    const auto repeats = [&](const Sidecar& sidecar) {
+        if (!sidecar.day) return false;
+        const std::int64_t begin = begin_of(sidecar, names).utc;
+        const std::set<std::int64_t>& begins = single[sidecar.day->camera];
+        const auto next = begins.lower_bound(begin);
+        return next != begins.end() && static_cast<double>(*next - begin) <= sidecar.seconds;
+    };
     std::map<std::string, Json> days;
     for (const Sidecar& sidecar : sidecars) {
-        if (sidecar.found.empty() || (sidecar.day && one_by_one.contains(sidecar.day->camera))) continue;
+        if (sidecar.found.empty() || repeats(sidecar)) continue;
         Json events = Json::array();
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
         Json& day = days[listed_date_of(sidecar, names)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -17,6 +18,11 @@ namespace vvr::archive {
 /// \param gone paths of clips that no longer exist
 std::string make_index(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names = video::RecorderNames(),
                        const std::set<std::string>& gone = {});
+
+/// Checks that a file in the place of the index is an index.
+/// \param out folder of the pictures
+/// \throws Error io if it is another file
+void check_own_index(const std::filesystem::path& out);
 
 /// The text of each day's file of events, by file name.
 using DayFiles = std::map<std::string, std::string>;

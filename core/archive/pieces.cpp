@@ -34,6 +34,10 @@ fs::path pieces_folder(const fs::path& out, const std::string& clip) {
     return out / (clip + std::string(piece_extension));
 }
 
+bool is_pieces_folder(const fs::path& folder) {
+    return folder.extension() == piece_extension && is_file(folder / video::record_name);
+}
+
 std::vector<std::string> list_pieces(const fs::path& folder) {
     std::vector<std::string> names;
     if (!is_folder(folder)) return names;

@@ -12,6 +12,9 @@ namespace vvr::archive {
 /// `cam1/x.avi` has `cam1/x.avi.events`.
 std::filesystem::path pieces_folder(const std::filesystem::path& out, const std::string& clip);
 
+/// Whether a folder is one of pieces that vvr has kept, of any archive.
+bool is_pieces_folder(const std::filesystem::path& folder);
+
 /// The names of files in the folder that vvr may have written, sorted. None if it is a link.
 std::vector<std::string> list_pieces(const std::filesystem::path& folder);
 

@@ -8,6 +8,7 @@
 
 #include "core/base/plane.h"
 #include "core/bricks/layer.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 
 namespace vvr::bricks {
@@ -70,9 +71,8 @@ class BrickLayers {
     BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = no_identities);
 
     const Brick& brick() const { return brick_; }
-    std::int64_t count() const { return brick_.count + 2; }  ///< layers of the texture
-    Size size() const { return size_; }                      ///< size of a whole layer
-    ExtraChannel extra_channel() const { return extra_channel_; }
+    std::int64_t count() const { return brick_.count + 2; }                    ///< layers of the texture
+    Size size() const { return size_; }                                        ///< size of a whole layer
     bool coloured() const { return extra_channel_ != ExtraChannel::nothing; }  ///< texels are ColouredTexels
 
     /// Whether to interpolate between texels; otherwise the nearest texel is used.

@@ -1,7 +1,6 @@
 #include "core/bricks/layer.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -195,8 +194,8 @@ std::optional<std::size_t> least(const std::vector<Layer>& layers, const Of& val
     return found;
 }
 
-}  // namespace
-
+/// The loss of merging two neighbouring layers, in pixels times frames. A layer of n frames that has u non-zero pixels
+/// shows n·u. The loss is how much more the merged layer shows than the two layers. It is 0 if nothing moves.
 double merge_loss(const Layer& a, const Layer& b) {
     // Without motion, stationary pixels are no loss in a layer of any length.
     const std::int64_t in_a = is_idle(a) ? 0 : a.scalar.count();
@@ -205,6 +204,8 @@ double merge_loss(const Layer& a, const Layer& b) {
     const std::int64_t both = in_a == 0 ? in_b : in_b == 0 ? in_a : count_union(a.scalar, b.scalar);
     return static_cast<double>((a.frames + b.frames) * both - a.frames * in_a - b.frames * in_b);
 }
+
+}  // namespace
 
 void LayerMerger::add(const std::vector<Layer>& layers) {
     if (layers.size() > 1) losses_.push_back(merge_loss(layers[layers.size() - 2], layers.back()));
@@ -236,94 +237,6 @@ void LayerMerger::merge_cheapest(std::vector<Layer>& layers, std::size_t idle) {
     });
     if (moving) return merge_at(layers, *moving);
     if (!merge_idle(layers)) merge_at(layers, 0);
-}
-
-namespace {
-
-// In field pixels.
-constexpr int owner_reach = 3;
-
-}  // namespace
-
-std::uint16_t Owners::number_of(std::size_t track) {
-    if (const auto known = numbers_.find(track); known != numbers_.end()) return known->second;
-    if (room() == 0) return 0;
-    std::uint16_t number = 0;
-    if (free_.empty()) {
-        tracks_.push_back(track);
-        number = static_cast<std::uint16_t>(tracks_.size());
-    } else {
-        number = free_.back();
-        free_.pop_back();
-        tracks_[number - std::size_t{1}] = track;
-    }
-    numbers_.emplace(track, number);
-    return number;
-}
-
-void Owners::keep_only(const std::vector<bool>& used) {
-    std::erase_if(numbers_, [&](const auto& known) {
-        const std::uint16_t number = known.second;
-        if (number < used.size() && used[number]) return false;
-        free_.push_back(number);
-        return true;
-    });
-    // Sorted, so that the next number doesn't depend on the order of a hash table.
-    std::ranges::sort(free_, std::greater{});
-}
-
-OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const SparsePlane& scalar) {
-    const Size size = scalar.size();
-    OwnerPlane pixels(size);
-    if (runs.empty()) return pixels;
-    if (whole_.size() != size) whole_ = Plane<std::uint16_t>(size);
-    for (const fields::LabelRun& run : runs) {
-        const std::uint16_t number = number_of(run.track);
-        std::ranges::fill(whole_.row(run.row).subspan(static_cast<std::size_t>(run.first),
-                                                      static_cast<std::size_t>(run.last - run.first)),
-                          number);
-    }
-    // Each round extends owners by one pixel. If several reach a pixel in the same round, the first in row-major order
-    // gets it.
-    struct Found {
-        int column;
-        int row;
-        std::uint16_t number;
-    };
-    std::vector<Found> found;
-    for (int round = 0; round < owner_reach; ++round) {
-        found.clear();
-        scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> values) {
-            for (const std::uint8_t value : values) {
-                if (value != 0 && whole_.at(column, row) == 0) {
-                    const int left = std::max(column - 1, 0);
-                    const int right = std::min(column + 1, size.width - 1);
-                    std::uint16_t near = 0;
-                    for (int j = std::max(row - 1, 0); near == 0 && j <= std::min(row + 1, size.height - 1); ++j) {
-                        for (int i = left; near == 0 && i <= right; ++i) near = whole_.at(i, j);
-                    }
-                    if (near != 0) found.push_back({column, row, near});
-                }
-                ++column;
-            }
-        });
-        for (const Found& pixel : found) whole_.at(pixel.column, pixel.row) = pixel.number;
-        if (found.empty()) break;
-    }
-    scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> values) {
-        for (const std::uint8_t value : values) {
-            if (value != 0) pixels.set(column, row, whole_.at(column, row));
-            whole_.at(column, row) = 0;
-            ++column;
-        }
-    });
-    // Runs may include pixels that are 0 in the field.
-    for (const fields::LabelRun& run : runs) {
-        std::ranges::fill(whole_.row(run.row).subspan(static_cast<std::size_t>(run.first),
-                                                      static_cast<std::size_t>(run.last - run.first)),
-                          std::uint16_t{0});
-    }
-    return pixels;
 }
 
 }  // namespace vvr::bricks

@@ -3,9 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/plane.h"
@@ -92,9 +90,6 @@ class Sparse {
     std::vector<Tile> tiles_;
 };
 
-template <class U>
-std::int64_t count_union(const Sparse<U>& a, const Sparse<U>& b);
-
 using SparsePlane = Sparse<std::uint8_t>;
 
 /// The owner of each pixel: a number of `Owners`; 0 = none.
@@ -119,10 +114,6 @@ struct Layer {
 /// both are equal.
 /// \param values kind of values, which determines how two values merge
 void merge(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
-
-/// The loss of merging two neighbouring layers, in pixels times frames. A layer of n frames that has u non-zero pixels
-/// shows n·u. The loss is how much more the merged layer shows than the two layers. It is 0 if nothing moves.
-double merge_loss(const Layer& a, const Layer& b);
 
 /// Decides which neighbouring layers are merged when layers have unequal lengths, so that motion gets more layers.
 class LayerMerger {
@@ -154,52 +145,5 @@ class LayerMerger {
 inline bool is_idle(const Layer& layer) {
     return layer.moving == 0;
 }
-
-struct Layer;
-
-/// The identity of a voxel: its appearance and its event.
-struct Identity {
-    std::uint8_t look = 0;     ///< index of its appearance; 0 = without owner
-    std::uint16_t number = 0;  ///< number of its event; 0 = none
-
-    friend bool operator==(const Identity&, const Identity&) = default;
-};
-
-/// Returns the identity of a track's voxels in a layer. Called only when voxels are drawn, because tracks become events
-/// at the end of the clip.
-using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
-
-/// No voxel has an owner.
-inline const Identify no_identities;
-
-/// Maps tracks to 16-bit numbers, which are stored as the owners of voxels. 0 means no owner.
-class Owners {
-  public:
-    /// The number of a track, assigned on first use. 0 if no number is free.
-    std::uint16_t number_of(std::size_t track);
-
-    /// The track of a number.
-    /// \pre number != 0
-    std::size_t track_of(std::uint16_t number) const { return tracks_[number - std::size_t{1}]; }
-
-    /// The number of free numbers.
-    std::size_t room() const { return free_.size() + most - tracks_.size(); }
-
-    /// Frees all numbers that are not in use.
-    /// \param used whether each number is in use, by number
-    void keep_only(const std::vector<bool>& used);
-
-    /// The owners of a field's pixels: of the runs, and of non-zero pixels within `reach` of them. This includes the
-    /// flickering edges of stationary objects and the soft edges of filters.
-    OwnerPlane pixels_of(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
-
-  private:
-    static constexpr std::size_t most = 65'535;
-
-    std::vector<std::size_t> tracks_;
-    std::vector<std::uint16_t> free_;
-    std::unordered_map<std::size_t, std::uint16_t> numbers_;
-    Plane<std::uint16_t> whole_;  ///< all 0 between calls
-};
 
 }  // namespace vvr::bricks

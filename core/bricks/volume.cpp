@@ -5,74 +5,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/gtc/packing.hpp>
 
 #include "core/base/error.h"
 
 namespace vvr::bricks {
-
-namespace {
-
-/// The pixels on both sides of a coordinate, and its fractional position between them.
-struct Between {
-    Between(double at, int count) {
-        const double inside = std::clamp(at, 0.0, count - 1.0);
-        low = std::min(static_cast<int>(inside), count - 1);
-        high = std::min(low + 1, count - 1);
-        share = inside - low;
-    }
-
-    int low;
-    int high;
-    double share;
-};
-
-glm::dvec2 in_plane(const Plane<std::uint32_t>& packed, double column, double row) {
-    const Between x(column, packed.width());
-    const Between y(row, packed.height());
-    const auto flow = [&packed](int i, int j) { return glm::dvec2(glm::unpackHalf2x16(packed.at(i, j))); };
-    return glm::mix(glm::mix(flow(x.low, y.low), flow(x.high, y.low), x.share),
-                    glm::mix(flow(x.low, y.high), flow(x.high, y.high), x.share), y.share);
-}
-
-}  // namespace
-
-void FlowVolume::add(std::int64_t frame, const fields::Flow& flow) {
-    Layer layer{frame, Plane<std::uint32_t>::for_overwrite(flow.u.size())};
-    std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(), [](float u, float v) {
-        return glm::packHalf2x16({u, v});
-    });
-    layers_.push_back(std::move(layer));
-}
-
-void FlowVolume::erase_if(const std::function<bool(std::int64_t)>& gone) {
-    std::erase_if(layers_, [&gone](const Layer& layer) { return gone(layer.frame); });
-}
-
-void FlowVolume::drop_front(std::int64_t frame) {
-    erase_if([frame](std::int64_t kept) { return kept < frame; });
-    for (Layer& layer : layers_) layer.frame -= frame;
-}
-
-std::size_t FlowVolume::bytes() const {
-    std::size_t bytes = 0;
-    for (const Layer& layer : layers_) bytes += layer.packed.pixels().size_bytes();
-    return bytes;
-}
-
-glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
-    if (layers_.empty()) return {0, 0};
-    const auto after = std::ranges::upper_bound(layers_, point.z, {},
-                                                [](const Layer& layer) { return static_cast<double>(layer.frame); });
-    if (after == layers_.begin()) return in_plane(after->packed, point.x, point.y);
-    const Layer& low = *(after - 1);
-    const glm::dvec2 flow = in_plane(low.packed, point.x, point.y);
-    const double share = point.z - static_cast<double>(low.frame);
-    // Exactly on a stored frame, the next one has no weight. Traces without v_t stay on such frames.
-    if (after == layers_.end() || share == 0) return flow;
-    return glm::mix(flow, in_plane(after->packed, point.x, point.y),
-                    share / static_cast<double>(after->frame - low.frame));
-}
 
 namespace {
 
@@ -85,18 +21,29 @@ constexpr std::size_t idle_share = 4;
 Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
-        throw Error(ErrorCode::option_value_out_of_range,
-                    fmt::format("a volume needs at least 2 layers and 1 frame per layer, not {} and {}",
-                                options.capacity, options.step));
+        throw Error(
+            ErrorCode::option_value_out_of_range,
+            fmt::format(
+                "a volume needs at least 2 layers, 1 frame per layer and 1 frame between seeds, not {}, {} and {}",
+                options.capacity, options.step, options.seed_interval));
     }
 }
 
-Layer& Volume::add_layer(Layer layer) {
-    if (!options_.nonuniform) return layers_.emplace_back(std::move(layer));
+/// Whether the last layer takes more frames. If there is no room for another layer, merges pairs first.
+bool Volume::continues_layer() {
+    if (options_.nonuniform || layers_.empty()) return false;
+    if (layers_.back().frames == options_.step && layers() == options_.capacity) merge_pairs();
+    return layers_.back().frames < options_.step;
+}
+
+void Volume::add_layer(Layer layer) {
+    if (!options_.nonuniform) {
+        layers_.push_back(std::move(layer));
+        return;
+    }
     if (layers() >= room()) merger_.merge_cheapest(layers_, static_cast<std::size_t>(room()) / idle_share_read);
     layers_.push_back(std::move(layer));
     merger_.add(layers_);
-    return layers_.back();
 }
 
 void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span<const fields::LabelRun> owners,
@@ -117,10 +64,7 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
     OwnerPlane owner = owners_in(owners, scalar);
     Layer layer{field.index,   field.index,       1,      field.pts,       field.pts, 0,
                 moves ? 1 : 0, std::move(scalar), colour, std::move(owner)};
-    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
-        layers() == options_.capacity)
-        merge_pairs();
-    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step) {
+    if (continues_layer()) {
         merge(layers_.back(), layer, options_.values);
     } else {
         add_layer(std::move(layer));
@@ -183,10 +127,7 @@ void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<st
 
 void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double apart) {
     while (count > 0) {
-        if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
-            layers() == options_.capacity)
-            merge_pairs();
-        const bool goes_on = !options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step;
+        const bool goes_on = continues_layer();
         const std::int64_t room = goes_on ? options_.step - layers_.back().frames : options_.step;
         const std::int64_t taken = options_.nonuniform ? count : std::min(count, room);
         const double last_pts = pts + static_cast<double>(taken - 1) * apart;

@@ -24,9 +24,10 @@ struct Candidate {
     Tracklet whole;
     EventKind kind = EventKind::moved;
     bool wanted = true;
-    bool is_claim = false;    // nobody saw it move: the evidence decides
-    bool carried = false;     // somebody was there to bring or take it
-    bool from_first = false;  // it was there when its stretch began
+    bool is_claim = false;                // nobody saw it move: the evidence decides
+    bool carried = false;                 // somebody was there to bring or take it
+    std::optional<std::size_t> beside{};  // number of whoever was beside it then, if it split from nobody
+    bool from_first = false;              // it was there when its stretch began
     bool to_last = false;
 };
 
@@ -246,7 +247,7 @@ class Conclusion {
             const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
             if (away >= nearest) continue;
             nearest = away;
-            own.from = bearer.number;
+            candidate.beside = bearer.number;
         }
     }
 
@@ -300,8 +301,9 @@ class Conclusion {
     bool was_never_alone(std::size_t k) const {
         const Candidate& candidate = candidates_[k];
         const Tracklet& own = candidate.whole;
-        if (!candidate.wanted || candidate.kind != EventKind::left || !own.from || !own.into) return false;
-        const auto from = object_of_.find(*own.from);
+        const std::optional<std::size_t> bringer = own.from ? own.from : candidate.beside;
+        if (!candidate.wanted || candidate.kind != EventKind::left || !bringer || !own.into) return false;
+        const auto from = object_of_.find(*bringer);
         const auto into = object_of_.find(*own.into);
         if (from == object_of_.end() || into == object_of_.end() || from->second != into->second) return false;
         const Tracklet& bearer = candidates_[from->second].whole;
@@ -345,7 +347,7 @@ class Conclusion {
             event.stays = std::move(own.stays);
             event.from = place_of(own.from, k);
             event.into = place_of(own.into, k);
-            if (row_of(event.kind).is_thing) event.by = event.from;
+            if (row_of(event.kind).is_thing) event.by = event.from ? event.from : place_of(candidate.beside, k);
             event.portrait = own.portrait;
             event.infrared = stretch_of(own).infrared;
             if (own.in_scene && own.settled) {

@@ -134,14 +134,15 @@ struct Hole {
     }
 };
 
-}  // namespace
-
+/// Sets every blob of fewer than `min_area` pixels to 0.
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area) {
     if (min_area <= 1) return;
     std::vector<Run> runs = blobs_of(plane);
     paint(
         plane, runs, length, [&](int area) { return area < min_area; }, 0);
 }
+
+}  // namespace
 
 void apply_hysteresis(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
     const auto pixels_of = [&](const Run& run) {

@@ -32,9 +32,6 @@ inline Plane<std::uint8_t> occupied_tiles(const Plane<std::uint8_t>& plane) {
 
 // A blob is a connected component (8-connectivity) of pixels other than 0.
 
-/// Sets every blob of fewer than `min_area` pixels to 0.
-void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
-
 /// Hysteresis threshold: sets every blob to 0 that has fewer than `min_area` pixels, or fewer than `least` pixels whose
 /// value reaches that of `strong` there.
 void apply_hysteresis(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);

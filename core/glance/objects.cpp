@@ -39,7 +39,9 @@ std::int64_t area_of(const events::Event& event) {
 
 /// The direction from the first to the last position in the frame.
 std::vector<std::string> direction_texts(const events::Event& event) {
-    if (event.path.empty()) return {std::string(events::name_of(event.kind))};
+    // In a window over a stream, hardly anything of its path may be left.
+    if (event.path.size() < 2 || !(events::length_of(event.path) > 0))
+        return {std::string(events::name_of(event.kind))};
     const std::optional<std::size_t> heading = events::heading_of(event.path, event.path_length);
     if (!heading) return {"to and fro", "⇄"};
     constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};

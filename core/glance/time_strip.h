@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/bricks/layer.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"

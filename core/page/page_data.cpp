@@ -269,6 +269,7 @@ Json page_data(const PageContent& content) {
               {"index", Json()},
               {"live", Json()},
               {"events", json_of_events(content)},
+              {"unchosen", content.not_chosen},
               {"overlay", json_of(content.overlay)},
               {"settings", json_of(content.settings)}};
     if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};

@@ -10,7 +10,7 @@
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
 #include "core/bricks/cells.h"
-#include "core/bricks/layer.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 #include "core/scene/flow_geometry.h"
 #include "core/scene/slices.h"

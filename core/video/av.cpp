@@ -40,6 +40,16 @@ Ptr<AVPacket> make_packet() {
     return packet;
 }
 
+void throw_out_of_memory() {
+    throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
+}
+
+Ptr<AVPacket> copy_of(const AVPacket& packet) {
+    Ptr<AVPacket> copy(av_packet_clone(&packet));
+    if (!copy) throw_out_of_memory();
+    return copy;
+}
+
 AvFrame make_frame() {
     AvFrame frame(av_frame_alloc());
     if (!frame) throw out_of_memory();

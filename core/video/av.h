@@ -78,6 +78,13 @@ class Dictionary {
 Ptr<AVPacket> make_packet();
 AvFrame make_frame();
 
+/// \throws Error limit, for a packet
+[[noreturn]] void throw_out_of_memory();
+
+/// A packet that shares the data of another one.
+/// \throws Error limit when there is no memory
+Ptr<AVPacket> copy_of(const AVPacket& packet);
+
 /// The frame's colour space. If unspecified, players assume BT.709 for large pictures and BT.601 for small ones.
 AVColorSpace colour_space_of(const AVFrame& frame);
 

@@ -95,7 +95,7 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
 
 /// Frames leave the hardware at once, as it has room for only a few.
 AvFrame Decoder::to_memory(AvFrame frame) {
-    fell_back_ = fell_back_ || (wants_hardware_ && frame->hw_frames_ctx == nullptr);
+    if (wants_hardware_ && frame->hw_frames_ctx == nullptr) fell_back_ = true;
     return downloaded(std::move(frame));
 }
 

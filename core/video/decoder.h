@@ -20,7 +20,8 @@ class FrameDecoder {
     FrameDecoder(const FrameDecoder&) = delete;
     FrameDecoder& operator=(const FrameDecoder&) = delete;
 
-    /// The next frame that decodes. Null at the end, after too many consecutive failures, and once stopped.
+    /// The next frame that decodes. Null at the end, and where the decoder gives up: after too many consecutive
+    /// failures, or once stopped.
     virtual AvFrame next() = 0;
 
     /// Whether a decoder with several threads has stopped at damage.

@@ -36,15 +36,8 @@ bool is_playlist_format(const AVInputFormat& format) {
     return std::ranges::count(playlist_formats, names.substr(0, names.find(','))) > 0;
 }
 
-std::string formats_of_clips() {
-    std::string names;
-    void* place = nullptr;
-    while (const AVInputFormat* format = av_demuxer_iterate(&place)) {
-        if (is_playlist_format(*format)) continue;
-        names += names.empty() ? "" : ",";
-        names += format->name;
-    }
-    return names;
+std::int64_t stamp_of(const AVPacket& packet) {
+    return packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
 }
 
 std::string name_of(const AVStream& stream) {
@@ -58,6 +51,18 @@ std::string name_of(const AVStream& stream) {
 }
 
 namespace {
+
+/// All of libav's demuxers except playlists, as a `format_whitelist`.
+std::string formats_of_clips() {
+    std::string names;
+    void* place = nullptr;
+    while (const AVInputFormat* format = av_demuxer_iterate(&place)) {
+        if (is_playlist_format(*format)) continue;
+        names += names.empty() ? "" : ",";
+        names += format->name;
+    }
+    return names;
+}
 
 constexpr int max_read_errors = 100;  // consecutive
 constexpr int greatest_errno = 4096;  // libav's own codes are greater

@@ -18,8 +18,8 @@ bool is_playlist_name(const std::string& name);
 /// Whether the format is a playlist, whose files name other files.
 bool is_playlist_format(const AVInputFormat& format);
 
-/// All of libav's demuxers except playlists, as a `format_whitelist`.
-std::string formats_of_clips();
+/// Presentation timestamp of a packet, or else its decoding timestamp; AV_NOPTS_VALUE if it has neither.
+std::int64_t stamp_of(const AVPacket& packet);
 
 /// A stream's type and codec, such as "audio (aac)".
 std::string name_of(const AVStream& stream);

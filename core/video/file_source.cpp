@@ -36,7 +36,7 @@ PacketCount count_packets(const FrameChoiceRow& choice, const Input& input, doub
     std::int64_t decoded = 0;
     PacketCount count;
     while (demuxer.read(*packet)) {
-        const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        const auto time = demuxer.seconds(stamp_of(*packet));
         count.last = std::max(count.last, time.value_or(count.last));
         ++all;
         decoded += choice.decodes(*packet, *demuxer.stream().codecpar) ? 1 : 0;
@@ -85,7 +85,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         info_.rate *= info_.decoded_share;
         info_.frames = std::llround(static_cast<double>(info_.frames) * info_.decoded_share);
     }
-    ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
+    numbers_ = FrameNumbers(info_.rate);
+    ahead_ = std::make_unique<DecodedFrame>(
+        DecodedFrame{numbers_(first.time), first.time, orientation_, std::move(first.image)});
 }
 
 std::vector<std::string> FileSource::problems() const {
@@ -114,9 +116,9 @@ void FileSource::seek(double seconds) {
     ahead_.reset();
     // Half-way between two timestamps, so that counting and decoding agree despite rounding.
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
-    start_ = from_ > 0 ? reader_.find(from_) : SeekPoint{};
+    start_ = from_ > 0 ? reader_.find(from_, info_.rate) : SeekPoint{};
     reader_.rewind(start_);
-    index_ = start_.packets > 0 ? start_.frames : 0;
+    numbers_ = start_.packets > 0 ? start_.numbers : FrameNumbers(info_.rate);
 }
 
 /// Returns the frame.
@@ -137,7 +139,7 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
         }
         if (start_.packets == 0 || time >= from_) {
             return record_jump(
-                std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)}));
+                std::make_unique<DecodedFrame>(DecodedFrame{numbers_(time), time, orientation_, std::move(image)}));
         }
         reader_.forget_damage();
     }

@@ -12,7 +12,8 @@
 
 namespace vvr::video {
 
-/// The frames of one container: a file, a spooled stream or a URL.
+/// The frames of one container: a file, a spooled stream or a URL. In a hole of the timestamps, the frame index skips
+/// the missing frames (`FrameNumbers`).
 class FileSource final : public FrameSource {
   public:
     FileSource(Input input, const SourceOptions& options);
@@ -50,7 +51,7 @@ class FileSource final : public FrameSource {
     SeekPoint start_;
     std::int64_t unread_ = 0;  ///< packets that `sample` could not read
 
-    std::int64_t index_ = 0;               ///< index of the next frame
+    FrameNumbers numbers_;                 ///< those of the frames so far
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded by the constructor, not yet returned
 };
 

@@ -25,7 +25,7 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
     double last = -std::numeric_limits<double>::infinity();
     double last_key = last;
     while (demuxer.read(*packet)) {
-        const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        const auto time = demuxer.seconds(stamp_of(*packet));
         if (!time) continue;
         first = std::min(first, *time);
         last = std::max(last, *time);
@@ -34,9 +34,7 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
         ++seen_;
         const double at = begin + *time - first;
         if (!sampler_.wants(at)) continue;
-        av::Ptr<AVPacket> copy(av_packet_clone(packet.get()));
-        if (!copy) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
-        sampler_.keep(at, {files_.size() - 1, at, std::move(copy)});
+        sampler_.keep(at, {files_.size() - 1, at, av::copy_of(*packet)});
     }
     unread_ += demuxer.damaged();
     end_ = last < first ? begin : begin + last - first + demuxer.frame_duration();

@@ -4,8 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/error.h"
-
 namespace vvr::video {
 
 KeyFrameDecoder::KeyFrameDecoder(Demuxer& demuxer, const std::string& name, int threads,
@@ -14,37 +12,56 @@ KeyFrameDecoder::KeyFrameDecoder(Demuxer& demuxer, const std::string& name, int 
     const AVCodecParameters& stream = *demuxer.stream().codecpar;
     const bool in_software = hwaccel.device == AV_HWDEVICE_TYPE_NONE;
     const int count = in_software ? decoder_threads(threads, std::int64_t{stream.width} * stream.height) : 1;
-    for (int i = 0; i < count; ++i) decoders_.emplace_back(demuxer, name, 1, decodes_, hwaccel);
+    for (int i = 0; i < count; ++i) threads_.emplace_back(demuxer, name, hwaccel);
 }
 
 void KeyFrameDecoder::send(const AVPacket& packet) {
-    const std::shared_ptr<const AVPacket> kept(av_packet_clone(&packet), av::Free());
-    if (!kept) throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
-    Decoder& decoder = decoders_[sent_++ % decoders_.size()];  // idle, as `receive` has waited for its last frame
-    // Another thread if the system has one.
-    const auto how = decoders_.size() > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
-    decoding_.push_back(std::async(how, [&decoder, kept] { return decoder.decode_alone(*kept); }));
+    av::Ptr<AVPacket> copy = av::copy_of(packet);
+    std::size_t bytes = 0;
+    const std::uint8_t* const header = av_packet_get_side_data(&packet, AV_PKT_DATA_NEW_EXTRADATA, &bytes);
+    if (header != nullptr) {
+        header_.assign(header, header + bytes);
+        ++headers_;
+    }
+    Thread& thread = threads_[sent_++ % threads_.size()];  // idle, as `receive` has waited for its last frame
+    if (header == nullptr && thread.headers != headers_) {
+        std::uint8_t* const room = av_packet_new_side_data(copy.get(), AV_PKT_DATA_NEW_EXTRADATA, header_.size());
+        if (room == nullptr) av::throw_out_of_memory();
+        std::ranges::copy(header_, room);
+    }
+    thread.headers = headers_;
+    // On another thread if the system has one.
+    const auto how = threads_.size() > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+    decoding_.push_back(
+        {std::async(how, [&decoder = thread.decoder, kept = std::shared_ptr<const AVPacket>(
+                                                         std::move(copy))] { return decoder.decode_alone(*kept); }),
+         demuxer_->damaged()});
 }
 
 AvFrame KeyFrameDecoder::receive() {
-    std::future<AvFrame> first = std::move(decoding_.front());
+    Sent first = std::move(decoding_.front());
     decoding_.pop_front();
-    return first.get();
+    unread_ = first.unread;
+    return first.frame.get();
 }
 
 AvFrame KeyFrameDecoder::next() {
     for (;;) {
-        while (has_room() && demuxer_->read(*packet_)) {
-            if (!decodes_ || decodes_(*packet_)) send(*packet_);
+        while (!has_ended_ && has_room()) {
+            has_ended_ = !demuxer_->read(*packet_);
+            if (!has_ended_ && (!decodes_ || decodes_(*packet_))) send(*packet_);
         }
-        if (decoding_.empty()) return nullptr;
+        if (decoding_.empty()) {
+            unread_ = demuxer_->damaged();
+            return nullptr;
+        }
         if (AvFrame frame = receive()) return frame;
         ++bad_packets_;
     }
 }
 
 bool KeyFrameDecoder::fell_back() const {
-    return std::ranges::any_of(decoders_, [](const Decoder& decoder) { return decoder.fell_back(); });
+    return std::ranges::any_of(threads_, [](const Thread& thread) { return thread.decoder.fell_back(); });
 }
 
 }  // namespace vvr::video

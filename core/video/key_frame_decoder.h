@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <string>
+#include <vector>
 
 #include "core/video/decoder.h"
 
@@ -24,11 +25,11 @@ class KeyFrameDecoder final : public FrameDecoder {
     /// Reads packets ahead from the demuxer, and skips those that are damaged or need other packets.
     AvFrame next() override;
 
-    std::int64_t damaged() const override { return bad_packets_ + demuxer_->damaged(); }
+    std::int64_t damaged() const override { return bad_packets_ + unread_; }
     bool fell_back() const override;
 
     /// Whether another packet can be sent before `receive` is called.
-    bool has_room() const { return decoding_.size() < decoders_.size(); }
+    bool has_room() const { return decoding_.size() < threads_.size(); }
 
     /// Starts to decode a packet of the same stream.
     /// \pre has_room()
@@ -42,10 +43,26 @@ class KeyFrameDecoder final : public FrameDecoder {
   private:
     Demuxer* demuxer_;
     std::function<bool(const AVPacket&)> decodes_;
-    std::deque<Decoder> decoders_;  ///< one per thread
-    std::deque<std::future<AvFrame>> decoding_;
+    struct Thread {
+        Thread(Demuxer& demuxer, const std::string& name, const HwaccelRow& hwaccel)
+            : decoder(demuxer, name, 1, {}, hwaccel) {}
+
+        Decoder decoder;
+        std::size_t headers = 0;  ///< how many of the new headers it has
+    };
+    struct Sent {
+        std::future<AvFrame> frame;
+        std::int64_t unread = 0;  ///< damaged packets of the demuxer until then
+    };
+
+    std::deque<Thread> threads_;
+    std::deque<Sent> decoding_;
     std::size_t sent_ = 0;
+    std::size_t headers_ = 0;           ///< number of new headers in the stream so far
+    std::vector<std::uint8_t> header_;  ///< the last of them; a container sends it once
+    bool has_ended_ = false;
     std::int64_t bad_packets_ = 0;
+    std::int64_t unread_ = 0;  ///< damaged packets of the demuxer until the last received frame
     av::Ptr<AVPacket> packet_ = av::make_packet();
 };
 

@@ -91,7 +91,7 @@ std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings) {
     if (auto recording = find_recording(names, layouts, options.join)) {
         check(setting::rate, options.rate);
-        warnings = recording->warnings;
+        warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
         return std::make_unique<RecordingSource>(std::move(*recording), options);
     }
     SourceOptions one = options;

@@ -240,7 +240,7 @@ class PartCopy {
             copied.stopped = stopped();
             if (copied.stopped) return;
             const AVStream& stream = *from.streams[packet->stream_index];
-            const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
+            const std::int64_t stamp = stamp_of(*packet);
             if (&stream == &video_) {
                 ++number;
                 if (number > piece_.last && is_over(stamp)) break;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/container.h"
 #include "core/video/demuxer.h"
 #include "core/video/packet_copy.h"
 #include "core/video/video_reader.h"
@@ -52,17 +52,36 @@ class Scan {
     /// Whether the clip ends before the span does.
     bool ends_early() const {
         if (packets_.empty() || is_done()) return packets_.empty();
-        const bool before_stop = span_.stop && std::ssize(packets_) < *span_.stop;
+        const bool before_stop = span_.stop && frames() < *span_.stop;
         return before_stop || (span_.end && last_time() + demuxer_.frame_duration() + slack < *span_.end);
     }
 
     /// Time of the clip's last frame if it comes before the span.
     std::optional<double> end() const {
-        const bool before = last_time() < span_.start || std::ssize(packets_) <= span_.first;
+        const bool before = last_time() < span_.start || frames() <= span_.first;
         return before && !is_done() ? std::optional(last_time()) : std::nullopt;
     }
 
     const std::vector<VideoPacket>& packets() const { return packets_; }
+
+    /// A frame's packet, number and time in seconds.
+    struct Shown {
+        std::size_t packet = 0;
+        std::int64_t number = 0;
+        double time = 0;
+    };
+
+    /// The frames in presentation order, from the first that decodes on. Their numbers are those of a `FileSource`.
+    std::vector<Shown> shown() const {
+        std::vector<Shown> shown;
+        for (std::size_t k = 0; k < packets_.size(); ++k) {
+            if (const double time = seconds(packets_[k].stamp); time >= -slack) shown.push_back({k, 0, time});
+        }
+        std::ranges::stable_sort(shown, {}, [&](const Shown& one) { return packets_[one.packet].stamp; });
+        FrameNumbers numbers(rate_);
+        for (Shown& one : shown) one.number = numbers(one.time);
+        return shown;
+    }
 
     double seconds(std::int64_t stamp) const { return *demuxer_.seconds(stamp) - origin_; }
 
@@ -71,7 +90,7 @@ class Scan {
         if (packet.pts == AV_NOPTS_VALUE && (packet.dts == AV_NOPTS_VALUE || demuxer_.stream().codecpar->video_delay)) {
             throw_no_times(input_, "its packets have no presentation timestamps");
         }
-        const std::int64_t stamp = packet.pts == AV_NOPTS_VALUE ? packet.dts : packet.pts;
+        const std::int64_t stamp = stamp_of(packet);
         if (packet.dts != AV_NOPTS_VALUE) {
             const double dts = seconds(packet.dts);
             if (dts < last_dts_ - clock_was_set) {
@@ -82,6 +101,11 @@ class Scan {
             if (span_.end && dts > *span_.end) ++past_end_;
         }
         packets_.push_back({stamp, (packet.flags & AV_PKT_FLAG_KEY) != 0, (packet.flags & AV_PKT_FLAG_CORRUPT) != 0});
+    }
+
+    std::int64_t frames() const {
+        const std::vector<Shown> all = shown();
+        return all.empty() ? 0 : all.back().number + 1;
     }
 
     double last_time() const {
@@ -98,6 +122,7 @@ class Scan {
     const FrameSpan& span_;
     double origin_;
     Demuxer demuxer_;
+    double rate_ = header_of(demuxer_).rate;
     double last_dts_ = -std::numeric_limits<double>::infinity();
     std::size_t past_end_ = 0;  ///< packets read after the end of the span
     std::vector<VideoPacket> packets_;
@@ -105,17 +130,9 @@ class Scan {
 
 /// The indices of the packets whose frames are in the span, in presentation order.
 std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
-    const std::vector<VideoPacket>& packets = scan.packets();
-    std::vector<std::size_t> order(packets.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return packets[k].stamp; });
     std::vector<std::size_t> inside;
-    std::int64_t index = 0;
-    for (const std::size_t k : order) {
-        const double time = scan.seconds(packets[k].stamp);
-        if (time < -slack) continue;  // before the first frame that decodes
-        if (!is_before(span, index, time) && !is_past(span, index, time)) inside.push_back(k);
-        ++index;
+    for (const auto& [packet, number, time] : scan.shown()) {
+        if (!is_before(span, number, time) && !is_past(span, number, time)) inside.push_back(packet);
     }
     return inside;
 }

@@ -60,6 +60,7 @@ RecordingSource::RecordingSource(Recording recording, const SourceOptions& optio
     info_.began = origin_;
     info_.began_source = origin_source_;
     field_size_ = field_size_for(info_.size, options_.field_size);
+    numbers_ = FrameNumbers(1 / frame_duration(info_));
     estimate_length();
 }
 
@@ -202,7 +203,9 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
             continue;
         }
         const bool after_gap = first_of_segment_ && index_ >= 0 && !begin_.follows && !begin_.overlaps;
-        index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : 1;
+        const std::int64_t number = numbers_(time);
+        const std::int64_t step = number - std::exchange(number_, number);
+        index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : step;
         if (first_of_segment_) info_.segments.back().first_frame = index_;
         first_of_segment_ = false;
         last_ = std::max(last_, time);
@@ -234,6 +237,8 @@ void RecordingSource::rewind() {
     last_ = 0;
     covered_ = 0;
     index_ = -1;
+    numbers_ = FrameNumbers(1 / frame_duration(info_));
+    number_ = -1;
     damaged_ = 0;
     left_out_ = 0;
     trimmed_ = {};

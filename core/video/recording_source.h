@@ -17,7 +17,8 @@ namespace vvr::video {
 ///
 /// A file that begins within a second of the previous file's end follows it. If it begins later, there is a gap, and
 /// the frame index skips the missing frames. If it begins earlier, the frames that overlap are omitted. All frames are
-/// scaled to the field size of the first file. A file that can't be read becomes a problem and leaves a gap.
+/// scaled to the field size of the first file. A file that can't be read becomes a problem and leaves a gap. A jump of
+/// a file's timestamps past the begin of the next file becomes a problem and is ignored.
 class RecordingSource final : public FrameSource {
   public:
     /// \throws Error not_video if no file can be read
@@ -57,6 +58,8 @@ class RecordingSource final : public FrameSource {
     double last_ = 0;         ///< time of the last returned frame, seconds
     double covered_ = 0;      ///< time of the last frame so far, decoded or not, seconds
     std::int64_t index_ = -1;
+    FrameNumbers numbers_;       ///< by the times alone, across all segments
+    std::int64_t number_ = -1;   ///< the last of them
     std::int64_t unread_ = 0;    ///< packets that `sample` could not read
     std::int64_t damaged_ = 0;   ///< in the finished segments
     std::int64_t left_out_ = 0;  ///< frames of this segment that overlap the previous one

@@ -1,9 +1,12 @@
 #include "core/video/video_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "core/video/container.h"
 #include "core/video/key_frame_decoder.h"
 
 namespace vvr::video {
@@ -78,12 +81,25 @@ void VideoReader::rewind(const SeekPoint& start) {
     open(start);
 }
 
-SeekPoint VideoReader::find(double time) const {
+std::int64_t FrameNumbers::operator()(double time) {
+    constexpr double shortest_hole = 5;  // seconds
+    constexpr double unusual = 20;       // intervals
+    const double apart = time - std::exchange(last_, time);
+    if (number_ < 0) return ++number_;
+    const double usual = std::max(1 / rate_, interval_.value_or(apart));
+    if (rate_ > 0 && apart >= std::max(shortest_hole, unusual * usual) && apart <= longest_clip) {
+        return number_ += std::llround(apart * rate_);
+    }
+    interval_ = apart;
+    return ++number_;
+}
+
+SeekPoint VideoReader::find(double time, double rate) const {
     Demuxer demuxer(input_, Demuxer::Kind::video, rate_);
     const double end = origin() + time;
     const auto packet = av::make_packet();
     std::int64_t packets = 0;
-    std::int64_t frames = 0;
+    std::vector<double> shown;  // times of the frames before `end`
     // Decoding begins one key frame early. Then leading frames, which follow a key frame but are shown before it, and
     // streams with gradual refresh are intact.
     std::int64_t last_key = 0;
@@ -91,13 +107,13 @@ SeekPoint VideoReader::find(double time) const {
     std::int64_t keys = 0;
     double last_dts = -std::numeric_limits<double>::infinity();
     while (demuxer.read(*packet)) {
-        const auto pts = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        const auto pts = demuxer.seconds(stamp_of(*packet));
         const auto dts = demuxer.seconds(packet->dts);
         // Without ascending timestamps, the frame count would be a guess.
         if (!pts || !dts || *dts < last_dts) return {};
         if (*dts >= end) break;
         last_dts = *dts;
-        if (*pts < end && choice_->decodes(*packet, *demuxer.stream().codecpar)) ++frames;
+        if (*pts < end && choice_->decodes(*packet, *demuxer.stream().codecpar)) shown.push_back(*pts);
         keys += packet->flags & AV_PKT_FLAG_KEY ? 1 : 0;
         if (packet->flags & AV_PKT_FLAG_KEY && *pts <= end) {
             key_before = last_key;
@@ -107,7 +123,10 @@ SeekPoint VideoReader::find(double time) const {
     }
     // Some files mark every packet as a key frame, which is implausible for these codecs.
     if (keys == packets && has_inter_frames(demuxer)) return {};
-    return {key_before, frames};
+    std::ranges::sort(shown);
+    SeekPoint point{key_before, FrameNumbers(rate)};
+    for (const double time_before : shown) point.numbers(time_before - origin());
+    return point;
 }
 
 VideoReader::Timed VideoReader::next() {
@@ -135,7 +154,7 @@ VideoReader::Timed VideoReader::next() {
 /// Decodes again from shortly before the damage, and skips the frames that were already returned.
 void VideoReader::fall_back_to_one_thread() {
     threads_ = 1;
-    const auto near = given_ > 0 ? find(last_) : SeekPoint{};
+    const auto near = given_ > 0 ? find(last_, 0) : SeekPoint{};
     if (near.packets > start_.packets) {
         open(near);
         pass_until_ = last_;

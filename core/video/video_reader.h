@@ -39,10 +39,28 @@ class StampClock {
     std::optional<double> last_;
 };
 
+/// Numbers frames by their times. Numbers are left out where frames are missing: where two frames are at least 5 s
+/// apart, and 20 times as far as usual and as the two before. So low and varying frame rates are no holes.
+class FrameNumbers {
+  public:
+    /// \param rate usual frames per second; 0 = unknown
+    explicit FrameNumbers(double rate = 0) : rate_(rate) {}
+
+    /// The number of the next frame; the first has 0.
+    /// \param time seconds; must not decrease
+    std::int64_t operator()(double time);
+
+  private:
+    double rate_;
+    std::int64_t number_ = -1;
+    double last_ = 0;                 ///< seconds
+    std::optional<double> interval_;  ///< of the two frames before, seconds
+};
+
 /// Where decoding must begin so that the first frame at or after a time is intact.
 struct SeekPoint {
     std::int64_t packets = 0;  ///< packets to skip without decoding; 0 = decode from the first
-    std::int64_t frames = 0;   ///< frames before the time; set only if `packets` isn't 0
+    FrameNumbers numbers{};    ///< after the frames before the time; set only if `packets` isn't 0
 };
 
 /// Reads the frames of one container in order, with their times. It decodes with several threads up to the first damage
@@ -70,7 +88,8 @@ class VideoReader {
     void close();
 
     /// Where decoding must begin for the first frame at or after `time`, in seconds.
-    SeekPoint find(double time) const;
+    /// \param rate usual frames per second; 0 = unknown
+    SeekPoint find(double time, double rate) const;
 
     /// Damaged packets or frames since the last rewind or call of `forget_damage`.
     std::int64_t damaged() const { return (decoder_ ? decoder_->damaged() : damaged_) - forgotten_; }

@@ -87,7 +87,7 @@ def main():
     options.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(parts.PARTS)}; all if none is given")
     options.add_argument("--clip", required=True, help="footage")
     options.add_argument("--runs", type=int, default=RUNS, help="of which medians are taken")
-    options.add_argument("--long", action="store_true", help="the clip of 6 hours too")
+    options.add_argument("--long", action="store_true", help="clips of 1 and 6 hours too")
     options.add_argument("--backend", default="software", help="auto takes a GPU where there is one")
     options.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"), help="where the programs are")
     options.add_argument("--clips", type=pathlib.Path, default=pathlib.Path(".cache/bench"), help="where the clips are that "

@@ -377,6 +377,21 @@ def test_archive_tidies_only_what_is_the_clips(t):
     check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
 
 
+def test_archive_replaces_no_page_of_others(t):
+    """A folder may be that of a web site. vvr checks whose index it has before it draws."""
+    t.old_clips("a.avi")
+    t.write("out/index.html", "<!DOCTYPE html>\n<title>My pictures</title>\n")
+    words = "cannot write 'out/index.html': it is another page, which vvr did not write; choose another folder for the pictures, or move this page"
+    archive(t).expect(2, words, code="file-invalid")
+    check(outputs(t) == ["index.html"], f"{outputs(t)}")
+    t.vvr("archive", "-o", "out", "--write", "index").expect(2, words, code="file-invalid")
+    check("My pictures" in t.path("out/index.html").read_text(), "it was replaced")
+    archive(t, "--write", "pictures").expect(0, "1 clip drawn")
+    t.path("out/index.html").unlink()
+    archive(t).expect(0, "1 clip drawn")
+    archive(t).expect(0, "nothing to do")
+
+
 def test_archive_names_names_that_are_too_long(t):
     long = {length: "n" * (length - 4) + ".avi" for length in (243, 244, 251, 255)}
     t.old_clips("a.avi", *long.values())
@@ -602,7 +617,8 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
         0, "warning: 'in': no recording time in the names of 2 clips, for example 'gate/a.avi'; each is assigned to the day "
         "of its last modification", "3 clips drawn")
     report = t.json("out/gate/2026-11-20.report.json")
-    check(any("by their modification times" in problem for problem in report["problems"]), f"{report['problems']}")
+    for words in ("by their modification times", "no recording time in the names of 2 of 2 files"):
+        check(any(words in problem for problem in report["problems"]), f"{report['problems']}")
     check(report["clock"] is None and report["input"]["recorded"] is None, f"{report['input']}")
     check(not any(re.search("[0-9]{2}:[0-9]{2}:[0-9]{2}", label["text"]) for label in report["labels"]), f"{report['labels']}")
     check(sidecar(t, "gate/2026-11-20")["recorded"] is None, "nothing tells it")

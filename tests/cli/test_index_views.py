@@ -81,7 +81,7 @@ def test_index_leads_from_clip_to_clip(t):
         page.wait("the clip's page", "return document.documentElement.dataset.ready !== undefined")
         # Before the first there is none: it stays there, and says so.
         page.press("#earlier")
-        page.wait("it says so", "return document.getElementById('told').textContent === 'This is the first clip of this camera.'")
+        page.wait("it says so", "return document.getElementById('told').textContent === 'This is the first clip of this camera with a picture.'")
         check(page.run("return document.title") == "gate · Fri 20 Nov 2026, 08:00" and page.count("#earlier[href]") == 0, "it leads on")
         page.press("#toindex")
         page.wait("the index", "return document.querySelectorAll('.card').length === 4")

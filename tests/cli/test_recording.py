@@ -76,6 +76,33 @@ def test_recording_has_gaps_where_files_are_missing(t):
     check("400, from the containers and the gaps between the files" in said, said)
 
 
+def test_a_hole_in_a_file_is_a_gap(t):
+    """Nobody knows what happened in it: it is no footage, no event spans it, and all commands number frames alike."""
+    whole_clip(t)
+    t.ffmpeg("-i", "whole.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,200),N*100,60000+N*100)'", "hole.mkv")
+    report = report_of(t, "hole.mkv", *LOOK, says=["400 frames"])
+    check(any(label["text"] == "no signal" for label in report["labels"]), f"{report['labels']}")
+    check(report["span"]["last"] == 99.9, f"{report['span']}")
+    spans = [(event["first"]["seconds"], event["last"]["seconds"]) for event in report["events"]]
+    check(spans and all(last < 20 or first >= 80 for first, last in spans), f"{spans}")
+    check(all(event["first"]["frame"] == round(10 * event["first"]["seconds"]) for event in report["events"]), f"{report['events']}")
+    for moment in ("85s", "850f"):
+        t.vvr("inspect", "hole.mkv", "--frame", moment, "-o", "i.png").expect(0, "frame 850 at 85.000 s")
+        t.vvr("cut", "hole.mkv", "--start", moment, "--end", "88s", "-o", f"{moment}.mkv").expect(0, "85.000 s to 87.900 s")
+    later = report_of(t, "hole.mkv", *LOOK, "--start", "84s")
+    check(later["events"][-1]["last"]["frame"] == report["events"][-1]["last"]["frame"], f"{later['events']}")
+    # The same in a file of a recording. A low frame rate is no hole.
+    names = cut(t)
+    t.path("hole.mkv").rename(t.path(names[0]))
+    for name in names[1:]:
+        t.path(name).unlink()
+    t.write("day/all.txt", names[0].removeprefix("day/") + "\n")
+    check(any(label["text"] == "no signal" for label in report_of(t, "day/all.txt", *LOOK)["labels"]), "the gap is gone")
+    t.ffmpeg("-i", "whole.mkv", "-c", "copy", "-bsf:v", "setts=ts=N*6000", "slow.mkv")
+    report = report_of(t, "slow.mkv", *LOOK, says=["400 frames"])
+    check(not any(label["text"] == "no signal" for label in report["labels"]), f"{report['labels']}")
+
+
 def test_recording_of_files_whose_timestamps_go_on(t):
     whole_clip(t)
     t.ffmpeg("-i", "whole.mkv", "-c", "copy", "-f", "segment", "-segment_time", "10", "day/c%d.mkv")

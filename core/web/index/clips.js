@@ -82,12 +82,17 @@ export function clipsOf(data, wallOf) {
 export const pageOf = clip => clip.url + (clip.files & bits.page ? '.html' : '.png');
 
 /**
- * The clips that count: a picture of a whole day repeats them.
+ * The clips that count: a picture of a camera's day or night repeats those that begin in it.
  * @param {Clip[]} list
  */
 export function counted(list) {
-    const single = list.filter(clip => !clip.wholeDay);
-    return single.length ? single : list;
+    const single = grouped(list.filter(clip => !clip.wholeDay), 'camera');
+    /** @type {(clip: Clip) => boolean} */
+    const repeats = ({camera, begins, seconds}) => {
+        const later = (single.get(camera) ?? []).filter(clip => clip.begins >= begins);
+        return later.some(clip => clip.begins <= begins + seconds);
+    };
+    return list.filter(clip => !clip.wholeDay || !repeats(clip));
 }
 
 /** @param {Clip[]} list */

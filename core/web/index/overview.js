@@ -19,7 +19,7 @@ function hoursOfCell(all, most) {
     const hours = element('span', 'hours');
     hoursOf(all.filter(clip => !clip.wholeDay)).forEach((count, k) => {
         const hour = element('i', count === null ? 'nothing' : count === 0 ? 'quiet' : 'busy');
-        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${count === null ? 'no clips' : many(count, 'event')}`;
+        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${count === null ? 'no clip begins' : many(count, 'event') + ' in clips that begin then'}`;
         hour.dataset.hour = String(k);
         if (count) hour.style.opacity = String(0.25 + 0.75 * Math.sqrt(count / most));
         hours.append(hour);

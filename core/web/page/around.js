@@ -50,7 +50,7 @@ function tellEnd() {
     const link = at(ended > 0 ? 'later' : 'earlier');
     link.removeAttribute('href');
     link.setAttribute('aria-disabled', 'true');
-    const what = hasHits ? 'hit' : arrived.search ? 'clip that was asked for' : 'clip of this camera';
+    const what = hasHits ? 'hit' : arrived.search ? 'clip that was asked for' : 'clip of this camera with a picture';
     tell(ended > 0 ? `This is the last ${what}.` : `This is the first ${what}.`);
 }
 

@@ -56,6 +56,7 @@
  * @property {{url: string, clip: string} | null} index
  * @property {{state: string, written: number, ended: boolean, brick: number} | null} live
  * @property {PageEvent[] | null} events null = not detected
+ * @property {number} unchosen events that were found, and that --events doesn't choose
  * @property {Overlay} overlay
  * @property {Record<string, string>} settings
  *

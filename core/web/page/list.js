@@ -152,6 +152,12 @@ function nothingFound() {
     return item;
 }
 
+/**
+ * What a list without events says.
+ * @param {number} others events that --events doesn't choose
+ */
+export const noEvents = others => others === 0 ? 'No events.' : `No event that --events chooses; ${others} other${others === 1 ? '' : 's'} found.`;
+
 export function drawList() {
     const {events, data} = state;
     const places = listedEvents();
@@ -161,7 +167,7 @@ export function drawList() {
     at('heading').textContent = (places.length === count ? all : `${places.length} of ${all}`) + (hidden ? `, ${hidden} hidden` : '');
     at('previous', HTMLButtonElement).disabled = at('next', HTMLButtonElement).disabled = at('playall', HTMLButtonElement).disabled = places.length === 0;
     const items = count ? places.slice(0, mostListed).map(itemOf) : [element('li', 'none', data.events
-        ? 'Nothing moved long enough to be an event.' : 'The filter of this picture marks no objects, so nobody looked for events.')];
+        ? noEvents(data.unchosen) : 'The filter of this picture marks no objects, so nobody looked for events.')];
     if (count && !places.length) items.push(nothingFound());
     if (places.length > mostListed) items.push(element('li', 'none', `${places.length - mostListed} more: ask for a kind, a length or a place.`));
     at('events').replaceChildren(...items);

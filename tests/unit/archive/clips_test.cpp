@@ -63,6 +63,13 @@ TEST_F(Archive, NeverTakesItsOwnPicturesForClips) {
     EXPECT_THROW(archive::scan_archive(in() / "b.avi", out(), archive::ClipNames()), Error);
 }
 
+TEST_F(Archive, TakesNoKeptPiecesForClips) {
+    for (const char* name : {"kept/a.avi.events/event-1.mp4", "kept/a.avi.events/evidence.json", "b.events/b.avi"}) {
+        write(in() / name);
+    }
+    EXPECT_EQ(found(), std::vector<std::string>{"b.events/b.avi"}) << "a folder that is only called so";
+}
+
 TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
     for (const char* name : {"index", "a", "a.report", "b.avi", "b.mp4", "c", "c.png/d"}) write(in() / name);
     const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames({"*"}));

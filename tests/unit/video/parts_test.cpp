@@ -27,6 +27,23 @@ TEST(NaturalOrder, IsStrict) {
     EXPECT_NE(video::natural_less("frame1", "frame01"), video::natural_less("frame01", "frame1"));
 }
 
+TEST(FrameNumbers, LeaveOutWhatIsMissing) {
+    const auto numbers = [](double rate, const std::vector<double>& times) {
+        video::FrameNumbers number(rate);
+        std::vector<std::int64_t> all;
+        for (const double time : times) all.push_back(number(time));
+        return all;
+    };
+    using Numbers = std::vector<std::int64_t>;
+    EXPECT_EQ(numbers(10, {0, 0.1, 0.2, 0.3}), (Numbers{0, 1, 2, 3}));
+    EXPECT_EQ(numbers(10, {0, 0.1, 60.1, 60.2}), (Numbers{0, 1, 601, 602}));
+    EXPECT_EQ(numbers(10, {0, 0.1, 4.9, 5}), (Numbers{0, 1, 2, 3})) << "a short pause";
+    EXPECT_EQ(numbers(0.5, {0, 2, 32, 34}), (Numbers{0, 1, 2, 3})) << "a pause at a low rate";
+    EXPECT_EQ(numbers(10, {0, 6, 12, 18}), (Numbers{0, 1, 2, 3})) << "a header with another rate";
+    EXPECT_EQ(numbers(0, {0, 0.1, 60}), (Numbers{0, 1, 2})) << "an unknown rate";
+    EXPECT_EQ(numbers(10, {0, 0.1, 1e9}), (Numbers{0, 1, 2})) << "a wrong timestamp";
+}
+
 TEST(StampClock, StartsAtTheFirstStamp) {
     video::StampClock clock(0.04);
     EXPECT_DOUBLE_EQ(clock(5.0), 0);
