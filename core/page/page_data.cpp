@@ -268,8 +268,8 @@ Json page_data(const PageContent& content) {
               {"kinds", json_of_kinds()},
               {"index", Json()},
               {"live", Json()},
-              {"events", json_of_events(content)},
               {"unchosen", content.not_chosen},
+              {"events", json_of_events(content)},
               {"overlay", json_of(content.overlay)},
               {"settings", json_of(content.settings)}};
     if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};

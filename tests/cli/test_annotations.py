@@ -4,7 +4,7 @@ import collections
 import re
 
 import pytest
-from harness import check, page_data
+from harness import check, page_data, page_data
 
 NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
 
@@ -225,3 +225,5 @@ def test_events_that_are_not_chosen_were_found(t):
     texts = texts_of(labels_of(t, "walk.avi", "--events", "left", size="1280x800"))
     check("1 object found, but none that --events chooses" in texts, f"{texts}")
     check(not any("could be identified" in text for text in texts), f"{texts}")
+    t.render("walk.avi", "--events", "left", "--report", "r.json", output="out.html").expect(0, "no event that --events chooses, of 1 event")
+    check(page_data(t.path("out.html").read_text())["unchosen"] == 1, "the page does not know of it")
