@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,30 @@ TEST(Decode, KeyIsEveryKeyFrame) {
         EXPECT_EQ(source->damaged(), 0);
         EXPECT_EQ(source->info().frames, 5);
         EXPECT_EQ(source->info().decodes->name, "key");
+    }
+}
+
+TEST(Decode, KeyFramesAreTheSameForAnyNumberOfThreads) {
+    const TempFolder folder;
+    const std::string clip = walkers_clip(folder, "key.mkv", "-c:v libx264 -g 5 -keyint_min 5 -sc_threshold 0 -qp 30");
+    for (const std::string& name : {clip, spoiled(folder, clip)}) {
+        const auto frames_of = [&](int threads) {
+            video::SourceOptions options{.threads = threads};
+            options.decode = "key";
+            const auto source = video::open_source(name, options);
+            const std::vector<video::Frame> frames = read_all(*source);
+            EXPECT_GT(frames.size(), 5U);
+            const std::int64_t damaged = source->damaged();
+            source->rewind();
+            EXPECT_EQ(fingerprint(read_all(*source)), fingerprint(frames));
+            source->seek(2);
+            const auto late = source->next();
+            EXPECT_TRUE(late);
+            return std::tuple(fingerprint(frames), damaged, late ? late->index : -1);
+        };
+        const auto one = frames_of(1);
+        for (const int threads : {2, 3, 8}) EXPECT_EQ(frames_of(threads), one) << name << ", " << threads << " threads";
+        EXPECT_EQ(std::get<1>(one) > 0, name != clip);
     }
 }
 
