@@ -48,7 +48,9 @@ struct PieceRecord {
 };
 
 /// Writes evidence.json and SHA256SUMS into the folder in which the files of the record lie. Hashes these files, but
-/// not the footage. \throws Error io
+/// not the footage.
+///
+/// \throws Error io
 void write_record(const std::filesystem::path& folder, const PieceRecord& record, Observer& observer);
 
 }  // namespace vvr::app

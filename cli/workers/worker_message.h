@@ -63,8 +63,9 @@ inline constexpr std::string_view no_sandbox_text = "vvr: the system denied a wo
 inline constexpr int not_begun_status = 127;
 
 /// In a worker: gives up the system calls that only startup needs, and reports to the parent that the worker has begun.
-/// The parent can then distinguish a worker that never began from one that a clip crashed. \returns the descriptor for
-/// send_to_parent; nothing if this process is not a worker
+/// The parent can then distinguish a worker that never began from one that a clip crashed.
+///
+/// \returns the descriptor for send_to_parent; nothing if this process is not a worker
 std::optional<int> begin_worker();
 
 /// In a worker: reads the plan from stdin.

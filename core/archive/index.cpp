@@ -4,17 +4,20 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
@@ -224,12 +227,12 @@ std::string listed_date_of(const Sidecar& sidecar, const video::RecorderNames& n
 void check_own_index(const std::filesystem::path& out) {
     constexpr std::string_view title = "<title>Video archive</title>";  // as in core/web/index/index.html
     const std::filesystem::path file = out / index_name;
-    if (irregular_file_at(file)) return;  // `check_own_place` refuses it
+    const int descriptor = open_no_follow(file, O_RDONLY);
+    if (descriptor < 0) return;  // there is none, or `check_own_place` refuses it
     std::array<char, 4096> beginning{};
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return;
-    stream.read(beginning.data(), beginning.size());
-    const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
+    const ssize_t bytes = ::read(descriptor, beginning.data(), beginning.size());
+    ::close(descriptor);
+    const std::string_view text(beginning.data(), static_cast<std::size_t>(std::max<ssize_t>(bytes, 0)));
     if (text.empty() || text.find(title) != std::string_view::npos) return;
     throw Error(ErrorCode::file_invalid,
                 fmt::format("cannot write '{}': it is another page, which vvr did not write; choose another folder for "

@@ -23,7 +23,9 @@ std::optional<Identity> identity_of(std::span<const Look> looks);
 
 /// Sets the identities of events, joins those that the detector sees as one object, and refutes claims: a person, a
 /// vehicle or an animal was not left or taken, it stood. Looks that show nothing refute nothing: at night a detector
-/// sees no people. \param looks one list per event, empty = nobody looked
+/// sees no people.
+///
+/// \param looks one list per event, empty = nobody looked
 void identify(Findings& found, std::span<const std::vector<Look>> looks);
 
 }  // namespace vvr::events

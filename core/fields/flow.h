@@ -80,8 +80,9 @@ bool has_flow(const FlowOptions& options);
 const FlowRow& no_flow();
 
 /// Whether a clip is so short that flow is computed in the whole frame, which a sequence without an empty scene, such
-/// as a benchmark's, needs. In others it is computed only near visible pixels that change. \param frames of the clip; 0
-/// = unknown
+/// as a benchmark's, needs. In others it is computed only near visible pixels that change.
+///
+/// \param frames of the clip; 0 = unknown
 bool is_short(std::int64_t frames);
 
 /// The chosen method; null for none.

@@ -35,7 +35,9 @@ struct StripBar {
 
 /// Chooses the events that get a bar, and their rows: events in the same row don't overlap and are at least `apart`
 /// seconds apart. An event gets a bar if there is a row for it beside all events before it in `order`. Rows are
-/// assigned by the events' first frames. \returns the bars in the order of the events' first frames
+/// assigned by the events' first frames.
+///
+/// \returns the bars in the order of the events' first frames
 std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart);
 

@@ -133,7 +133,7 @@ class Log {
 
     const Watchdog* watchdog_ = nullptr;
     std::atomic<bool> out_of_memory_ = false;  ///< several decoders may share a log
-    std::atomic<std::int64_t> excused_ = 0;
+    std::int64_t excused_ = 0;
     mutable std::mutex mutex_;
     std::string last_;
     std::int64_t errors_ = 0;

@@ -12,30 +12,29 @@ KeyFrameDecoder::KeyFrameDecoder(Demuxer& demuxer, const std::string& name, int 
     const AVCodecParameters& stream = *demuxer.stream().codecpar;
     const bool in_software = hwaccel.device == AV_HWDEVICE_TYPE_NONE;
     const int count = in_software ? decoder_threads(threads, std::int64_t{stream.width} * stream.height) : 1;
-    for (int i = 0; i < count; ++i) threads_.emplace_back(demuxer, name, hwaccel);
+    for (int i = 0; i < count; ++i) slots_.emplace_back(demuxer, name, hwaccel);
 }
 
 void KeyFrameDecoder::send(const AVPacket& packet) {
     av::Ptr<AVPacket> copy = av::copy_of(packet);
     std::size_t bytes = 0;
-    const std::uint8_t* const header = av_packet_get_side_data(&packet, AV_PKT_DATA_NEW_EXTRADATA, &bytes);
-    if (header != nullptr) {
-        header_.assign(header, header + bytes);
-        ++headers_;
+    const std::uint8_t* const sent = av_packet_get_side_data(&packet, AV_PKT_DATA_NEW_EXTRADATA, &bytes);
+    if (sent != nullptr) {
+        extradata_.assign(sent, sent + bytes);
+        ++version_;
     }
-    Thread& thread = threads_[sent_++ % threads_.size()];  // idle, as `receive` has waited for its last frame
-    if (header == nullptr && thread.headers != headers_) {
-        std::uint8_t* const room = av_packet_new_side_data(copy.get(), AV_PKT_DATA_NEW_EXTRADATA, header_.size());
+    Slot& slot = slots_[sent_++ % slots_.size()];  // idle, as `receive` has waited for its last frame
+    if (sent == nullptr && slot.version != version_) {
+        std::uint8_t* const room = av_packet_new_side_data(copy.get(), AV_PKT_DATA_NEW_EXTRADATA, extradata_.size());
         if (room == nullptr) av::throw_out_of_memory();
-        std::ranges::copy(header_, room);
+        std::ranges::copy(extradata_, room);
     }
-    thread.headers = headers_;
+    slot.version = version_;
+    const std::shared_ptr<const AVPacket> kept = std::move(copy);
     // On another thread if the system has one.
-    const auto how = threads_.size() > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
-    decoding_.push_back(
-        {std::async(how, [&decoder = thread.decoder, kept = std::shared_ptr<const AVPacket>(
-                                                         std::move(copy))] { return decoder.decode_alone(*kept); }),
-         demuxer_->damaged()});
+    const auto how = slots_.size() > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+    auto frame = std::async(how, [&decoder = slot.decoder, kept] { return decoder.decode_alone(*kept); });
+    decoding_.push_back({std::move(frame), demuxer_->damaged()});
 }
 
 AvFrame KeyFrameDecoder::receive() {
@@ -61,7 +60,7 @@ AvFrame KeyFrameDecoder::next() {
 }
 
 bool KeyFrameDecoder::fell_back() const {
-    return std::ranges::any_of(threads_, [](const Thread& thread) { return thread.decoder.fell_back(); });
+    return std::ranges::any_of(slots_, [](const Slot& slot) { return slot.decoder.fell_back(); });
 }
 
 }  // namespace vvr::video

@@ -29,7 +29,7 @@ class KeyFrameDecoder final : public FrameDecoder {
     bool fell_back() const override;
 
     /// Whether another packet can be sent before `receive` is called.
-    bool has_room() const { return decoding_.size() < threads_.size(); }
+    bool has_room() const { return decoding_.size() < slots_.size(); }
 
     /// Starts to decode a packet of the same stream.
     /// \pre has_room()
@@ -41,25 +41,25 @@ class KeyFrameDecoder final : public FrameDecoder {
     AvFrame receive();
 
   private:
-    Demuxer* demuxer_;
-    std::function<bool(const AVPacket&)> decodes_;
-    struct Thread {
-        Thread(Demuxer& demuxer, const std::string& name, const HwaccelRow& hwaccel)
+    struct Slot {
+        Slot(Demuxer& demuxer, const std::string& name, const HwaccelRow& hwaccel)
             : decoder(demuxer, name, 1, {}, hwaccel) {}
 
         Decoder decoder;
-        std::size_t headers = 0;  ///< how many of the new headers it has
+        std::size_t version = 0;  ///< of the extradata that it has
     };
     struct Sent {
         std::future<AvFrame> frame;
         std::int64_t unread = 0;  ///< damaged packets of the demuxer until then
     };
 
-    std::deque<Thread> threads_;
-    std::deque<Sent> decoding_;
+    Demuxer* demuxer_;
+    std::function<bool(const AVPacket&)> decodes_;
+    std::deque<Slot> slots_;
+    std::deque<Sent> decoding_;  ///< after `slots_`, so that it waits for them before they go
     std::size_t sent_ = 0;
-    std::size_t headers_ = 0;           ///< number of new headers in the stream so far
-    std::vector<std::uint8_t> header_;  ///< the last of them; a container sends it once
+    std::vector<std::uint8_t> extradata_;  ///< the last that came with a packet: containers send it once, to one slot
+    std::size_t version_ = 0;              ///< of `extradata_`; 0 = that of the stream
     bool has_ended_ = false;
     std::int64_t bad_packets_ = 0;
     std::int64_t unread_ = 0;  ///< damaged packets of the demuxer until the last received frame

@@ -139,8 +139,10 @@ bool are_numbered(const std::vector<Segment>& segments) {
 }
 
 /// Checks that files whose names have no time belong to the recording: their picture sizes and frame rates must agree.
-/// If no name has a time, the names must differ only in numbers. \param headers of these files, preceded by that of one
-/// file whose name has a time, if there is one \throws Error usage if they differ
+/// If no name has a time, the names must differ only in numbers.
+///
+/// \param headers of these files, preceded by that of one file whose name has a time, if there is one
+/// \throws Error usage if they differ
 void require_related(const Recording& recording, std::span<const SegmentHeader> headers) {
     for (const auto& [segment, header] : headers) {
         const SegmentHeader& first = headers.front();

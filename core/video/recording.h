@@ -47,7 +47,9 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
                                         bool join = false);
 
 /// The video files of a recording's inputs, each once, in natural order of their names. Inputs of other kinds have
-/// none. \throws Error io if an input can't be read
+/// none.
+///
+/// \throws Error io if an input can't be read
 std::vector<std::string> files_of_inputs(std::span<const std::string> names);
 
 /// The segment of a single file, by its name.

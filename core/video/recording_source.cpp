@@ -203,8 +203,8 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
             continue;
         }
         const bool after_gap = first_of_segment_ && index_ >= 0 && !begin_.follows && !begin_.overlaps;
-        const std::int64_t number = numbers_(time);
-        const std::int64_t step = number - std::exchange(number_, number);
+        const std::int64_t before = numbers_.last();
+        const std::int64_t step = numbers_(time) - before;
         index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : step;
         if (first_of_segment_) info_.segments.back().first_frame = index_;
         first_of_segment_ = false;
@@ -238,7 +238,6 @@ void RecordingSource::rewind() {
     covered_ = 0;
     index_ = -1;
     numbers_ = FrameNumbers(1 / frame_duration(info_));
-    number_ = -1;
     damaged_ = 0;
     left_out_ = 0;
     trimmed_ = {};

@@ -9,6 +9,7 @@
 #include "core/video/file_source.h"
 #include "core/video/frame_source.h"
 #include "core/video/recording.h"
+#include "core/video/video_reader.h"
 
 namespace vvr::video {
 
@@ -59,7 +60,6 @@ class RecordingSource final : public FrameSource {
     double covered_ = 0;      ///< time of the last frame so far, decoded or not, seconds
     std::int64_t index_ = -1;
     FrameNumbers numbers_;       ///< by the times alone, across all segments
-    std::int64_t number_ = -1;   ///< the last of them
     std::int64_t unread_ = 0;    ///< packets that `sample` could not read
     std::int64_t damaged_ = 0;   ///< in the finished segments
     std::int64_t left_out_ = 0;  ///< frames of this segment that overlap the previous one

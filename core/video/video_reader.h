@@ -50,6 +50,9 @@ class FrameNumbers {
     /// \param time seconds; must not decrease
     std::int64_t operator()(double time);
 
+    /// The number of the last frame; -1 = none so far.
+    std::int64_t last() const { return number_; }
+
   private:
     double rate_;
     std::int64_t number_ = -1;

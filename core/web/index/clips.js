@@ -88,10 +88,8 @@ export const pageOf = clip => clip.url + (clip.files & bits.page ? '.html' : '.p
 export function counted(list) {
     const single = grouped(list.filter(clip => !clip.wholeDay), 'camera');
     /** @type {(clip: Clip) => boolean} */
-    const repeats = ({camera, begins, seconds}) => {
-        const later = (single.get(camera) ?? []).filter(clip => clip.begins >= begins);
-        return later.some(clip => clip.begins <= begins + seconds);
-    };
+    const repeats = ({camera, begins, seconds}) =>
+        (single.get(camera) ?? []).some(clip => clip.begins >= begins && clip.begins <= begins + seconds);
     return list.filter(clip => !clip.wholeDay || !repeats(clip));
 }
 
