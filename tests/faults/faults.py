@@ -171,6 +171,15 @@ def is_whole_exr(data):
     return len(chunks) > 0 and min(chunks) > table and max(chunks) + 8 + number(max(chunks) + 4, 4) == len(data)
 
 
+def is_whole_seed_list(data):
+    """It has as many points as its header says, each on a line of its own."""
+    head, _, points = data.partition(b"# x y u v flag\n")
+    count = re.search(rb"^points (\d+)$", head, re.MULTILINE)
+    lines = points.splitlines(keepends=True)
+    return (data.startswith(b"vvr-seeds 1\n") and count is not None and len(lines) == int(count[1])
+            and all(len(line.split()) == 5 and line.endswith(b"\n") for line in lines))
+
+
 def without_measures(value):
     if isinstance(value, dict):
         return {key: without_measures(inner) for key, inner in value.items()
@@ -297,6 +306,8 @@ class Walk:
         if name.endswith(".flo"):  # the same; the last flow of fewer frames is another one
             width, height = (int.from_bytes(data[at:at + 4], "little") for at in (4, 8))
             return data[:4] == b"PIEH" and len(data) == 12 + 8 * width * height
+        if "/seeds/" in name:  # the points of fewer frames are others
+            return is_whole_seed_list(data)
         return data.rstrip().endswith(b"</html>") if name.endswith(".html") else False
 
     def warns(self, scene, run):
