@@ -150,6 +150,14 @@ test('answers for a place', () => {
     assert.equal(answer(null, 0, {...clock, has: (_, seconds) => seconds >= 25}).at, 30);
 });
 
+test('an object that comes to a place again is found at the later time too', () => {
+    const pacer = sceneEvent('moved', 0, 0, 500, 100, 1000, 500, 3000, 1000, 500, 3100, 0, 500);  // to the right, and 5 minutes later back
+    const place = {kind: 'box', from: [250, 400], to: [500, 600]};
+    const from = begin => answerOf(pacer, place, 0, [640, 480], {...clock, has: (_, seconds) => seconds >= begin});
+    assert.deepEqual([from(0).at, from(100).at, from(306).at, from(308)], [2.5, 305, 307.5, null]);
+    assert.equal(from(100).words(), 'here 5.0 s');
+});
+
 test('a hit is at the crossing in the direction that is asked for', () => {
     const pacer = sceneEvent('moved', 0, 400, 300, 100, 600, 300, 200, 400, 300);
     const place = {kind: 'line', from: [500, 0], to: [500, 1000]};

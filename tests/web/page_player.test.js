@@ -5,7 +5,7 @@ import test from 'node:test';
 import {whyNot} from '../../core/web/page/unplayable.js';
 import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
 import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
-import {changed, clipKey, keyOf, readMarks, savedMarks} from '../../core/web/page/marks.js';
+import {changed, clipKey, keyOf, readMarks, savedMarks, withTwins} from '../../core/web/page/marks.js';
 import {momentOf} from '../../core/web/page/moments.js';
 import {fileAt, hasMoment, pieceFrom} from '../../core/web/page/pieces.js';
 import {Timeline} from '../../core/web/page/timeline.js';
@@ -58,6 +58,13 @@ test('marks are kept by the event, and what is damaged is as nothing', () => {
     assert.deepEqual(changed(marks, '3-9', {star: false, note: ''}), {});
     assert.deepEqual(readMarks(JSON.stringify(marks)), {'3-9': {star: true, note: 'who?', nothing: false}});
     for (const text of [null, '', '{', '5', 'null', '{"x": 1}', '{"3-9": 7}']) assert.deepEqual(readMarks(text), {}, String(text));
+});
+
+test('events with the same frames have marks of their own', () => {
+    const events = withTwins([{first: 0, last: 90}, {first: 3, last: 9}, {first: 0, last: 90}, {first: 0, last: 9}]);
+    assert.deepEqual(events.map(keyOf), ['0-90', '3-9', '0-90-1', '0-9']);
+    const marks = changed({}, keyOf(events[2]), {star: true});
+    assert.deepEqual(events.map(event => readMarks(JSON.stringify(marks))[keyOf(event)]?.star), [undefined, undefined, true, undefined]);
 });
 
 test('files of a recording, and pieces of its events', () => {

@@ -4,7 +4,7 @@ import {shortSpanOf} from '../shared/durations.js';
 import {meets, sidesOf} from '../shared/shapes.js';
 import {clamp} from '../shared/text.js';
 import {daysBefore} from '../shared/wall_clock.js';
-import {boundsOf, crossingWords, crossingsOf, stayOf, stayWords} from '../shared/ways.js';
+import {boundsOf, crossingWords, crossingsOf, stayOf, stayWords, staysOf} from '../shared/ways.js';
 
 /**
  * @typedef {import('../shared/shapes.js').Shape} Shape
@@ -55,7 +55,6 @@ export function eventOf(clip, [kind, number, still, ...rest], kindOf) {
  * @returns {Answer | null}
  */
 export function answerOf(event, place, way, size, clock) {
-    const [begin, end] = [event.way[0], event.way[event.way.length - 3]].map(tenths => tenths / 10);
     if (place && !meets(event.bounds, sidesOf(place))) return null;
     if (place?.kind === 'line') {
         const crossings = crossingsOf(event.way, place.from, place.to).filter(({at}) => clock.has(event, at / 10));
@@ -64,12 +63,12 @@ export function answerOf(event, place, way, size, clock) {
         return {at: (wanted ?? crossings[0]).at / 10, ways: [1, -1].filter(side => crossings.some(crossing => crossing.side === side)),
                 words: () => crossingWords(crossings, place, size, seconds => clock.text(event, seconds))};
     }
-    const stay = place ? stayOf(event.way, sidesOf(place)) : null;
-    if (place && !stay) return null;
-    const at = stay ? stay.at / 10 : begin;
+    const box = place ? sidesOf(place) : null;
+    const spans = box ? staysOf(event.way, box) : [[event.way[0], event.way[event.way.length - 3]]];
     // An event that lasts into the time is shown when that begins.
-    const moment = firstMoment(at, stay ? at + stay.lasts / 10 : end, seconds => clock.has(event, seconds));
-    return moment === null ? null : {at: moment, ways: [], words: () => stay ? stayWords(stay, shortSpanOf) : ''};
+    const moments = spans.map(([from, to]) => firstMoment(Math.round(from) / 10, to / 10, seconds => clock.has(event, seconds)));
+    const at = moments.find(moment => moment !== null) ?? null;
+    return at === null ? null : {at, ways: [], words: () => box ? stayWords(stayOf(event.way, box) ?? {lasts: 0}, shortSpanOf) : ''};
 }
 
 /**

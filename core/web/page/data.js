@@ -24,6 +24,7 @@
  * @property {string} [colour]
  * @property {number} [number] that the picture shows
  * @property {string | null} [portrait] URL
+ * @property {number} [twin] how many events before it in the list have the same frames
  *
  * @typedef {[first: number, count: number, begin: number, step: number]} Stretch frames at a constant rate
  * @typedef {{begin: number, leaps: [number, number][], zone: string | null, by: string}} WallClock

@@ -5,6 +5,7 @@ import {at} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {within} from '../shared/time_axis.js';
 import {numberOf, placeOfNumber} from './events.js';
+import {withTwins} from './marks.js';
 import {withPortraits} from './parts.js';
 import {readPicture} from './picture.js';
 import {isPlaying} from './player.js';
@@ -64,7 +65,7 @@ function takeOver(text) {
     if (!data || !(picture instanceof HTMLImageElement)) return;
     const time = new Timeline(data.times, data.clock, data.gaps);
     const parts = {...state.parts, ...pixels, ...stills};
-    const events = withPortraits(data.events ?? [], parts.portraits);
+    const events = withPortraits(withTwins(data.events ?? []), parts.portraits);
     const number = state.chosen === null ? null : numberOf(state.events, state.chosen);
     at('picture', HTMLImageElement).src = picture.src;
     document.title = fresh.title;

@@ -7,9 +7,25 @@ import {deedOf, numberOf} from './events.js';
 
 /**
  * Marks stay with an event when the page is made again.
- * @param {{first: number, last: number}} event
+ * @param {{first: number, last: number, twin?: number}} event
  */
-export const keyOf = event => `${event.first}-${event.last}`;
+export const keyOf = event => `${event.first}-${event.last}${event.twin ? `-${event.twin}` : ''}`;
+
+/**
+ * The events, of which those with the same frames are told apart.
+ * @param {import('./data.js').PageEvent[]} events
+ * @returns {import('./data.js').PageEvent[]}
+ */
+export function withTwins(events) {
+    /** @type {Map<string, number>} */
+    const counts = new Map();
+    return events.map(event => {
+        const frames = `${event.first}-${event.last}`;
+        const twin = counts.get(frames) ?? 0;
+        counts.set(frames, twin + 1);
+        return {...event, twin};
+    });
+}
 
 /**
  * A name for the clip that its page has again when it is made again (FNV-1a of its name, size and times).
@@ -35,7 +51,7 @@ export function readMarks(text) {
         /** @type {Record<string, Mark>} */
         const marks = {};
         for (const [key, mark] of Object.entries(read)) {
-            if (/^\d+-\d+$/.test(key) && typeof mark === 'object' && mark) {
+            if (/^\d+-\d+(-\d+)?$/.test(key) && typeof mark === 'object' && mark) {
                 marks[key] = {star: mark.star === true, note: typeof mark.note === 'string' ? mark.note : '', nothing: mark.nothing === true};
             }
         }

@@ -3,6 +3,7 @@
 import {at, dataOfPage} from '../shared/dom.js';
 import {kindsBy} from '../shared/kinds.js';
 import {store} from '../shared/state.js';
+import {withTwins} from './marks.js';
 import {Timeline} from './timeline.js';
 
 /** @type {import('./data.js').PageData} */
@@ -20,7 +21,7 @@ export const kindOf = kindsBy(data.kinds);
 export const {state, set, render, drawAll} = store({
     data,  // that of a stream is replaced
     time,
-    events: data.events ?? [],
+    events: withTwins(data.events ?? []),
     parts: nothing,      // that have arrived
     allArrived: false,
     dark: matchMedia('(prefers-color-scheme: dark)').matches,

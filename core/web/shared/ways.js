@@ -54,22 +54,33 @@ export function crossingsOf(way, a, b) {
 }
 
 /**
+ * When a way is within a rectangle, from and to, in tenths of a second, in order.
+ * @param {number[]} way
+ * @param {Sides} box
+ */
+export function staysOf(way, box) {
+    /** @type {[from: number, to: number][]} */
+    const stays = [];
+    for (let k = 0; k < way.length; k += 3) {
+        const next = Math.min(k + 3, way.length - 3);
+        const part = partInBox(way[k + 1], way[k + 2], way[next + 1], way[next + 2], box);
+        if (!part) continue;
+        const [from, to] = part.map(share => way[k] + share * (way[next] - way[k]));
+        const before = stays[stays.length - 1];
+        if (before?.[1] === from) before[1] = to;
+        else stays.push([from, to]);
+    }
+    return stays;
+}
+
+/**
  * How long a way is within a rectangle, and when first, both in tenths of a second; null = never.
  * @param {number[]} way
  * @param {Sides} box
  */
 export function stayOf(way, box) {
-    let lasts = 0;
-    let first = null;
-    for (let k = 0; k < way.length; k += 3) {
-        const next = Math.min(k + 3, way.length - 3);
-        const part = partInBox(way[k + 1], way[k + 2], way[next + 1], way[next + 2], box);
-        if (!part) continue;
-        const length = way[next] - way[k];
-        first ??= way[k] + part[0] * length;
-        lasts += (part[1] - part[0]) * length;
-    }
-    return first === null ? null : {at: Math.round(first), lasts};
+    const stays = staysOf(way, box);
+    return stays.length ? {at: Math.round(stays[0][0]), lasts: stays.reduce((sum, [from, to]) => sum + to - from, 0)} : null;
 }
 
 /**
