@@ -47,13 +47,15 @@ test('a whole day is not counted again', () => {
     assert.equal(summaryOf(clips, data), '5 clips · 3 cameras · 12 events · 2 failures · 1 gone · times in CET, from file names (3), creation times in containers (1), when files were last written (1)');
     assert.deepEqual(named(counted(clips.filter(clip => clip.wholeDay))), ['2026-11-21']);
     assert.equal(eventsIn(counted(clips)), 12);
+    assert.equal(eventsIn(clips.filter(clip => clip.url.endsWith('c.mp4'))), null);  // failed
     assert.match(summaryOf([], {...data, cameras: [], zone: []}), /^0 clips · 0 cameras · 0 events · times in UTC$/);
 });
 
 test('hours of a day', () => {
     const hours = hoursOf(clips.filter(clip => clip.day === '2026-11-21' && !clip.wholeDay));
     assert.equal(hours.length, 24);
-    assert.deepEqual([hours[8], hours[9], hours[10], hours[11]], [2, 9, 0, null]);
+    assert.deepEqual(hours.slice(8, 12).map(({events}) => events), [2, 9, null, 0]);  // a clip that failed, and no clip
+    assert.deepEqual(hours.slice(8, 12).map(({clips: count}) => count), [1, 1, 1, 0]);
     assert.equal(busiestHour(clips), 9);
     assert.equal(busiestHour([]), 1);
 });

@@ -93,8 +93,15 @@ export function counted(list) {
     return list.filter(clip => !clip.wholeDay || !repeats(clip));
 }
 
-/** @param {Clip[]} list */
-export const eventsIn = list => list.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
+/**
+ * The events of clips; null = no clip's are known, as all failed.
+ * @param {Clip[]} list
+ * @returns {number | null}
+ */
+export function eventsIn(list) {
+    const known = list.flatMap(({events}) => events ?? []);
+    return known.length || !list.length ? known.reduce((sum, count) => sum + count, 0) : null;
+}
 
 /**
  * What is told of a clip's events of a kind: "left behind for 26 s", "taken", "2 taken".
@@ -129,19 +136,20 @@ export function summaryOf(clips, data) {
     const gone = clips.filter(clip => clip.gone).length;
     const zones = data.zone.length ? [...new Set(data.zone.map(([, , name]) => name))].join(', then ') : 'UTC';
     const sources = sourcesOf(counted(clips));
-    return [many(counted(clips).length, 'clip'), many(data.cameras.length, 'camera'), many(eventsIn(counted(clips)), 'event'),
+    const events = eventsIn(counted(clips));
+    return [many(counted(clips).length, 'clip'), many(data.cameras.length, 'camera'), events === null ? '' : many(events, 'event'),
             failures ? many(failures, 'failure') : '', gone ? `${gone} gone` : '', `times in ${zones}${sources && ', from ' + sources}`].filter(Boolean).join(' · ');
 }
 
 /**
- * The events of each hour of a day; null = no clip begins in it.
+ * For each hour of a day, how many clips begin in it, and their events.
  * @param {Clip[]} list
- * @returns {(number | null)[]}
  */
 export function hoursOf(list) {
-    const counts = new Array(24).fill(null);
-    for (const clip of list) counts[clip.hour] = (counts[clip.hour] ?? 0) + (clip.events ?? 0);
-    return counts;
+    /** @type {Clip[][]} */
+    const hours = Array.from({length: 24}, () => []);
+    for (const clip of list) hours[clip.hour].push(clip);
+    return hours.map(clips => ({clips: clips.length, events: eventsIn(clips)}));
 }
 
 /**
@@ -151,7 +159,7 @@ export function hoursOf(list) {
 export function busiestHour(list) {
     const days = grouped(list.filter(clip => !clip.wholeDay), 'day');
     const cells = [...days.values()].flatMap(ofDay => [...grouped(ofDay, 'camera').values()]);
-    return cells.reduce((most, cell) => Math.max(most, ...hoursOf(cell).map(count => count ?? 0)), 1);
+    return cells.reduce((most, cell) => Math.max(most, ...hoursOf(cell).map(({events}) => events ?? 0)), 1);
 }
 
 /**

@@ -17,11 +17,12 @@ import {ask, byCameraName, cameraName, chosenClips, data, search, see, state} fr
  */
 function hoursOfCell(all, most) {
     const hours = element('span', 'hours');
-    hoursOf(all.filter(clip => !clip.wholeDay)).forEach((count, k) => {
-        const hour = element('i', count === null ? 'nothing' : count === 0 ? 'quiet' : 'busy');
-        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${count === null ? 'no clip begins' : many(count, 'event') + ' in clips that begin then'}`;
+    hoursOf(all.filter(clip => !clip.wholeDay)).forEach(({clips, events}, k) => {
+        const hour = element('i', !clips ? 'nothing' : events === null ? 'unknown' : events === 0 ? 'quiet' : 'busy');
+        const told = events === null ? 'no events are known of' : many(events, 'event') + ' in';
+        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${clips ? told + ' clips that begin then' : 'no clip begins'}`;
         hour.dataset.hour = String(k);
-        if (count) hour.style.opacity = String(0.25 + 0.75 * Math.sqrt(count / most));
+        if (events) hour.style.opacity = String(0.25 + 0.75 * Math.sqrt(events / most));
         hours.append(hour);
     });
     return hours;
@@ -30,7 +31,8 @@ function hoursOfCell(all, most) {
 /** @param {Clip[]} list */
 function wordsOfCell(list) {
     const words = element('span', 'badges');
-    words.append(element('span', '', many(eventsIn(list), 'event')));
+    const events = eventsIn(list);
+    if (events !== null) words.append(element('span', '', many(events, 'event')));
     for (const kind of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
         const longest = Math.max(...list.map(clip => clip.tallyOf[kind.name]));
         if (longest > 0) words.append(element('span', 'badge ' + kind.emphasis, tallyWords(kind, longest)));
@@ -49,7 +51,7 @@ const fingers = matchMedia('(pointer: coarse)');
  */
 function hourUnder({target}) {
     if (fingers.matches) return {};
-    const hour = target instanceof HTMLElement && target.matches('.quiet, .busy') ? Number(target.dataset.hour) : null;
+    const hour = target instanceof HTMLElement && target.matches('.unknown, .quiet, .busy') ? Number(target.dataset.hour) : null;
     return hour === null ? {} : {since: digits(hour) + ':00', until: digits(hour + 1) + ':00'};
 }
 
