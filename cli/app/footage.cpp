@@ -1,7 +1,6 @@
 #include "cli/app/footage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/store/manifest.h"
 #include "core/video/input.h"
 #include "core/video/input_files.h"
@@ -68,7 +68,6 @@ PieceEvent piece_event(const events::Event& event, std::size_t place) {
 }
 
 video::FrameSpan span_around(double first, double last, double margin) {
-    const auto rounded = [](double seconds) { return std::round(seconds * 1000) / 1000; };
     // A span's end is exclusive, but the last frame is part of it.
     video::FrameSpan span;
     span.start = rounded(std::max(0.0, first - margin));

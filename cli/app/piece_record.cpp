@@ -1,6 +1,5 @@
 #include "cli/app/piece_record.h"
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/video/piece_names.h"
 
@@ -26,10 +26,6 @@ using Json = nlohmann::ordered_json;
 
 /// Increase it when readers of older records would misread a new one.
 constexpr int format_version = 1;
-
-double rounded(double seconds) {
-    return std::round(seconds * 1000) / 1000;
-}
 
 /// A second of the footage, and its time of day.
 Json moment(const PieceRecord& record, double seconds) {

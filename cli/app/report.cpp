@@ -1,7 +1,6 @@
 #include "cli/app/report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -14,6 +13,7 @@
 #include "cli/app/video_scale.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/events/event.h"
 #include "core/events/event_line.h"
@@ -28,11 +28,6 @@ using Json = nlohmann::ordered_json;
 
 /// Increase it when readers of older reports would misread a new one.
 constexpr int format_version = 1;
-
-/// Rounds to the accuracy of places and times, which keeps the report short.
-double rounded(double value) {
-    return std::round(value * 1000) / 1000;
-}
 
 Json json_of(const Moment& moment) {
     return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <new>
 #include <set>
@@ -241,7 +240,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     }
     sidecar.settings = job_->pictures_of(clip_.path).digest;
     sidecar.version = version();
-    sidecar.took = std::round(end.seconds * 1000) / 1000;
+    sidecar.took = rounded(end.seconds);
     sidecar.files = job_->rules.files;
     sidecar.status = end.status;
     if (is_not_whole(end)) {
@@ -315,7 +314,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
     }
     sidecar.settings = job_->pictures_of(clip_.path).digest;
     sidecar.version = version();
-    sidecar.took = std::round(seconds * 1000) / 1000;
+    sidecar.took = rounded(seconds);
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.tries = (again ? before_->tries : 0) + 1;
     sidecar.status = status;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,11 @@ namespace vvr {
 /// `1 frame`, `2 frames`.
 inline std::string counted(std::int64_t count, const std::string& word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// Rounds to three decimals: the accuracy of times and places in reports, pages and logs.
+inline double rounded(double value) {
+    return std::round(value * 1000) / 1000;
 }
 
 /// Whether this is an ASCII digit, in any locale.

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
+#include <opencv2/core/parallel/parallel_backend.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
 
@@ -42,6 +44,17 @@ class QuietOpenCv {
 
   private:
     cv::utils::logging::LogLevel level_;
+};
+
+/// Runs OpenCV's loops on the calling thread. A forked child needs it: TBB's threads are not there, and one of them may
+/// have held TBB's lock, so setNumThreads(1) may wait for ever.
+class SequentialLoops final : public cv::parallel::ParallelForAPI {
+  public:
+    void parallel_for(int tasks, FN_parallel_for_body_cb_t body, void* data) override { body(0, tasks, data); }
+    int getThreadNum() const override { return 0; }
+    int getNumThreads() const override { return 1; }
+    int setNumThreads(int /*threads*/) override { return 1; }
+    const char* getName() const override { return "sequential"; }
 };
 
 /// What OpenCV says of a model: the first line, without names of its own files.
@@ -132,7 +145,7 @@ class Detector::Network {
 
 /// Runs a model once, in a process for that alone.
 void Detector::Network::try_once(std::string_view bytes, Size input) {
-    cv::setNumThreads(1);  // the parent's threads are not here
+    cv::parallel::setParallelForBackend(std::make_shared<SequentialLoops>(), false);
     try {
         Network(bytes, input).run(Plane<Bgr>(input), ChannelOrder::bgr);
     } catch (const cv::Exception& error) {

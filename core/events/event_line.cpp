@@ -1,11 +1,11 @@
 #include "core/events/event_line.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/events/path.h"
 
 namespace vvr::events {
@@ -16,11 +16,6 @@ using Json = nlohmann::ordered_json;
 
 Json text_or_null(std::string_view text) {
     return text.empty() ? Json() : Json(text);
-}
-
-/// Milliseconds are the accuracy of a report.
-double rounded(double seconds) {
-    return std::round(seconds * 1000) / 1000;
 }
 
 }  // namespace

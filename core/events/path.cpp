@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/events/event_options.h"
 
 namespace vvr::events {
@@ -132,11 +133,6 @@ int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
 
-/// Rounded as in a report.
-double told(double value) {
-    return std::round(value * 1000) / 1000;
-}
-
 /// The synchronized distance: from a point to the place at the same moment on the straight way from `a` to `b`.
 double synchronized_distance(const Waypoint& a, const Waypoint& b, const Waypoint& point) {
     const double share = b.time > a.time ? static_cast<double>(point.time - a.time) / (b.time - a.time) : 0;
@@ -167,8 +163,8 @@ void mark_kept(std::span<const Waypoint> way, double tolerance, std::vector<bool
 }  // namespace
 
 Waypoint waypoint(double seconds, const glm::dvec2& place, const glm::dvec2& size) {
-    return {whole(told(seconds) * 10), whole((told(place.x) + 0.5) / size.x * 1000),
-            whole((told(place.y) + 0.5) / size.y * 1000)};
+    return {whole(rounded(seconds) * 10), whole((rounded(place.x) + 0.5) / size.x * 1000),
+            whole((rounded(place.y) + 0.5) / size.y * 1000)};
 }
 
 std::vector<Waypoint> simplified(std::span<const Waypoint> way, double tolerance) {

@@ -17,10 +17,10 @@ namespace {
 // Grey levels by which an object differs from the empty scene, for filters whose threshold means something else.
 constexpr int object_threshold = 24;
 
-void paste(const Flow& part, const Rect& where, Flow& whole) {
-    for (int j = 0; j < where.size.height; ++j) {
-        std::ranges::copy(part.u.row(j), whole.u.row(where.y + j).begin() + where.x);
-        std::ranges::copy(part.v.row(j), whole.v.row(where.y + j).begin() + where.x);
+void paste(const Flow& part, const PixelBox& where, Flow& whole) {
+    for (int j = 0; j < where.height(); ++j) {
+        std::ranges::copy(part.u.row(j), whole.u.row(where.top + j).begin() + where.left);
+        std::ranges::copy(part.v.row(j), whole.v.row(where.top + j).begin() + where.left);
     }
 }
 
@@ -182,8 +182,8 @@ Flow FieldStages::flow_of(const Neighbourhood& neighbours, const Plane<std::uint
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
     const bool everywhere = whole_frame_flow_ || row_.traits.flow || (second_ && second_->row->traits.flow);
-    const std::vector<Rect> parts =
-        everywhere ? std::vector<Rect>{{0, 0, size}} : regions_around(moves, flow_->margin());
+    const std::vector<PixelBox> parts =
+        everywhere ? std::vector<PixelBox>{{0, 0, size.width, size.height}} : regions_around(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();
     std::vector<const FlowFrame*> frames(static_cast<std::size_t>(2 * reach + 1));
@@ -195,7 +195,7 @@ Flow FieldStages::flow_of(const Neighbourhood& neighbours, const Plane<std::uint
             frames[static_cast<std::size_t>(reach + step * k)] = &prepared(*nearest);
         }
     }
-    for (const Rect& part : parts) paste((*flow_)(frames, part), part, flow);
+    for (const PixelBox& part : parts) paste((*flow_)(frames, part), part, flow);
     return flow;
 }
 

@@ -27,41 +27,18 @@ constexpr std::int64_t few_frames = 64;
 // Parts that cover more than this share cost more, with their margins, than the whole picture.
 constexpr double max_share = 0.7;
 
-bool intersect(const Rect& a, const Rect& b) {
-    return a.x < b.x + b.size.width && b.x < a.x + a.size.width && a.y < b.y + b.size.height &&
-           b.y < a.y + a.size.height;
-}
-
-Rect bounding_rect(const Rect& a, const Rect& b) {
-    const int x = std::min(a.x, b.x);
-    const int y = std::min(a.y, b.y);
-    return {
-        x,
-        y,
-        {std::max(a.x + a.size.width, b.x + b.size.width) - x, std::max(a.y + a.size.height, b.y + b.size.height) - y}};
-}
-
-long area(const Rect& r) {
-    return static_cast<long>(r.size.width) * r.size.height;
-}
-
-Rect inflated(const Rect& r, int margin, Size size) {
-    const int x = std::max(r.x - margin, 0);
-    const int y = std::max(r.y - margin, 0);
-    return {x,
-            y,
-            {std::min(r.x + r.size.width + margin, size.width) - x,
-             std::min(r.y + r.size.height + margin, size.height) - y}};
+long area(const PixelBox& box) {
+    return static_cast<long>(box.width()) * box.height();
 }
 
 /// Adds a part, merged with all parts that it touches, and with those that the merged one then touches.
-void add(std::vector<Rect>& parts, Rect part) {
+void add(std::vector<PixelBox>& parts, PixelBox part) {
     for (std::size_t k = 0; k < parts.size();) {
-        if (!intersect(parts[k], part)) {
+        if (!parts[k].intersects(part)) {
             ++k;
             continue;
         }
-        part = bounding_rect(parts[k], part);
+        part = bounding_box(parts[k], part);
         parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
         k = 0;
     }
@@ -70,19 +47,19 @@ void add(std::vector<Rect>& parts, Rect part) {
 
 }  // namespace
 
-std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin) {
-    const Size size = object.size();
-    std::vector<Rect> parts;
+std::vector<PixelBox> regions_around(const Plane<std::uint8_t>& object, int margin) {
+    const PixelBox whole{0, 0, object.width(), object.height()};
+    std::vector<PixelBox> parts;
     const Plane<std::uint8_t> tiles = occupied_tiles(object);
     for (int y = 0; y < tiles.height(); ++y) {
         for (int x = 0; x < tiles.width(); ++x) {
             if (tiles.at(x, y) == 0) continue;
-            add(parts, inflated({x * tile_side, y * tile_side, {tile_side, tile_side}}, margin, size));
+            const PixelBox tile{x * tile_side, y * tile_side, (x + 1) * tile_side, (y + 1) * tile_side};
+            add(parts, intersection(tile.inflated(margin, margin), whole));
         }
     }
     long covered = 0;
-    for (const Rect& part : parts) covered += area(part);
-    const Rect whole{0, 0, size};
+    for (const PixelBox& part : parts) covered += area(part);
     if (static_cast<double>(covered) > max_share * static_cast<double>(area(whole))) return {whole};
     return parts;
 }

@@ -20,18 +20,9 @@ struct FlowFrame {
     std::int64_t index = 0;            ///< of the frame in the clip
 };
 
-/// A part of a picture: columns x to x + width - 1, rows y to y + height - 1.
-struct Rect {
-    int x = 0;
-    int y = 0;
-    Size size;
-
-    friend bool operator==(const Rect&, const Rect&) = default;
-};
-
 /// Parts of a picture that contain all pixels other than 0, each with `margin` pixels around it. Parts don't overlap.
 /// The whole picture if they would cover most of it; none if all pixels are 0.
-std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin);
+std::vector<PixelBox> regions_around(const Plane<std::uint8_t>& object, int margin);
 
 /// Estimates the optical flow of one frame from its neighbours.
 class FlowMethod {
@@ -49,7 +40,7 @@ class FlowMethod {
 
     /// The flow in a part of the middle frame. Thread-safe.
     /// \param frames 2 reach() + 1 frames; beyond the clip's ends the end frame is repeated
-    virtual Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const = 0;
+    virtual Flow operator()(std::span<const FlowFrame* const> frames, const PixelBox& part) const = 0;
 };
 
 /// One row of the table of flow methods.

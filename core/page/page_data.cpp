@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/events/path.h"
 #include "core/image/picture_file.h"
 #include "core/page/html.h"
@@ -21,8 +22,8 @@ constexpr int still_quality = 66;
 constexpr int inline_still_side = 240;
 constexpr int small_inline_still_side = 200;  // with a preview, a still is shown only until the preview has loaded
 
-/// Rounds a time or rate to six decimals, the precision of containers.
-double rounded(double value) {
+/// The precision of times and rates in containers.
+double to_six_decimals(double value) {
     return std::round(value * 1e6) / 1e6;
 }
 
@@ -89,7 +90,7 @@ Json json_of(const Overlay& overlay) {
     Json json{{"sections", Json::array()},    {"notes", Json::array()},     {"portraits", Json::array()},
               {"captions", overlay.captions}, {"numbers", overlay.numbers}, {"map", Json()}};
     for (const Overlay::Section& section : overlay.sections) {
-        Json values{rounded(section.seconds)};
+        Json values{to_six_decimals(section.seconds)};
         for (const glm::dvec2& corner : section.corners) {
             values.push_back(tenths(corner.x));
             values.push_back(tenths(corner.y));
@@ -97,9 +98,8 @@ Json json_of(const Overlay& overlay) {
         json["sections"].push_back(values);
     }
     for (const auto& [text, at, out] : overlay.notes) {
-        json["notes"].push_back({{"text", text},
-                                 {"at", {tenths(at.x), tenths(at.y)}},
-                                 {"out", {std::round(out.x * 1e3) / 1e3, std::round(out.y * 1e3) / 1e3}}});
+        json["notes"].push_back(
+            {{"text", text}, {"at", {tenths(at.x), tenths(at.y)}}, {"out", {rounded(out.x), rounded(out.y)}}});
     }
     for (const auto& [event, still, to] : overlay.portraits) {
         json["portraits"].push_back({{"event", event}, {"box", json_of(still)}, {"to", {tenths(to.x), tenths(to.y)}}});
@@ -126,7 +126,7 @@ Json json_of(const std::vector<events::Stay>& stays) {
 }
 
 Json json_of(const PageContent::Segment& segment) {
-    return {segment.url, rounded(segment.begin), rounded(segment.length)};
+    return {segment.url, to_six_decimals(segment.begin), to_six_decimals(segment.length)};
 }
 
 /// The wall clock: its time at second 0 (seconds since 1970-01-01 00:00 on that clock), its jumps, its time zone and
@@ -149,7 +149,7 @@ std::string css_of(const glm::vec3& colour) {
 Json json_of(const std::vector<ConstantRateFrames>& times) {
     Json json = Json::array();
     for (const ConstantRateFrames& steady : times) {
-        json.push_back({steady.first, steady.count, rounded(steady.begin), steady.step});
+        json.push_back({steady.first, steady.count, to_six_decimals(steady.begin), steady.step});
     }
     return json;
 }
@@ -209,9 +209,9 @@ Json json_of(const events::Event& event, Size field, Size shown) {
             {"box", json_of_place(event.box, field)},
             {"first", event.first.frame},
             {"last", event.last.frame},
-            {"begin", rounded(event.first.seconds)},
-            {"end", rounded(event.last.seconds)},
-            {"still", rounded(events::stationary_seconds(event))},
+            {"begin", to_six_decimals(event.first.seconds)},
+            {"end", to_six_decimals(event.last.seconds)},
+            {"still", to_six_decimals(events::stationary_seconds(event))},
             {"stays", json_of(event.stays)},
             {"from", number_of(event.from)},
             {"into", number_of(event.into)},
@@ -233,7 +233,10 @@ Json json_of(const Still& still, int side) {
 }
 
 Json json_of(const EncodedVideo& film) {
-    return {{"type", film.type}, {"begin", rounded(film.begin)}, {"step", film.step}, {"base64", base64(film.bytes)}};
+    return {{"type", film.type},
+            {"begin", to_six_decimals(film.begin)},
+            {"step", film.step},
+            {"base64", base64(film.bytes)}};
 }
 
 Json json_of_events(const PageContent& content) {

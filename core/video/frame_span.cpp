@@ -153,12 +153,10 @@ std::string_view reason_for_gap(const FrameSpan& span, double begin, double end)
 }
 
 std::string text_of(const FrameSpan& span) {
-    // Rounds to milliseconds, to hide floating-point errors.
-    const auto shown = [](double seconds) { return std::round(seconds * 1000) / 1000; };
     const std::string from =
-        span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", shown(span.start));
+        span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", rounded(span.start));
     if (span.stop) return fmt::format("from {} to frame {}", from, *span.stop);
-    if (span.end) return fmt::format("from {} to {} s", from, shown(*span.end));
+    if (span.end) return fmt::format("from {} to {} s", from, rounded(*span.end));
     return fmt::format("from {} to its end", from);
 }
 

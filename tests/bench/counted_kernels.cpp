@@ -54,7 +54,7 @@ void jacobi() {
     std::vector<const Plane<float>*> frames;
     for (const Plane<float>& plane : smooth) frames.push_back(&plane);
     fields::PlaneStack derivatives;
-    fields::barron_derivatives(frames, taps, {0, 0, size}, derivatives);
+    fields::barron_derivatives(frames, taps, {0, 0, size.width, size.height}, derivatives);
     fields::LinearSystem system(size, 100);
     system.load(derivatives);
     system.clear();
@@ -67,7 +67,8 @@ void flow() {
     vvr_counted([&] {
         std::vector<fields::FlowFrame> prepared;
         for (const video::Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
-        (*method)(std::vector<const fields::FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]}, {0, 0, size});
+        (*method)(std::vector<const fields::FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]},
+                  {0, 0, size.width, size.height});
     });
 }
 

@@ -66,26 +66,26 @@ Plane<float> smoothed(const Plane<float>& plane, std::span<const float> taps) {
     return smooth_any(plane, taps);
 }
 
-void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const Rect& part,
+void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const PixelBox& part,
                         PlaneStack& result) {
     const Size frame = frames.front()->size();
     const std::vector<float> change = differentiated_taps(taps);
-    result.reset(part.size, derivative_planes);
+    result.reset(part.size(), derivative_planes);
 
     // The frame smoothed along t: the part with two more pixels on each side for the differences along x and y.
     constexpr int border = 2;
-    const int left = std::max(part.x - border, 0);
-    const int right = std::min(part.x + part.size.width + border, frame.width);
-    const int width = part.size.width + 2 * border;
-    Plane<float> smooth({width, part.size.height + 2 * border});
+    const int left = std::max(part.left - border, 0);
+    const int right = std::min(part.left + part.width() + border, frame.width);
+    const int width = part.width() + 2 * border;
+    Plane<float> smooth({width, part.height() + 2 * border});
     std::vector<const float*> inputs(change.size());
     const auto rows_at = [&](int x, int y) {
         std::ranges::transform(frames, inputs.begin(), [&](const Plane<float>* f) { return f->row(y).data() + x; });
         return std::span<const float* const>(inputs);
     };
     for (int j = 0; j < smooth.height(); ++j) {
-        const int y = std::clamp(part.y + j - border, 0, frame.height - 1);
-        const int first = left - (part.x - border);
+        const int y = std::clamp(part.top + j - border, 0, frame.height - 1);
+        const int first = left - (part.left - border);
         const int last = first + right - left;
         const std::span<float> out = smooth.row(j);
         kernels::weighted_sum(rows_at(left, y).subspan(2, taps.size()), taps, out.data() + first, right - left);
@@ -93,25 +93,25 @@ void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<c
         std::fill(out.begin() + last, out.end(), out[static_cast<std::size_t>(last) - 1]);
     }
 
-    for (int j = 0; j < part.size.height; ++j) {
+    for (int j = 0; j < part.height(); ++j) {
         const float* const here = smooth.row(j + border).data();
         const std::array<const float*, 5> across{here, here + 1, here + 2, here + 3, here + 4};
         std::array<const float*, 5> down{};
         for (int k = 0; k < 5; ++k) down[static_cast<std::size_t>(k)] = smooth.row(j + k).data() + border;
-        kernels::weighted_sum(across, five_point, result.row(along_x, j), part.size.width);
-        kernels::weighted_sum(down, five_point, result.row(along_y, j), part.size.width);
-        kernels::weighted_sum(rows_at(part.x, part.y + j), change, result.row(along_t, j), part.size.width);
+        kernels::weighted_sum(across, five_point, result.row(along_x, j), part.width());
+        kernels::weighted_sum(down, five_point, result.row(along_y, j), part.width());
+        kernels::weighted_sum(rows_at(part.left, part.top + j), change, result.row(along_t, j), part.width());
     }
 }
 
-void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part, PlaneStack& result) {
+void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const PixelBox& part, PlaneStack& result) {
     const Size frame = first.size();
-    result.reset(part.size, derivative_planes);
-    for (int j = 0; j < part.size.height; ++j) {
-        const int y = part.y + j;
+    result.reset(part.size(), derivative_planes);
+    for (int j = 0; j < part.height(); ++j) {
+        const int y = part.top + j;
         const int below = std::min(y + 1, frame.height - 1);
-        for (int i = 0; i < part.size.width; ++i) {
-            const int x = part.x + i;
+        for (int i = 0; i < part.width(); ++i) {
+            const int x = part.left + i;
             const int next = std::min(x + 1, frame.width - 1);
             const float a = first.at(x, y), b = first.at(next, y), c = first.at(x, below), d = first.at(next, below);
             const float e = second.at(x, y), f = second.at(next, y), g = second.at(x, below),

@@ -118,10 +118,10 @@ Plane<float> smoothed(const Plane<float>& plane, std::span<const float> taps);
 /// Derivatives after Barron, Fleet and Beauchemin (1994): smooths frames (already smoothed along x and y) along t with
 /// `taps`, then applies (1, -8, 0, 8, -1)/12 along each axis.
 /// \param frames as many as `differentiated_taps(taps)` has; the derivatives are those of the middle one, in the part
-void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const Rect& part,
+void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const PixelBox& part,
                         PlaneStack& result);
 
 /// Derivatives after Horn and Schunck (1981): mean finite differences along the edges of the cube of 2×2×2 values.
-void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part, PlaneStack& result);
+void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const PixelBox& part, PlaneStack& result);
 
 }  // namespace vvr::fields

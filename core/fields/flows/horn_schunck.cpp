@@ -50,7 +50,7 @@ class Jacobi final : public FlowMethod {
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {smoothed(grey, taps_)}}; }
 
-    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+    Flow operator()(std::span<const FlowFrame* const> frames, const PixelBox& part) const override {
         std::vector<const Plane<float>*> planes;
         for (const FlowFrame* frame : frames) planes.push_back(&frame->levels.front());
         LinearWorkspace& work = workspaces_.local();
@@ -68,7 +68,7 @@ class Jacobi final : public FlowMethod {
 
   private:
     // From this frame to the next; at the clip's end, from the previous frame to this one.
-    void cube(std::span<const Plane<float>* const> planes, const Rect& part, PlaneStack& result) const {
+    void cube(std::span<const Plane<float>* const> planes, const PixelBox& part, PlaneStack& result) const {
         const std::size_t middle = planes.size() / 2;
         const std::size_t first = planes[middle + 1] == planes[middle] ? middle - 1 : middle;
         if (taps_.size() == 1) return cube_derivatives(*planes[first], *planes[first + 1], part, result);

@@ -19,12 +19,12 @@ class OpenCvFlow : public FlowMethod {
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {}}; }
 
     // From this frame to the next; at the clip's end, from the previous frame to this one.
-    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+    Flow operator()(std::span<const FlowFrame* const> frames, const PixelBox& part) const override {
         const std::size_t first = frames[2] == frames[1] ? 0 : 1;
-        const cv::Rect rect(part.x, part.y, part.size.width, part.size.height);
+        const cv::Rect rect(part.left, part.top, part.width(), part.height());
         cv::Mat both;
         estimate(cv_view(frames[first]->grey)(rect).clone(), cv_view(frames[first + 1]->grey)(rect).clone(), both);
-        Flow flow{Plane<float>(part.size), Plane<float>(part.size)};
+        Flow flow{Plane<float>(part.size()), Plane<float>(part.size())};
         std::array planes{cv_view(flow.u), cv_view(flow.v)};
         cv::split(both, planes.data());
         return flow;

@@ -49,7 +49,7 @@ class WideRows {
 /// nothing is known there.
 ///
 /// \param here part `part` of the first frame; `flow` has its size
-void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part,
+void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const PixelBox& part,
                         PlaneStack& result) {
     const Size size = here.size();
     result.reset(size, derivative_planes);
@@ -59,8 +59,8 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
         std::ranges::copy(here.row(j), here_rows.row(0));
         std::ranges::copy(flow.u.row(j), u.row(0));
         std::ranges::copy(flow.v.row(j), v.row(0));
-        kernels::warp_row({next, part.x, part.y + j, here_rows.row(0), u.row(0), v.row(0), mean.row(j), change.row(j),
-                           known.row(j), size.width});
+        kernels::warp_row({next, part.left, part.top + j, here_rows.row(0), u.row(0), v.row(0), mean.row(j),
+                           change.row(j), known.row(j), size.width});
         mean.replicate_edges(j);
     }
     for (int j = 0; j < size.height; ++j) {
@@ -133,10 +133,10 @@ Plane<float> upsampled(const Plane<float>& coarse, Size size) {
 }
 
 /// The part `part` of a plane.
-Plane<float> cut(const Plane<float>& plane, const Rect& part) {
-    auto result = Plane<float>::for_overwrite(part.size);
-    for (int j = 0; j < part.size.height; ++j) {
-        std::copy_n(plane.row(part.y + j).begin() + part.x, part.size.width, result.row(j).begin());
+Plane<float> cut(const Plane<float>& plane, const PixelBox& part) {
+    auto result = Plane<float>::for_overwrite(part.size());
+    for (int j = 0; j < part.height(); ++j) {
+        std::copy_n(plane.row(part.top + j).begin() + part.left, part.width(), result.row(j).begin());
     }
     return result;
 }
@@ -168,39 +168,39 @@ class Pyramid final : public FlowMethod {
     }
 
     // From this frame to the next; at the clip's end, from the previous frame to this one.
-    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+    Flow operator()(std::span<const FlowFrame* const> frames, const PixelBox& part) const override {
         const std::size_t first = frames[2] == frames[1] ? 0 : 1;
         const std::vector<Plane<float>>& here = frames[first]->levels;
         const std::vector<Plane<float>>& next = frames[first + 1]->levels;
-        const std::vector<Rect> parts = parts_of(part, here);
+        const std::vector<PixelBox> parts = parts_of(part, here);
         Flow flow;
         for (std::size_t k = here.size(); k-- > 0;) {
-            const Size size = parts[k].size;
+            const Size size = parts[k].size();
             flow = k + 1 == here.size() ? Flow{Plane<float>(size), Plane<float>(size)}
                                         : Flow{upsampled(flow.u, size), upsampled(flow.v, size)};
             improve(flow, cut(here[k], parts[k]), next[k], parts[k]);
         }
-        const Rect wanted{part.x - parts[0].x, part.y - parts[0].y, part.size};
-        return wanted.size == parts[0].size ? flow : Flow{cut(flow.u, wanted), cut(flow.v, wanted)};
+        const PixelBox wanted = part.translated(-parts[0].left, -parts[0].top);
+        return wanted.size() == parts[0].size() ? flow : Flow{cut(flow.u, wanted), cut(flow.v, wanted)};
     }
 
   private:
     // The part on every pyramid level; on the finest one slightly larger than requested, so that all levels cover the
     // same points.
-    static std::vector<Rect> parts_of(const Rect& part, const std::vector<Plane<float>>& levels) {
+    static std::vector<PixelBox> parts_of(const PixelBox& part, const std::vector<Plane<float>>& levels) {
         const int cell = 1 << (levels.size() - 1);
-        const int x = part.x / cell * cell;
-        const int y = part.y / cell * cell;
-        std::vector<Rect> parts;
-        Size size{part.x + part.size.width - x, part.y + part.size.height - y};
+        const int left = part.left / cell * cell;
+        const int top = part.top / cell * cell;
+        std::vector<PixelBox> parts;
+        Size size{part.right - left, part.bottom - top};
         for (std::size_t k = 0; k < levels.size(); ++k) {
-            parts.push_back({x >> k, y >> k, size});
+            parts.push_back({left >> k, top >> k, (left >> k) + size.width, (top >> k) + size.height});
             size = half(size);
         }
         return parts;
     }
 
-    void improve(Flow& flow, const Plane<float>& here, const Plane<float>& next, const Rect& part) const {
+    void improve(Flow& flow, const Plane<float>& here, const Plane<float>& next, const PixelBox& part) const {
         Workspace& work = workspaces_.local();
         for (int i = 0; i < warps_; ++i) {
             warped_derivatives(here, next, flow, part, work.derivatives);

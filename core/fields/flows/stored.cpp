@@ -25,7 +25,7 @@ class StoredFlow final : public FlowMethod {
     int margin() const override { return 0; }
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {.grey = grey, .levels = {}}; }
 
-    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& /*part*/) const override {
+    Flow operator()(std::span<const FlowFrame* const> frames, const PixelBox& /*part*/) const override {
         const FlowFrame& here = *frames[1];
         const Size size = here.grey.size();
         const std::filesystem::path* const file = files_.find(here.index);

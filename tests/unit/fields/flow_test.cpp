@@ -192,12 +192,12 @@ TEST(Parts, JacobiIsTheSameInAPart) {
     fields::FlowOptions options{.solver = "jacobi", .iterations = 20};
     const auto method = fields::make_flow(options);
     const fields::Flow all = test::flow_of(frames, 7, options);
-    const fields::Rect part{33, 21, {70, 61}};
+    const PixelBox part{33, 21, 103, 82};
     const fields::Flow some = test::flow_in(*method, frames, 7, part);
-    for (int j = method->margin(); j < part.size.height - method->margin(); ++j) {
-        for (int i = method->margin(); i < part.size.width - method->margin(); ++i) {
-            ASSERT_EQ(some.u.at(i, j), all.u.at(part.x + i, part.y + j));
-            ASSERT_EQ(some.v.at(i, j), all.v.at(part.x + i, part.y + j));
+    for (int j = method->margin(); j < part.height() - method->margin(); ++j) {
+        for (int i = method->margin(); i < part.width() - method->margin(); ++i) {
+            ASSERT_EQ(some.u.at(i, j), all.u.at(part.left + i, part.top + j));
+            ASSERT_EQ(some.v.at(i, j), all.v.at(part.left + i, part.top + j));
         }
     }
 }
@@ -209,15 +209,15 @@ TEST(Parts, OthersDifferByLessThanCanBeSeen) {
         SCOPED_TRACE(name_of(options));
         const auto method = fields::make_flow(options);
         const fields::Flow all = test::flow_of(frames, 7, options);
-        const fields::Rect part{41, 29, {120, 100}};
+        const PixelBox part{41, 29, 161, 129};
         const fields::Flow some = test::flow_in(*method, frames, 7, part);
-        ASSERT_EQ(some.u.size(), part.size);
+        ASSERT_EQ(some.u.size(), part.size());
         double sum = 0;
         int count = 0;
-        for (int j = method->margin(); j < part.size.height - method->margin(); ++j) {
-            for (int i = method->margin(); i < part.size.width - method->margin(); ++i, ++count) {
-                sum += std::hypot(some.u.at(i, j) - all.u.at(part.x + i, part.y + j),
-                                  some.v.at(i, j) - all.v.at(part.x + i, part.y + j));
+        for (int j = method->margin(); j < part.height() - method->margin(); ++j) {
+            for (int i = method->margin(); i < part.width() - method->margin(); ++i, ++count) {
+                sum += std::hypot(some.u.at(i, j) - all.u.at(part.left + i, part.top + j),
+                                  some.v.at(i, j) - all.v.at(part.left + i, part.top + j));
             }
         }
         EXPECT_LT(sum / count, options.method.name() == "horn-schunck" ? 0.01 : 0.1);
@@ -230,23 +230,21 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     object.at(50, 60) = 1;
     object.at(250, 200) = 1;
     object.at(255, 203) = 1;
-    const std::vector<fields::Rect> parts = fields::regions_around(object, 10);
+    const std::vector<PixelBox> parts = fields::regions_around(object, 10);
     ASSERT_EQ(parts.size(), 2U);
     for (const auto& [x, y] : {std::pair{50, 60}, std::pair{250, 200}, std::pair{255, 203}}) {
-        const bool inside = std::ranges::any_of(parts, [x = x, y = y](const fields::Rect& p) {
-            return x - 10 >= p.x && x + 10 < p.x + p.size.width && y - 10 >= p.y && y + 10 < p.y + p.size.height;
+        const bool inside = std::ranges::any_of(parts, [x = x, y = y](const PixelBox& p) {
+            return p.contains(PixelBox{x, y, x + 1, y + 1}.inflated(10, 10));
         });
         EXPECT_TRUE(inside) << x << ", " << y;
     }
     object.at(0, 0) = 1;
     object.at(319, 239) = 1;
-    for (const fields::Rect& p : fields::regions_around(object, 60)) {
-        EXPECT_GE(p.x, 0);
-        EXPECT_LE(p.x + p.size.width, 320);
-        EXPECT_LE(p.y + p.size.height, 240);
+    for (const PixelBox& p : fields::regions_around(object, 60)) {
+        EXPECT_TRUE(test::whole({320, 240}).contains(p));
     }
     EXPECT_EQ(fields::regions_around(Plane<std::uint8_t>({320, 240}, 1), 5),
-              std::vector<fields::Rect>{test::whole({320, 240})});
+              std::vector<PixelBox>{test::whole({320, 240})});
 }
 
 }  // namespace

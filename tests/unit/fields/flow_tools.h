@@ -11,13 +11,13 @@
 
 namespace vvr::test {
 
-inline fields::Rect whole(Size size) {
-    return {0, 0, size};
+inline PixelBox whole(Size size) {
+    return {0, 0, size.width, size.height};
 }
 
 /// The flow of frame `middle` in a part of it.
 inline fields::Flow flow_in(fields::FlowMethod& method, std::span<const Plane<std::uint8_t>> frames, int middle,
-                            const fields::Rect& part) {
+                            const PixelBox& part) {
     std::vector<fields::FlowFrame> prepared;
     for (const Plane<std::uint8_t>& frame : frames) prepared.push_back(method.prepare(frame));
     std::vector<const fields::FlowFrame*> about;
