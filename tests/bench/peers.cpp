@@ -94,7 +94,7 @@ struct Estimate {
         prepared.back() = method->prepare(frames.back());
         std::vector<const fields::FlowFrame*> about;
         for (const fields::FlowFrame& frame : prepared) about.push_back(&frame);
-        flow = (*method)(about, {0, 0, frames.front().size()});
+        flow = (*method)(about, {0, 0, frames.front().width(), frames.front().height()});
     }
 };
 
