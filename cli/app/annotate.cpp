@@ -138,10 +138,11 @@ bool shares_colours(const Composition& composed) {
 std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan, const Composition& composed) {
     if (plan.colour->drawn == gl::VolumeColour::transfer) return legend_of_transfer(plan);
     if (!plan.colours_objects()) return legend_of_colour(plan);
-    return {{colours_of_objects(plan.job.look.theme),
-             shares_colours(composed) ? "colours of objects, striped where one stood"
-                                      : "a colour for each object, striped where it stood",
-             "objects"},
+    std::string meaning = shares_colours(composed) ? "colours of objects" : "a colour for each object";
+    // In a series, voxels get their colours before it is known where their object stands.
+    if (!plan.products.series)
+        meaning += shares_colours(composed) ? ", striped where one stood" : ", striped where it stood";
+    return {{colours_of_objects(plan.job.look.theme), meaning, "objects"},
             {{rgba(plan.job.look.theme.unowned)}, "other changes", "other"}};
 }
 

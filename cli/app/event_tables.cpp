@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::string_view heading =
     "number,kind,class,score,begin,end,first_frame,last_frame,first,last,seconds,still,x,y,width,height,direction,"
-    "path_length,from,into,by\n";
+    "path_length,from,into,by,open_ended\n";
 
 std::string time_of(const WallClock& clock, double seconds) {
     return clock ? clock->iso(seconds) : std::string();
 }
 
-std::string number_of(const std::optional<std::size_t>& place) {
-    return place ? fmt::to_string(*place + 1) : std::string();
+std::string number_of(const ShownEvents& shown, const std::optional<std::size_t>& place) {
+    return place ? fmt::to_string(shown.numbers[*place]) : std::string();
 }
 
 }  // namespace
@@ -40,14 +40,15 @@ std::string events_table(const RunContext& context) {
     for (std::size_t k = 0; k < seen.events->events.size(); ++k) {
         const events::Event& event = seen.events->events[k];
         const PixelBox box = scale(event.box);
-        text += fmt::format("{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{},{},{:.1f},{},{},{}\n",
-                            k + 1, events::name_of(event.kind), event.identity ? event.identity->what->name : "",
-                            event.identity ? fmt::format("{:.3f}", event.identity->score) : "",
-                            time_of(clock, event.first.seconds), time_of(clock, event.last.seconds), event.first.frame,
-                            event.last.frame, event.first.seconds, event.last.seconds,
-                            event.last.seconds - event.first.seconds, events::stationary_seconds(event), box.left,
-                            box.top, box.width(), box.height(), events::direction_of(event), scale.length(event.path),
-                            number_of(event.from), number_of(event.into), number_of(event.by));
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{},{},{:.1f},{},{},{},{}\n",
+            seen.events->numbers[k], events::name_of(event.kind), event.identity ? event.identity->what->name : "",
+            event.identity ? fmt::format("{:.3f}", event.identity->score) : "", time_of(clock, event.first.seconds),
+            time_of(clock, event.last.seconds), event.first.frame, event.last.frame, event.first.seconds,
+            event.last.seconds, event.last.seconds - event.first.seconds, events::stationary_seconds(event), box.left,
+            box.top, box.width(), box.height(), events::direction_of(event), scale.length(event.path),
+            number_of(*seen.events, event.from), number_of(*seen.events, event.into), number_of(*seen.events, event.by),
+            event.open_ended);
     }
     return text;
 }
@@ -77,8 +78,8 @@ std::string tracks_table(const RunContext& context) {
     std::string text;
     for (const auto& [place, field_box] : boxes) {
         const PixelBox box = scale(field_box);
-        text += fmt::format("{},{},{},{},{},{},1,-1,-1,-1\n", place.first + 1, place.second + 1, box.left + 1,
-                            box.top + 1, box.width(), box.height());
+        text += fmt::format("{},{},{},{},{},{},1,-1,-1,-1\n", place.first + 1, seen.events->numbers[place.second],
+                            box.left + 1, box.top + 1, box.width(), box.height());
     }
     return text;
 }

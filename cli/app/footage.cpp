@@ -59,11 +59,24 @@ std::vector<ReportedFile> files_of(const Json& report) {
 
 }  // namespace
 
-PieceEvent piece_event(const events::Event& event, std::size_t place) {
-    PieceEvent found{static_cast<std::int64_t>(place) + 1, event.first.seconds, event.last.seconds,
-                     std::string(events::name_of(event.kind))};
+namespace {
+
+/// When a frame shows an event best: what was taken, just before it went.
+/// \param portrait seconds; none = unknown
+std::optional<double> best_moment(const std::string& kind, double first, std::optional<double> portrait) {
+    constexpr double before = 1;  // seconds
+    const auto row = std::ranges::find(events::event_kinds, kind, &events::EventKindRow::name);
+    const bool is_of_scene = row != events::event_kinds.end() && row->is_of_scene;
+    return is_of_scene ? std::max(0.0, first - before) : portrait;
+}
+
+}  // namespace
+
+PieceEvent piece_event(const events::Event& event, std::int64_t number) {
+    PieceEvent found{number, event.first.seconds, event.last.seconds, std::string(events::name_of(event.kind))};
     if (event.identity) found.what = event.identity->what->name;
-    if (event.portrait) found.best = event.portrait->at.seconds;
+    const auto portrait = event.portrait ? std::optional(event.portrait->at.seconds) : std::nullopt;
+    found.best = best_moment(found.kind, found.first, portrait);
     return found;
 }
 
@@ -78,13 +91,14 @@ video::FrameSpan span_around(double first, double last, double margin) {
 namespace {
 
 /// An event of a report. Older reports have neither classes nor portraits.
-PieceEvent event_of(const Json& json, std::int64_t number) {
-    PieceEvent event{number, json.at("first").at("seconds").get<double>(), json.at("last").at("seconds").get<double>(),
-                     json.value("kind", "")};
+PieceEvent event_of(const Json& json) {
+    PieceEvent event{json.at("number").get<std::int64_t>(), json.at("first").at("seconds").get<double>(),
+                     json.at("last").at("seconds").get<double>(), json.value("kind", "")};
     const auto what = json.find("class");
     if (what != json.end() && what->is_string()) event.what = what->get<std::string>();
-    const auto portrait = json.find("portrait");
-    if (portrait != json.end() && portrait->is_object()) event.best = portrait->at("seconds").get<double>();
+    const Json portrait = json.value("portrait", Json());
+    event.best = best_moment(event.kind, event.first,
+                             portrait.is_object() ? std::optional(portrait.at("seconds").get<double>()) : std::nullopt);
     return event;
 }
 
@@ -109,8 +123,7 @@ ReportedEvents read_events(const std::filesystem::path& report) {
     if (!json["events"].is_array()) refuse(report, "has no list of events, because that run did not search for any");
     try {
         ReportedEvents events{files_of(json), {}, settings_of(json)};
-        for (const Json& event : json["events"])
-            events.events.push_back(event_of(event, std::ssize(events.events) + 1));
+        for (const Json& event : json["events"]) events.events.push_back(event_of(event));
         if (const Json camera = json.at("input").value("camera", Json()); camera.is_string()) events.camera = camera;
         if (events.files.empty())
             refuse(
@@ -167,7 +180,7 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-[[noreturn]] void refuse_report(const std::string& report, std::size_t event, const std::vector<std::string>& needed,
+[[noreturn]] void refuse_report(const std::string& report, std::int64_t event, const std::vector<std::string>& needed,
                                 const std::vector<std::string>& missing, const Footage& footage) {
     const bool is_one = needed.size() == 1;
     throw Error(ErrorCode::input_unsuitable,
@@ -224,15 +237,15 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
 }
 
 std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
-                                                 std::size_t event, double margin, const std::string& report_name) {
-    const PieceEvent& times = report.events[event];
+                                                 const PieceEvent& event, double margin,
+                                                 const std::string& report_name) {
     std::vector<video::SegmentPlace> places;
     std::vector<std::string> needed;
     std::vector<std::string> missing;
     for (const ReportedFile& file : report.files) {
-        const bool is_needed = lies_in(file.place, times.first, times.last);
+        const bool is_needed = lies_in(file.place, event.first, event.last);
         if (is_needed) needed.push_back(file.place.path);
-        if (!is_needed && !lies_in(file.place, times.first - margin, times.last + margin)) continue;
+        if (!is_needed && !lies_in(file.place, event.first - margin, event.last + margin)) continue;
         if (const auto found = find_by_digest(footage, file)) {
             places.push_back(file.place);
             places.back().path = *found;
@@ -240,7 +253,7 @@ std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const R
             missing.push_back(file.place.path);
         }
     }
-    if (!missing.empty()) refuse_report(report_name, event + 1, needed, missing, footage);
+    if (!missing.empty()) refuse_report(report_name, event.number, needed, missing, footage);
     return places;
 }
 

@@ -28,8 +28,7 @@ struct PieceEvent {
     std::optional<double> best{};  ///< when a frame shows it best
 };
 
-/// \param place of the event in its list
-PieceEvent piece_event(const events::Event& event, std::size_t place);
+PieceEvent piece_event(const events::Event& event, std::int64_t number);
 
 /// The span of a piece with everything from `first` to `last`, and `margin` seconds before and after.
 video::FrameSpan span_around(double first, double last, double margin);
@@ -78,7 +77,8 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
 /// \param margin seconds before and after the event
 /// \throws Error usage when a file of the event is not in the footage, compared by size and digest
 std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
-                                                 std::size_t event, double margin, const std::string& report_name);
+                                                 const PieceEvent& event, double margin,
+                                                 const std::string& report_name);
 
 /// The files that a span reaches into, in order. If files overlap in time, the earlier one is used.
 std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span);

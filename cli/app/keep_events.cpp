@@ -33,7 +33,8 @@ struct Group {
 
 std::vector<Group> group(const std::vector<events::Event>& events, double margin) {
     std::vector<PieceEvent> sorted;
-    for (std::size_t k = 0; k < events.size(); ++k) sorted.push_back(piece_event(events[k], k));
+    for (std::size_t k = 0; k < events.size(); ++k)
+        sorted.push_back(piece_event(events[k], static_cast<std::int64_t>(k) + 1));
     std::ranges::stable_sort(sorted, {}, &PieceEvent::first);
     std::vector<Group> groups;
     for (const PieceEvent& event : sorted) {

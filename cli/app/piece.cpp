@@ -353,7 +353,8 @@ FullFrame frame_of(const PieceJob& job, double seconds) {
     std::erase_if(rest.parts, [&](const FootagePart& part) { return &part != last && part.file.end <= seconds; });
     if (!rest.parts.empty()) {
         FootagePart& first = rest.parts.front();
-        first.span.start = std::max(first.span.start, seconds - first.file.begin - 0.0005);  // times are rounded
+        // The moment may be before the piece: what was taken is seen until it went. Times are rounded.
+        first.span.start = std::max(0.0, seconds - first.file.begin - 0.0005);
     }
     PieceFrames frames(rest);
     const auto frame = frames.next();

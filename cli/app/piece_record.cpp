@@ -44,8 +44,10 @@ Json json_of(const PieceRecord& record, const WrittenPiece& piece) {
     Json json{{"first", moment(record, piece.times.begin)},
               {"last", moment(record, piece.times.end)},
               {"copied", piece.copied},
-              {"events", Json::array()}};
-    for (const PieceEvent& event : piece.events) json["events"].push_back(json_of(record, event));
+              {"events", Json()}};
+    if (!piece.events) return json;
+    json["events"] = Json::array();
+    for (const PieceEvent& event : *piece.events) json["events"].push_back(json_of(record, event));
     return json;
 }
 

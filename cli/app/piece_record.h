@@ -18,8 +18,8 @@ namespace vvr::app {
 struct WrittenPiece {
     std::string file;  ///< its name in the folder
     PieceTimes times;
-    bool copied = true;  ///< false = encoded again
-    std::vector<PieceEvent> events{};
+    bool copied = true;                               ///< false = encoded again
+    std::optional<std::vector<PieceEvent>> events{};  ///< none = nobody searched for events
 };
 
 /// A file with its size and the SHA-256 of all its bytes.

@@ -95,10 +95,6 @@ Json json_of(const events::Stay& stay, const VideoScale& scale) {
             {"field_box", json_of(stay.box)}};
 }
 
-Json number_of(const std::optional<std::size_t>& place) {
-    return place ? Json(*place + 1) : Json();
-}
-
 Json json_of(const std::optional<events::Portrait>& portrait, const VideoScale& scale) {
     if (!portrait) return {};
     Json json = json_of(portrait->at);
@@ -132,8 +128,12 @@ Json json_of(const events::Change& change, const VideoScale& scale) {
             {"evidence", json_of(change.evidence)}};
 }
 
-Json json_of(const events::Event& event, std::size_t place, const VideoScale& scale, const Place& where) {
-    Json json{{"number", place + 1},
+Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scale, const Place& where) {
+    const events::Event& event = shown.events[place];
+    const auto number_of = [&](const std::optional<std::size_t>& other) {
+        return other ? Json(shown.numbers[*other]) : Json();
+    };
+    Json json{{"number", shown.numbers[place]},
               {"kind", events::name_of(event.kind)},
               {"class", Json()},
               {"group", Json()},
@@ -142,6 +142,7 @@ Json json_of(const events::Event& event, std::size_t place, const VideoScale& sc
               {"first", json_of(event.first, where)},
               {"last", json_of(event.last, where)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
+              {"open_ended", event.open_ended},
               {"from", number_of(event.from)},
               {"into", number_of(event.into)},
               {"by", number_of(event.by)},
@@ -307,7 +308,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
             json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});
         }
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
-            json["events"].push_back(json_of(seen.events->events[k], k, scale, {info.segments, plan.clock}));
+            json["events"].push_back(json_of(*seen.events, k, scale, {info.segments, plan.clock}));
     }
     for (const double tile : archive.tiles) json["stills"].push_back(rounded(tile));
     if (!archive.not_kept.empty()) json["not_kept"] = archive.not_kept;

@@ -231,6 +231,7 @@ events::EventLine StreamWatch::line_of(const events::Event& event, std::size_t n
     line.last = event.last.seconds;
     line.begin = time(line.first);
     line.end = time(line.last);
+    line.open_ended = event.open_ended;
     line.box = VideoScale(plan_->clip.field_size, info.size)(event.box);
     line.direction = events::direction_of(event);
     if (const fs::path& page = page_of(plan_->job.output); !page.empty())

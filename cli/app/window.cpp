@@ -46,11 +46,12 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
         const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
+        name_events(events);
         if (ended_) {
-            name_events(events);
             tell_ended(events, true);
         } else {
             seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
+            number_as_shown(*seen_.events);
         }
     }
     seen_.summary = std::move(summary);
@@ -132,6 +133,12 @@ std::size_t Window::number_of(const events::Event& event) {
     return numbers_.try_emplace(first_track_of(event), numbers_.size() + 1).first->second;
 }
 
+/// Once shown, an object keeps its number in all pictures, and in the report.
+void Window::number_as_shown(ShownEvents& shown) {
+    std::ranges::transform(shown.events, shown.numbers.begin(),
+                           [&](const events::Event& event) { return number_of(event); });
+}
+
 /// Passes on the events that have ended for good: none of their tracks is followed, and no later one can be linked.
 /// \param all also those that the end of the stream has cut
 void Window::tell_ended(const std::vector<events::Event>& events, bool all) {
@@ -189,10 +196,10 @@ void Window::look_at_events() {
     const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
     name_events(events);
     ShownEvents shown = events_between(events, seen_.begin.seconds, seen_.last->pts);
+    number_as_shown(shown);
     for (std::size_t k = 0; k < shown.events.size(); ++k) {
         const std::vector<std::size_t>& tracks = shown.events[k].tracks;
-        // Once shown, an object keeps its number. Its colour is that of its voxels.
-        shown.numbers[k] = number_of(shown.events[k]);
+        // The colour is that of its voxels.
         for (const std::size_t track : tracks) {
             shown.colours[k] = objects_.colour_of(track).value_or(shown.colours[k]);
             objects_.give_number(track, shown.numbers[k]);

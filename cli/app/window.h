@@ -45,6 +45,7 @@ class Window {
     void name_events(const std::vector<events::Event>& events);
     std::size_t first_track_of(const events::Event& event) const { return first_tracks_.at(event.tracks.front()); }
     std::size_t number_of(const events::Event& event);
+    void number_as_shown(ShownEvents& shown);
     std::set<std::size_t> tracks_of_bearers(double seconds) const;
     void tell_ended(const std::vector<events::Event>& events, bool all);
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -146,6 +147,15 @@ std::optional<app::PieceTimes> write_piece(const CutJob& job, const app::PieceJo
 
 // ---- A folder of evidence
 
+/// The events of which a part is in the piece.
+std::vector<app::PieceEvent> events_in(const app::PieceTimes& times, const std::vector<app::PieceEvent>& events) {
+    std::vector<app::PieceEvent> found;
+    std::ranges::copy_if(events, std::back_inserter(found), [&](const app::PieceEvent& event) {
+        return event.last >= times.begin && event.first <= times.end;
+    });
+    return found;
+}
+
 /// Writes the piece, a still in full size, and where they come from, to a new folder.
 /// \param stop request to stop; no file is then left
 /// \returns false if it was stopped
@@ -162,7 +172,7 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     if (!times) return false;
     app::PieceRecord record{piece.camera, piece.clock, selection.settings};
     record.pieces.push_back({file, *times, !job.exact, {}});
-    if (selection.event) record.pieces.front().events.push_back(*selection.event);
+    if (selection.event) record.pieces.front().events = events_in(*times, selection.known_events);
     for (const app::FootagePart& part : piece.parts) {
         record.footage.push_back(app::hashed(part.file.path, part.file.path));
     }

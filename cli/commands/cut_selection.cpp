@@ -29,11 +29,14 @@ namespace {
 
 const app::PieceEvent& choose_event(const CutJob& job, const std::vector<app::PieceEvent>& events,
                                     const std::string& where) {
+    const auto found = std::ranges::find(events, *job.event, &app::PieceEvent::number);
+    if (found != events.end()) return *found;
+    // In the report of a series, numbers are in the order in which the pictures showed the events.
+    const std::int64_t most = events.empty() ? 0 : std::ranges::max(events, {}, &app::PieceEvent::number).number;
     const auto count = std::ssize(events);
-    if (*job.event >= 1 && *job.event <= count) return events[static_cast<std::size_t>(*job.event - 1)];
     const std::string what = count == 0   ? "has no events"
-                             : count == 1 ? "has 1 event; choose 1"
-                                          : fmt::format("has {} events; choose 1 to {}", count, count);
+                             : count == 1 ? fmt::format("has 1 event; choose {}", most)
+                                          : fmt::format("has {} events; choose 1 to {}", count, most);
     throw Error(ErrorCode::event_unknown, fmt::format("event {}: '{}' {}", *job.event, where, what), {"event"});
 }
 
@@ -54,7 +57,7 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     std::vector<app::PieceEvent> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
     for (const events::Event& event : seen.events->events) {
-        events.push_back(app::piece_event(event, events.size()));
+        events.push_back(app::piece_event(event, std::ssize(events) + 1));
     }
     const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
     const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
@@ -63,15 +66,17 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     if (places.empty() || places.back().path != footage.recording.segments.back().path) {
         places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
     }
-    return {span, std::move(places), event, plan.job.settings};
+    return {span, std::move(places), event, events, plan.job.settings};
 }
 
 Selection read_event(const CutJob& job, const app::Footage& footage) {
     const app::ReportedEvents reported = app::read_events(job.report);
     const app::PieceEvent& event = choose_event(job, reported.events, job.report.string());
-    const auto number = static_cast<std::size_t>(*job.event - 1);
     return {app::span_around(event.first, event.last, job.margin),
-            app::place_by_report(footage, reported, number, job.margin, job.report.string()), event, reported.settings,
+            app::place_by_report(footage, reported, event, job.margin, job.report.string()),
+            event,
+            reported.events,
+            reported.settings,
             reported.camera};
 }
 

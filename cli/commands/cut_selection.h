@@ -32,9 +32,10 @@ struct CutJob {
 struct Selection {
     video::FrameSpan span;
     std::vector<video::SegmentPlace> places;
-    std::optional<app::PieceEvent> event{};
-    image::Metadata settings{};  ///< with which the event was found
-    std::string camera{};        ///< of the report; empty = unknown
+    std::optional<app::PieceEvent> event{};       ///< that is cut
+    std::vector<app::PieceEvent> known_events{};  ///< of the report or the search
+    image::Metadata settings{};                   ///< with which the event was found
+    std::string camera{};                         ///< of the report; empty = unknown
 };
 
 /// Properties of the recording that say when its second 0 was.

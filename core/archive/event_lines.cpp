@@ -14,6 +14,7 @@
 #include "core/base/json_text.h"
 #include "core/detector/classes.h"
 #include "core/events/event_kind.h"
+#include "core/events/path.h"
 
 namespace vvr::archive {
 
@@ -74,14 +75,14 @@ events::EventLine line_of(const Json& event) {
     line.last = last.at("seconds").get<double>();
     line.begin = time_of(first);
     line.end = time_of(last);
+    line.open_ended = event.value("open_ended", false);  // older reports lack it
     line.clip = file_of(first);
     line.box = box_of(event.at("box"));
     if (const Json& what = event.at("class"); !what.is_null())
         line.what = detector::find_class(what.get<std::string>());
     if (const Json& direction = event.at("direction"); !direction.is_null()) {
-        const auto words = direction.get<std::string>();
-        const auto known = std::ranges::find(events::heading_names, words);
-        line.direction = known == events::heading_names.end() ? events::to_and_fro : *known;
+        const events::Heading* const heading = events::find_heading(direction.get<std::string>());
+        if (heading != nullptr) line.direction = heading->name;
     }
     return line;
 }

@@ -72,6 +72,13 @@ class Conclusion {
         return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
     }
 
+    /// Whether it was there until its stretch ended. Then nobody knows how long it stayed.
+    bool lasts_to_end(const Candidate& candidate) const {
+        const Tracklet& own = candidate.whole;
+        // If the fields don't show it, `to_last` is about its ghost.
+        return own.end.at.frame == stretch_of(own).last.frame || (candidate.to_last && !own.in_scene);
+    }
+
     /// Whether it is digits of the camera's clock.
     bool is_overlay(const PixelBox& box) const {
         return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) { return is_mostly_inside(box, clock); });
@@ -348,7 +355,9 @@ class Conclusion {
             event.from = place_of(own.from, k);
             event.into = place_of(own.into, k);
             if (row_of(event.kind).is_thing) event.by = event.from ? event.from : place_of(candidate.beside, k);
-            event.portrait = own.portrait;
+            // The portrait of what was taken would show the place without it.
+            if (!row_of(event.kind).is_of_scene) event.portrait = own.portrait;
+            event.open_ended = lasts_to_end(candidate);
             event.infrared = stretch_of(own).infrared;
             if (own.in_scene && own.settled) {
                 event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};

@@ -1,7 +1,5 @@
 #include "core/events/event_line.h"
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
@@ -23,12 +21,7 @@ Json text_or_null(std::string_view text) {
 std::string_view direction_of(const Event& event) {
     // Nobody saw an event with evidence come or go.
     if (event.evidence || event.path.size() < 2 || !(event.path_length > 0)) return {};
-    const std::optional<std::size_t> heading = heading_of(event.path, event.path_length);
-    return heading ? heading_names[*heading] : to_and_fro;
-}
-
-bool is_direction(std::string_view text) {
-    return text == to_and_fro || std::ranges::find(heading_names, text) != heading_names.end();
+    return heading_of(event.path, event.path_length).name;
 }
 
 std::string format_event_line(const EventLine& line) {
@@ -45,6 +38,7 @@ std::string format_event_line(const EventLine& line) {
         {"first", rounded(line.first)},
         {"last", rounded(line.last)},
         {"seconds", rounded(line.last - line.first)},
+        {"open_ended", line.open_ended},
         {"box",
          {{"x", line.box.left}, {"y", line.box.top}, {"width", line.box.width()}, {"height", line.box.height()}}},
         {"direction", text_or_null(line.direction)},

@@ -31,6 +31,7 @@ void move_before_ghost(Event& event, std::span<const Moment> begins) {
     event.from.reset();
     event.into.reset();
     event.portrait.reset();
+    event.open_ended = false;
 }
 
 void refute(Event& event, std::span<const Moment> begins) {

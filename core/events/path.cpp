@@ -73,11 +73,24 @@ double straightness_of(const std::vector<PathPoint>& path) {
     return all > 0 ? along / all : 1;
 }
 
-std::optional<std::size_t> heading_of(std::span<const PathPoint> path, double length) {
+const Heading& heading_of(std::span<const PathPoint> path, double length) {
     const glm::dvec2 way = path.back().place - path.front().place;
-    if (glm::length(way) < 0.2 * length) return std::nullopt;
+    glm::dvec2 low = path.front().place;
+    glm::dvec2 high = low;
+    for (const PathPoint& point : path) {
+        low = glm::min(low, point.place);
+        high = glm::max(high, point.place);
+    }
+    // Somebody who paced, and left at the other side, went there.
+    if (glm::length(way) < 0.2 * length && glm::length(way) < 0.25 * glm::distance(low, high)) return to_and_fro;
     const double eighths = std::atan2(way.y, way.x) / (2 * std::numbers::pi) * 8;
-    return static_cast<std::size_t>(std::lround(eighths) + 8) % 8;
+    return headings.at(static_cast<std::size_t>(std::lround(eighths) + 8) % headings.size());
+}
+
+const Heading* find_heading(std::string_view name) {
+    if (name == to_and_fro.name) return &to_and_fro;
+    const auto found = std::ranges::find(headings, name, &Heading::name);
+    return found == headings.end() ? nullptr : &*found;
 }
 
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame) {

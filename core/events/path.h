@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -43,10 +45,27 @@ double length_of(const std::vector<PathPoint>& path);
 /// about. 1 for fewer than four points.
 double straightness_of(const std::vector<PathPoint>& path);
 
-/// The direction from the first to the last place in eighths of a turn, clockwise from the right: 0 to 7. Nothing if
-/// they are near each other compared with the length of the path: the object went to and fro.
+/// Where an object went in the frame.
+struct Heading {
+    std::string_view name;
+    std::string_view arrow;
+};
+
+/// Eighths of a turn, clockwise from the right.
+inline constexpr std::array headings{Heading{"right", "→"},     Heading{"down-right", "↘"}, Heading{"down", "↓"},
+                                     Heading{"down-left", "↙"}, Heading{"left", "←"},       Heading{"up-left", "↖"},
+                                     Heading{"up", "↑"},        Heading{"up-right", "↗"}};
+
+/// The object ended near where it began, after a long way.
+inline constexpr Heading to_and_fro{"to and fro", "⇄"};
+
+/// The direction from the first to the last place. `to_and_fro` if they are near each other, both compared with the
+/// length of the path and with the area that it covers.
 /// \param path not empty
-std::optional<std::size_t> heading_of(std::span<const PathPoint> path, double length);
+const Heading& heading_of(std::span<const PathPoint> path, double length);
+
+/// The heading of that name; null if there is none.
+const Heading* find_heading(std::string_view name);
 
 /// The place at a frame, interpolated linearly.
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame);

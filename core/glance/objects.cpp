@@ -42,11 +42,10 @@ std::vector<std::string> direction_texts(const events::Event& event) {
     // In a window over a stream, hardly anything of its path may be left.
     if (event.path.size() < 2 || !(events::length_of(event.path) > 0))
         return {std::string(events::name_of(event.kind))};
-    const std::optional<std::size_t> heading = events::heading_of(event.path, event.path_length);
-    if (!heading) return {"to and fro", "⇄"};
-    constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};
-    const std::string_view arrow = arrows[*heading];
-    return {fmt::format("went {}", arrow), std::string(arrow)};
+    const events::Heading& heading = events::heading_of(event.path, event.path_length);
+    const std::string arrow(heading.arrow);
+    if (&heading == &events::to_and_fro) return {std::string(heading.name), arrow};
+    return {"went " + arrow, arrow};
 }
 
 }  // namespace
@@ -136,9 +135,19 @@ std::vector<std::string> time_texts(const events::Event& event, double end, cons
     std::vector<std::string> texts{fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)),
                                    begin};
     // Whether it was fetched is what a reader asks first.
-    const bool is_still_there = event.kind == events::EventKind::left && event.last.seconds >= end;
-    if (is_still_there) texts.insert(texts.begin(), begin + ", still there");
+    if (event.kind != events::EventKind::left || !event.open_ended) return texts;
+    if (event.last.seconds >= end) {
+        texts.insert(texts.begin(), begin + ", still there");
+    } else {  // after the gap that follows, nobody looked for it
+        texts = {fmt::format("{}, still there at {}", begin, labels::format_moment(event.last.seconds, clock)),
+                 "from " + begin, begin};
+    }
     return texts;
+}
+
+bool Trails::has(double seconds) const {
+    return volume_.layers() > 0 && seconds >= volume_.layer(0).pts &&
+           seconds <= volume_.layer(volume_.layers() - 1).last_pts;
 }
 
 glm::dvec3 Trails::point(const events::Event& event, double seconds) const {
@@ -244,6 +253,7 @@ std::vector<StayMark> stay_marks(const Objects& objects, const Trails& trails, c
     double longest = 0;
     for (const events::Event& event : objects.events)
         longest = std::max(longest, event.last.seconds - event.first.seconds);
+    std::size_t marked = 0;
     std::vector<StayMark> marks;
     for (const std::size_t k : by_importance(objects.events)) {
         const events::Event& event = objects.events[k];
@@ -252,8 +262,11 @@ std::vector<StayMark> stay_marks(const Objects& objects, const Trails& trails, c
             std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
         if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, min_share * longest))
             continue;
-        if (marks.size() == 2 * max_marked) break;
+        if (marked++ == max_marked) break;
         for (const double seconds : {stay->first.seconds, stay->last.seconds}) {
+            // How long it stayed is not known if the footage ended before. A window may begin after it came.
+            const bool is_known = !event.open_ended || seconds < event.last.seconds;
+            if (!is_known || !trails.has(seconds)) continue;
             const glm::dvec2 place = trails.pixel(event, seconds);
             const glm::ivec2 low(glm::floor(place - half));
             const glm::ivec2 high(glm::ceil(place + half));

@@ -53,8 +53,9 @@ std::string deed_of(const events::Event& event);
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
 std::vector<events::Stay> stationary_times(const events::Event& event);
 
-/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". A thing left behind that nobody fetched has
-/// "0:06, still there" before these.
+/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". A thing that was left behind, and was
+/// there at the end of the clip, has "0:06, still there" before these; one that was there when a gap began has "0:06,
+/// still there at 0:28" in place of the first.
 /// \param end time of the clip's last frame, seconds
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock);
 
@@ -63,6 +64,9 @@ class Trails {
   public:
     Trails(const bricks::Volume& volume, const space::Layout& layout, const space::Camera& camera, Size picture)
         : volume_(volume), layout_(layout), camera_(camera), picture_(picture) {}
+
+    /// Whether the volume has a time of the clip in seconds.
+    bool has(double seconds) const;
 
     /// An object's position in P-space at a time of the clip in seconds.
     glm::dvec3 point(const events::Event& event, double seconds) const;
@@ -90,7 +94,7 @@ std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks:
 void label_numbers(const Objects& objects, const std::set<std::size_t>& numbered, const Trails& trails,
                    const labels::Sheet& sheet, labels::Lettering& lettering);
 
-/// Marks the start and end of the longest stays: a tick across the trail, and the time if there is room.
+/// Marks the known start and end of the longest stays: a tick across the trail, and the time if there is room.
 void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
                  const image::Rgba& background, labels::Lettering& lettering);
 

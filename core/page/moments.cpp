@@ -57,6 +57,12 @@ void Stills::merge_neighbours() {
 
 namespace {
 
+/// The frame that shows an event best. What was taken is seen until it goes.
+std::int64_t best_frame(const events::Event& event) {
+    if (event.portrait) return event.portrait->at.frame;
+    return row_of(event.kind).is_of_scene ? event.first.frame : (event.first.frame + event.last.frame) / 2;
+}
+
 /// A key to rank events; more informative events are greater.
 auto worth(const events::Event& event) {
     return std::tuple(-row_of(event.kind).rank, events::stationary_seconds(event),
@@ -73,8 +79,7 @@ std::optional<Still> best_still(std::span<const Still> stills, std::span<const e
     if (stills.empty()) return std::nullopt;
     const auto event = std::ranges::max_element(events, {}, worth);
     if (event == events.end()) return stills[stills.size() / 2];
-    return nearest_to(stills,
-                      event->portrait ? event->portrait->at.frame : (event->first.frame + event->last.frame) / 2);
+    return nearest_to(stills, best_frame(*event));
 }
 
 namespace {

@@ -9,7 +9,7 @@ import pytest
 from harness import check
 
 FAST = ("--size", "160x100", "--flow", "none", "--backend", "software")
-KEYS = ["camera", "clip", "number", "kind", "class", "begin", "end", "first", "last", "seconds", "box", "direction", "page"]
+KEYS = ["camera", "clip", "number", "kind", "class", "begin", "end", "first", "last", "seconds", "open_ended", "box", "direction", "page"]
 
 
 def walk(t, name, begins=2, seconds=16):

@@ -26,6 +26,32 @@ def test_a_picture_for_each_brick(t):
         check(text in data, f"{text} is not in the last picture")
 
 
+def crossing_clip(t):
+    """Somebody in red puts a bag down at 13.0 s; somebody in blue appears at 13.2 s, before the bag can be called left."""
+    square = lambda colour, size: ("-f", "lavfi", "-i", f"color={colour}:s={size}:r=10:d=40,noise=alls=20")
+    t.make("clip.mp4", "crossing", how=lambda: t.ffmpeg(
+        "-f", "lavfi", "-i", "color=0x707070:s=320x240:r=10:d=40,noise=alls=4", *square("0xc83030", "24x60"), *square("0x20b050", "18x16"),
+        *square("0x3040c0", "26x64"), "-filter_complex",
+        "[0][1]overlay=x='(t-13)*20+150':y=100[a];[a][2]overlay=x=150:y=146:enable='gte(t,13)'[b];[b][3]overlay=x='320-(t-13.2)*24':y=20",
+        "-t", "40", "-c:v", "libx264", "-crf", "14", "-pix_fmt", "yuv420p", "clip.mp4"))
+
+
+def test_the_report_of_a_series_has_the_numbers_of_its_pictures(t):
+    """The pictures number objects in the order in which they show them, and a bag is shown when it has stayed for a while."""
+    crossing_clip(t)
+    t.render("clip.mp4", "--brick", "3s", "--window", "4", "--report", "r.json", "--events-csv", "e.csv", output="{brick}.png").expect(0)
+    events = {event["number"]: event for event in t.json("r.json")["events"]}
+    check([events[number]["kind"] for number in (1, 2, 3)] == ["moved", "moved", "left"], f"{events.keys()}")
+    check(events[3]["by"] == 1 and events[3]["first"]["seconds"] < events[2]["first"]["seconds"], f"{events[3]}")
+    rows = [line.split(",")[:2] for line in t.path("e.csv").read_text().splitlines()[1:]]
+    check(rows == [["1", "moved"], ["3", "left"], ["2", "moved"]], f"{rows}")
+    t.vvr("cut", "clip.mp4", "--event", "2", "--report", "r.json", "--evidence", "case", "--camera-name", "gate").expect(0)
+    (piece,) = t.json("case/evidence.json")["pieces"]
+    begin, end = (piece[side]["seconds"] for side in ("first", "last"))
+    check(begin <= events[2]["first"]["seconds"] and end >= events[2]["last"]["seconds"], f"{piece}")
+    check([event["number"] for event in piece["events"]] == [1, 3, 2], f"all that is in the piece: {piece}")
+
+
 @pytest.mark.nightly
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.

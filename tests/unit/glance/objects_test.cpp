@@ -70,14 +70,24 @@ TEST(Words, SayWhatItDidAndWhen) {
         << "who walks is not there for long";
     event.kind = events::EventKind::left;
     EXPECT_EQ(glance::time_texts(event, 60, {}).front(), "0:06–0:28");
+    EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06–0:28") << "somebody fetched it";
+    event.open_ended = true;
     EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06, still there");
+    EXPECT_EQ(glance::time_texts(event, 60, {}),
+              (std::vector<std::string>{"0:06, still there at 0:28", "from 0:06", "0:06"}))
+        << "a gap follows";
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
     event = event_of(events::EventKind::moved, 0, 5);
-    event.path.back().place = {12, 20};
-    event.path_length = 80;
+    const glm::dvec2 begin = event.path.front().place;
+    event.path = {{at(0), begin}, {at(2), begin + glm::dvec2(40, 0)}, {at(5), begin + glm::dvec2(2, 0)}};
+    event.path_length = 78;
     EXPECT_EQ(glance::activity_texts(event).front(), "to and fro");
+    event.path = {
+        {at(0), begin}, {at(1), begin + glm::dvec2(40, 0)}, {at(2), begin}, {at(3), begin + glm::dvec2(40, 0)}};
+    event.path_length = 240;  // with more turns than these points
+    EXPECT_EQ(glance::activity_texts(event).front(), "went →") << "it paced, and left at the other side";
 }
 
 TEST(Words, SayWhatItIs) {

@@ -77,6 +77,8 @@ TEST(TellingStill, IsOfWhatWasLeft) {
                                             event_of(events::EventKind::left, 60, 80, {20, 15}),
                                             event_of(events::EventKind::stood, 20, 50, {5, 5})};
     EXPECT_EQ(page::best_still(all, events)->frame, 70);
+    EXPECT_EQ(page::best_still(all, std::vector{event_of(events::EventKind::taken, 60, 80, {20, 15})})->frame, 60)
+        << "later stills lack it";
 }
 
 TEST(TellingStill, IsTheMiddleWhereNothingHappened) {
