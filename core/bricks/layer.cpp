@@ -233,6 +233,8 @@ void LayerMerger::merge_cheapest(std::vector<Layer>& layers, std::size_t idle) {
     if (all_idle > idle && merge_idle(layers)) return;
     const auto moving = least<double>(layers, [&](std::size_t i) -> std::optional<double> {
         if (is_idle(layers[i]) && is_idle(layers[i + 1])) return std::nullopt;
+        // A layer of both would show a gap as time in which nothing moved.
+        if (is_gap(layers[i]) != is_gap(layers[i + 1])) return std::nullopt;
         return losses_[i];
     });
     if (moving) return merge_at(layers, *moving);

@@ -272,7 +272,7 @@ std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
         // A long idle layer may include the last frames of earlier motion.
         constexpr std::int64_t least_share = 10;
         const auto counts = [](const Layer& layer) {
-            return layer.moving * least_share <= layer.frames && layer.missing < layer.frames;
+            return layer.moving * least_share <= layer.frames && 2 * layer.missing < layer.frames;
         };
         while (end < volume.layers() && counts(volume.layer(end))) ++end;
         if (end == i) {

@@ -149,13 +149,13 @@ std::vector<Frame> FileSource::sample(int count) {
     // Every open reader holds the clip's index, which is 24 MB for six hours.
     ahead_.reset();
     reader_.close();
-    KeyFrames keys(count);
+    KeyFrames keys(count, info_.rate);
     keys.scan(reader_.input(), options_.rate, 0);
     unread_ = keys.unread();
     Scaler scale(*this);
     auto frames = keys.decode(options_.rate, options_.threads, scale);
     const bool all = info_.decodes == Choice<FrameChoiceRow>(frame_choices().front());
-    if (frames.empty() && all) frames = sample_needed(reader_.input(), options_, count, scale);
+    if (frames.empty() && all) frames = sample_needed(reader_.input(), options_, info_.rate, count, scale);
     if (frames.empty()) {
         frames = sample_all(count);
         unread_ = reader_.damaged();

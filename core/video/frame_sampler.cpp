@@ -16,9 +16,16 @@
 
 namespace vvr::video {
 
+double FootageTime::operator()(double time) {
+    const std::int64_t before = numbers_.last();
+    const double apart = time - std::exchange(last_, time);
+    if (numbers_(time) > before + 1) gaps_ += apart;
+    return time - gaps_;
+}
+
 double KeyFrames::scan(const Input& input, double rate, double begin) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
-    if (files_.empty()) begin_ = begin;
+    if (files_.empty()) begin_ = end_ = begin;
     files_.push_back(input);
     const auto packet = av::make_packet();
     double first = std::numeric_limits<double>::infinity();
@@ -28,17 +35,20 @@ double KeyFrames::scan(const Input& input, double rate, double begin) {
         const auto time = demuxer.seconds(stamp_of(*packet));
         if (!time) continue;
         first = std::min(first, *time);
-        last = std::max(last, *time);
+        if (*time > last) {
+            last = *time;
+            end_ = footage_(begin + last - first);
+        }
         if (!(packet->flags & AV_PKT_FLAG_KEY) || *time < last_key) continue;
         last_key = *time;
         ++seen_;
-        const double at = begin + *time - first;
-        if (!sampler_.wants(at)) continue;
-        sampler_.keep(at, {files_.size() - 1, at, av::copy_of(*packet)});
+        if (!sampler_.wants(end_)) continue;
+        sampler_.keep(end_, {files_.size() - 1, begin + *time - first, end_, av::copy_of(*packet)});
     }
     unread_ += demuxer.damaged();
-    end_ = last < first ? begin : begin + last - first + demuxer.frame_duration();
-    return end_;
+    if (last < first) return begin;
+    end_ += demuxer.frame_duration();
+    return begin + last - first + demuxer.frame_duration();
 }
 
 /// Of many key frames, the sampler leaves at least about half as many as requested, so that many are enough if they are
@@ -47,9 +57,9 @@ bool KeyFrames::are_enough(std::span<const KeyPacket> keys) const {
     if (seen_ >= count_) return true;
     constexpr double most_apart = 1.0 / 8;  // of the whole
     if (2 * std::ssize(keys) < count_) return false;
-    double widest = end_ - keys.back().time;
+    double widest = end_ - keys.back().footage;
     double before = begin_;
-    for (const KeyPacket& key : keys) widest = std::max(widest, key.time - std::exchange(before, key.time));
+    for (const KeyPacket& key : keys) widest = std::max(widest, key.footage - std::exchange(before, key.footage));
     return widest <= most_apart * (end_ - begin_);
 }
 
@@ -109,10 +119,12 @@ ScannedFile scan(const Input& input, double rate) {
 }
 
 /// The presentation timestamps of the samples, ascending.
-std::vector<std::int64_t> choose_samples(std::span<const ScannedPacket> shown, int count) {
+std::vector<std::int64_t> choose_samples(std::span<const ScannedPacket> shown, double rate, int count) {
     TimeSampler<std::int64_t> sampler(count);
+    FootageTime footage(rate);
     for (const ScannedPacket& one : shown) {
-        if (sampler.wants(one.time)) sampler.keep(one.time, one.stamp);
+        const double time = footage(one.time);
+        if (sampler.wants(time)) sampler.keep(time, one.stamp);
     }
     return sampler.take();
 }
@@ -136,9 +148,10 @@ std::vector<std::int64_t> needed_for(std::span<const std::int64_t> samples, std:
 
 }  // namespace
 
-std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale) {
+std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, double rate, int count,
+                                 Scaler& scale) {
     const ScannedFile file = scan(input, options.rate);
-    const std::vector<std::int64_t> samples = choose_samples(file.shown, count);
+    const std::vector<std::int64_t> samples = choose_samples(file.shown, rate, count);
     if (samples.empty()) return {};
     const std::vector<std::int64_t> needed = needed_for(samples, file.packets);
     Demuxer demuxer(input, Demuxer::Kind::video, options.rate);

@@ -11,6 +11,7 @@
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
 #include "core/video/scaler.h"
+#include "core/video/video_reader.h"
 
 // Samples of a video's frames, spread in time.
 namespace vvr::video {
@@ -61,12 +62,29 @@ class TimeSampler {
     std::vector<std::pair<double, Item>> kept_;
 };
 
+/// Seconds of footage before a frame: its time without the gaps before it. Otherwise most samples of a recording with a
+/// long gap would be the frames beside the gap.
+class FootageTime {
+  public:
+    /// \param rate usual frames per second; 0 = unknown, so there are no gaps
+    explicit FootageTime(double rate) : numbers_(rate) {}
+
+    /// \param time of the next frame, seconds; must not decrease
+    double operator()(double time);
+
+  private:
+    FrameNumbers numbers_;
+    double last_ = 0;
+    double gaps_ = 0;
+};
+
 /// Samples key frames, spread in time over one or more consecutive files. Each is decoded on its own. All packets are
 /// read, which is cheap compared with decoding and works without an index or accurate seeking.
 class KeyFrames {
   public:
     /// \param count maximum number of frames
-    explicit KeyFrames(int count) : count_(count), sampler_(count) {}
+    /// \param rate usual frames per second; 0 = unknown
+    KeyFrames(int count, double rate) : count_(count), sampler_(count), footage_(rate) {}
 
     /// Reads the packets of a file.
     /// \param begin time of its first frame, seconds; must not decrease from file to file
@@ -84,7 +102,8 @@ class KeyFrames {
   private:
     struct KeyPacket {
         std::size_t file = 0;
-        double time = 0;
+        double time = 0;     ///< of its frame, seconds
+        double footage = 0;  ///< seconds of footage before it
         av::Ptr<AVPacket> packet;
     };
 
@@ -95,15 +114,18 @@ class KeyFrames {
     std::vector<Input> files_;
     std::int64_t seen_ = 0;
     std::int64_t unread_ = 0;
-    double begin_ = 0;  ///< of the first file, seconds
-    double end_ = 0;    ///< of the last file, seconds
+    FootageTime footage_;
+    double begin_ = 0;  ///< seconds of footage before the first file
+    double end_ = 0;    ///< seconds of footage before the end of the last file
 };
 
 /// Samples the same frames as FrameSource::sample_all. Decodes only what they need: in a group of pictures, nothing
 /// after its last sample, and before it only frames to which others refer. Of a usual clip with B frames, that is less
 /// than half.
 /// \returns nothing if the packets don't tell which frames these are, or if something is damaged
-std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, int count, Scaler& scale);
+/// \param rate usual frames per second; 0 = unknown
+std::vector<Frame> sample_needed(const Input& input, const SourceOptions& options, double rate, int count,
+                                 Scaler& scale);
 
 /// A problem: a part of the file could not be read for the samples from which the empty scene is learned.
 std::string text_of_unread(const std::string& name);

@@ -34,8 +34,10 @@ std::vector<Frame> FrameSource::sample_all(int count) {
     rewind();
     Scaler scale(*this);
     TimeSampler<Frame> sampler(count);
+    FootageTime footage(info().rate);
     while (const auto decoded = next()) {
-        if (sampler.wants(decoded->pts)) sampler.keep(decoded->pts, scale(*decoded));
+        const double time = footage(decoded->pts);
+        if (sampler.wants(time)) sampler.keep(time, scale(*decoded));
     }
     return sampler.take();
 }

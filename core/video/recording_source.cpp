@@ -280,7 +280,7 @@ std::vector<Frame> RecordingSource::sample_segments(int count) const {
 }
 
 std::vector<Frame> RecordingSource::sample_key_frames(int count) {
-    KeyFrames keys(count);
+    KeyFrames keys(count, info_.rate);
     std::optional<double> end;
     for (const Segment& segment : recording_.segments) {
         try {

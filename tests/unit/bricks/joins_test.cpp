@@ -116,5 +116,27 @@ TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     EXPECT_EQ(even.frames(), 10'000'001);
 }
 
+TEST(Volume, KeepsAGapApartFromTheMotionBesideIt) {
+    // Motion whose pixels are the empty scene's costs nothing to merge with a layer in which there is nothing.
+    constexpr std::int64_t capacity = 30;
+    bricks::Volume volume({96, 64}, {.capacity = capacity, .nonuniform = true});
+    const auto add = [&](int frame, bool shows) {
+        volume.add(shows ? walkers(frame) : field_of(frame, {96, 64}, 0), {}, {}, true);
+    };
+    for (int i = 0; i < 100; ++i) add(i, i < 99);
+    volume.add_gap(100, 10'000, 4, 0.04);
+    for (int i = 10'100; i < 10'200; ++i) add(i, i > 10'100);
+    volume.settle();
+    std::int64_t gaps = 0;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        const bricks::Layer& layer = volume.layer(i);
+        if (layer.missing == 0) continue;
+        ++gaps;
+        EXPECT_EQ(layer.missing, layer.frames);
+    }
+    EXPECT_EQ(gaps, 1);
+    EXPECT_TRUE(bricks::compressed_stretches(volume).empty()) << "a gap is no time in which nothing moved";
+}
+
 }  // namespace
 }  // namespace vvr
