@@ -53,7 +53,11 @@ cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environm
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
-    return run_with(row, environment, [&](options::CommandLine& line) { return line.parse(arguments); });
+    return run_with(row, environment, [&](options::CommandLine& line) {
+        if (!line.parse(arguments)) return false;
+        check_time_zone();
+        return true;
+    });
 }
 
 }  // namespace

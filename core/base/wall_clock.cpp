@@ -5,10 +5,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace vvr {
 
@@ -36,6 +41,35 @@ std::string offset_text(std::int64_t seconds) {
 
 std::int64_t local_offset(std::int64_t utc) {
     return local(utc).tm_gmtoff;
+}
+
+namespace {
+
+/// Whether a zone is given by its rule instead of by name: "CET-1CEST,M3.5.0,M10.5.0/3".
+bool is_zone_rule(std::string_view zone) {
+    const std::size_t end = zone.starts_with('<') ? zone.find('>') : zone.find_first_of("+-0123456789");
+    constexpr std::size_t least = 3;  // letters of a name
+    if (end == std::string_view::npos || end < least) return false;
+    const std::size_t digit = zone.find_first_not_of("+->", end);
+    return digit != std::string_view::npos && is_digit(zone[digit]) && zone.find('/') >= end;
+}
+
+}  // namespace
+
+void check_time_zone() {
+    namespace fs = std::filesystem;
+    const char* const given = std::getenv("TZ");
+    std::string_view zone = given == nullptr ? "" : given;
+    if (zone.starts_with(':')) zone.remove_prefix(1);
+    if (zone.empty() || zone == "UTC" || zone == "GMT" || is_zone_rule(zone)) return;
+    const char* const folder = std::getenv("TZDIR");
+    const fs::path zones = folder == nullptr ? "/usr/share/zoneinfo" : folder;
+    std::error_code none;
+    if (fs::is_regular_file(zones / zone, none)) return;  // an absolute path stands for itself
+    throw Error(ErrorCode::option_value,
+                fmt::format("TZ: '{}' is no time zone of this machine: '{}' has no such file; give one such as "
+                            "Europe/Berlin, or install tzdata",
+                            shown_text(zone), zones.string()));
 }
 
 std::string zone_text(std::int64_t utc) {

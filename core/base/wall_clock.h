@@ -63,6 +63,11 @@ namespace vvr {
 /// \param utc seconds since 1970
 std::int64_t local_offset(std::int64_t utc);
 
+/// Checks that TZ names a time zone of this machine. The C library uses UTC for any other name, and says nothing.
+///
+/// \throws Error usage if it does not
+void check_time_zone();
+
 /// The time zone for users: "CET, UTC+1", "UTC".
 /// \param utc seconds since 1970
 std::string zone_text(std::int64_t utc);

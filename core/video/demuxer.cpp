@@ -76,17 +76,45 @@ bool has_read_error(const std::string& name) {
     return file.bad();
 }
 
+/// The first bytes of a file, followed by the zeros that libav's probe needs.
+class Beginning {
+  public:
+    explicit Beginning(const Input& input) : bytes_(probed + AVPROBE_PADDING_SIZE, '\0') {
+        const std::string path = input.url.substr(std::min(input.url.size(), std::string_view("file:").size()));
+        size_ =
+            static_cast<int>(input.file ? ::pread(input.file->get(), bytes_.data(), probed, 0)
+                                        : std::ifstream(path, std::ios::binary).read(bytes_.data(), probed).gcount());
+    }
+
+    std::string_view text() const { return {bytes_.data(), static_cast<std::size_t>(std::max(0, size_))}; }
+
+    /// The format that libav finds in them; null if there is none.
+    /// \param name for formats that are told by the name too
+    const AVInputFormat* format(const char* name) {
+        if (size_ <= 0) return nullptr;
+        const AVProbeData data{name, reinterpret_cast<unsigned char*>(bytes_.data()), size_, nullptr};
+        return av_probe_input_format(&data, 1);
+    }
+
+  private:
+    static constexpr std::size_t probed = 4096;
+    std::string bytes_;
+    int size_ = 0;
+};
+
 /// Whether a file's content is a playlist. FFmpeg 7.1 only looks if the name is a playlist's, so it gets such a name.
 bool is_playlist(const Input& input) {
-    constexpr std::size_t probed = 4096;
-    std::string begin(probed + AVPROBE_PADDING_SIZE, '\0');
-    const std::string path = input.url.substr(std::min(input.url.size(), std::string_view("file:").size()));
-    const auto got = input.file ? ::pread(input.file->get(), begin.data(), probed, 0)
-                                : std::ifstream(path, std::ios::binary).read(begin.data(), probed).gcount();
-    if (got <= 0) return false;
-    const AVProbeData data{"list.m3u8", reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got), nullptr};
-    const AVInputFormat* const format = av_probe_input_format(&data, 1);
+    const AVInputFormat* const format = Beginning(input).format("list.m3u8");
     return format != nullptr && is_playlist_format(*format);
+}
+
+/// Whether a file begins with text that is no video's header.
+bool is_text(const Input& input) {
+    Beginning begin(input);
+    const bool has_text = std::ranges::all_of(begin.text(), [](char c) {
+        return static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\r' || c == '\t';
+    });
+    return !begin.text().empty() && has_text && begin.format("") == nullptr;
 }
 
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
@@ -99,6 +127,13 @@ bool is_playlist(const Input& input) {
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check the disk", input.name, words));
+    }
+    if (is_text(input)) throw Error(ErrorCode::not_video, fmt::format("'{}' is not a video, but a text file; give a video", input.name));
+    if (words.find("moov atom not found") != std::string::npos) {
+        throw Error(ErrorCode::not_video,
+                    fmt::format("'{}' is incomplete: it lacks the index that is written last (moov atom not found); "
+                                "wait until its recorder has finished it, or copy it again",
+                                input.name));
     }
     const bool of_the_system = AVUNERROR(code) > 0 && AVUNERROR(code) < greatest_errno && !log.has_text();
     throw Error(ErrorCode::not_video,
@@ -272,7 +307,7 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorCode::not_video, fmt::format("'{}' is a text file; give a video file", input.name));
+        throw Error(ErrorCode::not_video, fmt::format("'{}' is not a video, but a text file; give a video file", input.name));
     }
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
         throw Error(

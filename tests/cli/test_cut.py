@@ -269,7 +269,7 @@ def test_cut_refuses_what_cannot_be_cut(t):
     cut("empty").expect(1, "'empty'", code="input-unsuitable")
     cut("none.avi").expect(2, "'none.avi'", "No such file or directory", code="file-not-found")
     t.write("notes.avi", "this is no video\n" * 100)
-    cut("notes.avi").expect(3, "'notes.avi'", "`ffprobe`", code="not-video")
+    cut("notes.avi").expect(3, "'notes.avi' is not a video, but a text file", "give a video", code="not-video")
     t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
     cut("sound.m4a").expect(3, "'sound.m4a'", "audio", "aac", code="no-video-stream")
     check(not t.path("x.mkv").exists(), "something was written")

@@ -88,3 +88,20 @@ def test_idle_time_of_extracted_data(t):
     t.render("day.mkv", *look, output="clip.png").expect(0)
     t.render("data", *look, "--title", "day.mkv", output="data.png").expect(0)
     check(t.raw("clip.png") == t.raw("data.png"), "data files make another picture")
+
+
+@pytest.mark.parametrize("zone", ["Europe/Berln", "Foo/Bar", "Berlin"])
+def test_a_zone_that_does_not_exist_is_refused(t, zone):
+    """The C library would use UTC, and the picture would show times that are hours off."""
+    t.clip("2026-11-21_20-00-00.avi")
+    t.zone(zone)
+    t.render("2026-11-21_20-00-00.avi").expect(1, f"TZ: '{zone}' is no time zone", "Europe/Berlin, or install tzdata", code="option-value")
+
+
+@pytest.mark.parametrize("zone, hour", [("Europe/Berlin", "+01:00"), (":Asia/Kolkata", "+05:30"), ("CET-1CEST,M3.5.0,M10.5.0/3", "+01:00"),
+                                        ("<+0330>-3:30", "+03:30"), ("UTC", "+00:00"), ("", "+00:00")])
+def test_zones_by_name_and_by_rule(t, zone, hour):
+    t.clip("2026-11-21_20-00-00.avi")
+    t.zone(zone)
+    t.render("2026-11-21_20-00-00.avi", "--report", "r.json").expect(0)
+    check(t.json("r.json")["clock"]["first"] == f"2026-11-21T20:00:00{hour}", f"{t.json('r.json')['clock']}")

@@ -13,13 +13,21 @@ def test_inputs_without_frames(t):
     t.path("empty").mkdir()
     t.write("empty.avi", "")
     t.write("notes.avi", "this is no video\n" * 100)
+    t.copy("notes.avi", "notes.mp4")
     t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
     files = t.files()
-    for name, code, *facts in (("empty", "not-video", "png"), ("notes.avi", "not-video", "ffprobe"),
+    for name, code, *facts in (("empty", "not-video", "png"), ("notes.avi", "not-video", "text file", "give a video"), ("notes.mp4", "not-video", "text file"),
                                ("empty.avi", "file-empty", "0 bytes"), ("-", "file-empty", "0 bytes"),
                                ("sound.m4a", "no-video-stream", "audio", "aac")):
         t.render(name).expect(3, f"'{name}'", *facts, code=code)
     t.expect_files(*files)
+
+
+def test_an_mp4_without_its_index_is_incomplete(t):
+    """As a recorder leaves it while it writes, or after a power cut."""
+    t.clip("whole.mp4", codec=("-c:v", "mpeg4"))
+    t.write("part.mp4", t.path("whole.mp4").read_bytes()[:-2000])
+    t.render("part.mp4").expect(3, "'part.mp4' is incomplete", "moov atom", "wait until its recorder has finished it, or copy it again", code="not-video")
 
 
 def test_cut_video(t):

@@ -348,7 +348,7 @@ def test_watch_refuses(t):
         (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "stream-unreachable", "'tcp://127.0.0.1:1'", "Connection refused"),
         (("folder", "-o", "out.png"), 1, "input-unsuitable", "'folder'", "`vvr render`"),
         (("clip.avi", "-o", "none/out.png"), 2, "file-not-found", "'none'", "mkdir -p 'none'"),
-        (("text.txt", "-o", "out.png"), 3, "not-video", "'text.txt'", "`ffprobe`"),
+        (("text.txt", "-o", "out.png"), 3, "not-video", "'text.txt' is not a video, but a text file", "give a video"),
         (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "not-video" if device_library() else "usage", "/dev/null"),
         (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "file-not-found", "'none/log'"),
     ]:
