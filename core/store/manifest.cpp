@@ -23,6 +23,7 @@ constexpr const char* format_name = "vvr-extract";
 constexpr int format_version = 1;
 constexpr std::int64_t max_side = 65536;
 constexpr std::int64_t max_count = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t latest_begin = 7'258'118'400;  // 2200-01-01
 
 constexpr double max_time = 9.2e12;  // seconds: libav's range in microseconds
 
@@ -97,7 +98,20 @@ video::VideoInfo read_clip(const Reader& reader) {
     info.rate = reader.seconds("rate");
     info.duration = reader.seconds("seconds");
     info.frames = reader.integer("frames", 0, max_count);
+    if (reader.has("began")) {
+        info.began = reader.integer("began", 0, latest_begin);
+        info.began_source = ClockSource::file_name;
+    }
     return info;
+}
+
+Json json_of(const video::VideoInfo& clip) {
+    Json json{{"name", clip.title},       {"container", clip.container}, {"codec", clip.codec},
+              {"width", clip.size.width}, {"height", clip.size.height},  {"rate", clip.rate},
+              {"seconds", clip.duration}, {"frames", clip.frames}};
+    // No other source tells when it was recorded.
+    if (clip.began && clip.began_source == ClockSource::file_name) json["began"] = *clip.began;
+    return json;
 }
 
 Json json_of(const video::FrameSpan& span) {
@@ -168,22 +182,13 @@ std::filesystem::path seed_file(std::int64_t index) {
 }  // namespace stored
 
 std::string format_manifest(const Manifest& manifest) {
-    const video::VideoInfo& clip = manifest.clip;
     Json settings = Json::object();
     for (const auto& [name, value] : manifest.settings) settings[name] = value;
     const Json head{{"format", format_name},
                     {"format_version", format_version},
                     {"complete", true},
                     {"vvr", version()},
-                    {"clip",
-                     {{"name", clip.title},
-                      {"container", clip.container},
-                      {"codec", clip.codec},
-                      {"width", clip.size.width},
-                      {"height", clip.size.height},
-                      {"rate", clip.rate},
-                      {"seconds", clip.duration},
-                      {"frames", clip.frames}}},
+                    {"clip", json_of(manifest.clip)},
                     {"span", json_of(manifest.span)},
                     {"field_width", manifest.field_size.width},
                     {"field_height", manifest.field_size.height},
