@@ -1,5 +1,6 @@
 #include "cli/signals.h"
 
+#include <chrono>
 #include <initializer_list>
 #include <utility>
 
@@ -54,6 +55,16 @@ bool Signals::stop_gracefully() {
 void Signals::set_exit_hook(std::function<void()> exit_hook) {
     const std::scoped_lock alone(ending_);
     exit_hook_ = std::move(exit_hook);
+}
+
+void run_stoppable(Signals& signals, const std::function<bool(const std::stop_token& stop)>& work) {
+    const std::stop_source stop;
+    signals.set_exit_hook([stop]() mutable { stop.request_stop(); });
+    if (!work(stop.get_token())) {
+        // A signal has stopped it, and is about to end the program.
+        for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+    signals.set_exit_hook({});
 }
 
 void Signals::wait(const std::stop_token& stop) {

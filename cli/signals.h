@@ -4,6 +4,7 @@
 #include <csignal>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -42,6 +43,10 @@ class Signals {
     std::function<void()> exit_hook_;
     std::jthread waiter_;
 };
+
+/// Runs `work`. When a signal arrives, `work` is asked to stop; once it has removed its unfinished files and returned
+/// false, the signal ends the program.
+void run_stoppable(Signals& signals, const std::function<bool(const std::stop_token& stop)>& work);
 
 /// While it exists, the first signal calls `stop` on another thread and the program goes on; the second signal ends it.
 class GracefulShutdown {

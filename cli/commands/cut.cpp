@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -8,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -28,6 +26,7 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/signals.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -44,6 +43,26 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
+
+namespace cut_text {
+constexpr Setting output{"output", "FILE",
+                         "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
+constexpr Setting event{
+    "event",
+    "N",
+    "cut this event, by its number in the picture, the report and the page; without it, cut from --start to --end",
+    {1, 1'000'000'000}};
+constexpr Setting evidence{
+    "evidence", "DIR",
+    "instead of -o: a new folder with the piece, a still in full size, and files that say where they come from, with "
+    "SHA-256"};
+constexpr Setting report{"report", "FILE",
+                         "take the events from this report of `vvr render --report`, without a search"};
+constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
+constexpr Setting exact{
+    "exact", "",
+    "encode exactly these frames again, without sound; otherwise, packets are copied from the preceding key frame on"};
+}  // namespace cut_text
 
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
     std::error_code none;
@@ -165,7 +184,7 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     const std::string file = fmt::format("{}{}", stem, extension_of_piece(job, piece.parts.front()));
     const std::string still = stem + ".png";
     HeldObserver held(observer);  // outlives the folder, so that a signal finds it whole or removed
-    NewFolder folder(job.evidence);
+    NewFolder folder(job.evidence, cut_text::evidence.name);
     piece.path = folder.hidden() / file;
     piece.place = job.evidence / file;
     const std::optional<app::PieceTimes> times = write_piece(job, piece, held, stop);
@@ -208,7 +227,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     const app::Footage footage = app::find_footage(asked.search.input);
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
-    if (!job.evidence.empty()) check_is_free(job.evidence);
+    if (!job.evidence.empty()) check_is_free(job.evidence, cut_text::evidence.name);
     const Selection selection = select_piece(job, footage, observer);
     app::PieceJob piece;
     piece.name = footage.recording.name;
@@ -226,26 +245,6 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     if (open) check_output(job, piece.path, footage, observer);
     return write_piece(job, piece, observer, stop).has_value();
 }
-
-namespace cut_text {
-constexpr Setting output{"output", "FILE",
-                         "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
-constexpr Setting event{
-    "event",
-    "N",
-    "cut this event, by its number in the picture, the report and the page; without it, cut from --start to --end",
-    {1, 1'000'000'000}};
-constexpr Setting evidence{
-    "evidence", "DIR",
-    "instead of -o: a new folder with the piece, a still in full size, and files that say where they come from, with "
-    "SHA-256"};
-constexpr Setting report{"report", "FILE",
-                         "take the events from this report of `vvr render --report`, without a search"};
-constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
-constexpr Setting exact{
-    "exact", "",
-    "encode exactly these frames again, without sound; otherwise, packets are copied from the preceding key frame on"};
-}  // namespace cut_text
 
 class Cut final : public Command {
   public:
@@ -296,13 +295,7 @@ class Cut final : public Command {
         }
         refuse_search_options(line);
         cli::Console console(environment);
-        const std::stop_source stop;
-        environment.signals.set_exit_hook([stop]() mutable { stop.request_stop(); });
-        if (!cut(job_, console, stop.get_token())) {
-            // A signal has stopped it, and is about to end the program.
-            for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
-        }
-        environment.signals.set_exit_hook({});
+        cli::run_stoppable(environment.signals, [&](const std::stop_token& stop) { return cut(job_, console, stop); });
         return cli::ExitStatus::done;
     }
 

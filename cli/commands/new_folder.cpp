@@ -24,23 +24,24 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-void check_is_free(const fs::path& path) {
+void check_is_free(const fs::path& path, std::string_view setting) {
     std::error_code error;
     const fs::file_status there = fs::symlink_status(path, error);
     if (!fs::exists(there)) return;
     if (!fs::is_directory(there)) {
         throw Error(
             ErrorCode::not_a_folder,
-            fmt::format("cannot create the folder '{}': a file is in its place; choose another name", path.string()));
+            fmt::format("cannot create the folder '{}': a file is in its place; choose another name", path.string()),
+            {setting});
     }
     if (fs::is_empty(path, error) && !error) return;
     throw Error(ErrorCode::folder_not_empty,
-                fmt::format("'{}' has files already; choose a new or an empty folder", path.string()));
+                fmt::format("'{}' has files already; choose a new or an empty folder", path.string()), {setting});
 }
 
-NewFolder::NewFolder(fs::path path) : path_(std::move(path)) {
+NewFolder::NewFolder(fs::path path, std::string_view setting) : path_(std::move(path)) {
     if (!path_.has_filename()) path_ = path_.parent_path();
-    check_is_free(path_);
+    check_is_free(path_, setting);
     const fs::path parent = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
     std::string name = (parent / ".vvr-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) refuse(path_, errno);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
+#include <string>
+#include <string_view>
 
 #include "cli/app/observer.h"
 
@@ -11,8 +14,9 @@ namespace vvr::commands {
 class NewFolder {
   public:
     /// \param path must not exist, or be an empty folder
+    /// \param setting that names the folder, for messages
     /// \throws Error io
-    explicit NewFolder(std::filesystem::path path);
+    NewFolder(std::filesystem::path path, std::string_view setting);
     ~NewFolder();
     NewFolder(const NewFolder&) = delete;
     NewFolder& operator=(const NewFolder&) = delete;
@@ -28,8 +32,9 @@ class NewFolder {
     std::filesystem::path hidden_;
 };
 
+/// \param setting that names the folder, for messages
 /// \throws Error io if anything but an empty folder is at `path`
-void check_is_free(const std::filesystem::path& path);
+void check_is_free(const std::filesystem::path& path, std::string_view setting);
 
 /// An observer for code that writes several files while the caller holds back signals.
 class HeldObserver final : public app::Observer {

@@ -6,16 +6,19 @@
 #include <filesystem>
 #include <map>
 #include <span>
+#include <stop_token>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/app/observer.h"
 #include "cli/commands/command.h"
+#include "cli/commands/new_folder.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
+#include "cli/signals.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
@@ -41,44 +44,38 @@ struct StoredFlowSeedsJob {
 
 namespace fs = std::filesystem;
 
-/// The folder for the lists of a run. The destructor removes the lists, and a new folder, unless keep() was called.
+namespace seeds_text {
+constexpr Setting output{"output", "DIR", "a new or empty folder for the lists; `vvr render --seeds DIR` reads them"};
+}  // namespace seeds_text
+
+/// Thrown between two lists, so that no folder is left.
+struct Stopped {};
+
+/// The lists of a run, which appear together or not at all.
 class SeedFolder {
   public:
-    explicit SeedFolder(fs::path folder) : folder_(std::move(folder)) {
-        std::error_code error;
-        made_ = fs::create_directory(folder_, error);
-        if (!error && fs::is_directory(folder_) && fs::is_empty(folder_, error) && !error) return;
-        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::folder_not_empty,
-                    fmt::format("cannot write seeds to '{}': {}; choose a new or an empty folder", folder_.string(),
-                                error ? error.message() : "it contains files"),
-                    {"output"});
-    }
-    ~SeedFolder() {
-        if (kept_) return;
-        std::error_code none;
-        for (const fs::path& file : files_) fs::remove(file, none);
-        if (made_) fs::remove(folder_, none);
-    }
-    SeedFolder(const SeedFolder&) = delete;
-    SeedFolder& operator=(const SeedFolder&) = delete;
+    SeedFolder(const fs::path& folder, std::string_view setting, std::stop_token stop)
+        : folder_(folder, setting), stop_(std::move(stop)) {}
 
+    /// \throws Stopped if the run is to stop; Error io
     void add(const fields::SeedList& list) {
-        files_.push_back(folder_ / store::stored::seed_file(list.frame).filename());
+        if (stop_.stop_requested()) throw Stopped();
         const std::string text = fields::format_seeds(list);
-        replace_file(files_.back(), std::as_bytes(std::span(text)));
+        replace_file(folder_.hidden() / store::stored::seed_file(list.frame).filename(),
+                     std::as_bytes(std::span(text)));
+        ++lists_;
         seeds_ += std::ssize(list.seeds);
     }
 
-    void keep() { kept_ = true; }
-    std::int64_t lists() const { return std::ssize(files_); }
+    void publish() { folder_.publish(); }
+    std::int64_t lists() const { return lists_; }
     std::int64_t seeds() const { return seeds_; }
 
   private:
-    fs::path folder_;
-    std::vector<fs::path> files_;
+    NewFolder folder_;
+    std::stop_token stop_;
+    std::int64_t lists_ = 0;
     std::int64_t seeds_ = 0;
-    bool made_ = false;
-    bool kept_ = false;
 };
 
 /// These files have flow only; objects are unknown.
@@ -130,25 +127,29 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
 
 /// Chooses seeds on a stored flow (the filter stage of §4.2, between the boxes of Fig. 3). Writes one list per frame
 /// that has a flow, with its u and v. The folder must be new or empty.
+/// \param stop request to stop; no folder is then left
+/// \returns false if it was stopped
 /// \throws Error usage for options that need data which is not stored; io
-void write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer) {
+bool write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer, const std::stop_token& stop) {
     fields::FieldOptions options;
     options.seeds = job.seeds;
     fields::validate(options);
-    SeedFolder folder(job.folder);
-    if (store::is_data_folder(job.flow)) {
-        seeds_of_extraction(job, folder);
-    } else {
-        seeds_of_files(job, folder);
+    const auto held = observer.guard();  // outlives the folder, so that a signal finds it whole or removed
+    SeedFolder folder(job.folder, seeds_text::output.name, stop);
+    try {
+        if (store::is_data_folder(job.flow)) {
+            seeds_of_extraction(job, folder);
+        } else {
+            seeds_of_files(job, folder);
+        }
+    } catch (const Stopped&) {
+        return false;
     }
-    folder.keep();
+    folder.publish();
     observer.info(fmt::format("'{}': {} with {}", job.folder.string(), counted(folder.lists(), "list"),
                               counted(folder.seeds(), "seed")));
+    return true;
 }
-
-namespace seeds_text {
-constexpr Setting output{"output", "DIR", "a new or empty folder for the lists; `vvr render --seeds DIR` reads them"};
-}  // namespace seeds_text
 
 class Seeds final : public Command {
   public:
@@ -170,7 +171,8 @@ class Seeds final : public Command {
             throw Error(ErrorCode::output_missing, "no output given; name the folder for the lists with -o DIR");
         job_.flow = flows_.front();
         cli::Console console(environment);
-        write_seeds(job_, console);
+        cli::run_stoppable(environment.signals,
+                           [&](const std::stop_token& stop) { return write_seeds(job_, console, stop); });
         return cli::ExitStatus::done;
     }
 

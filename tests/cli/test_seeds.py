@@ -1,6 +1,8 @@
 """Seeds in the picture: flags of bricks, one list that all frames share, where seeds may lie, and a flow that is stored."""
 
+import signal
 import struct
+import time
 
 import pytest
 from harness import check, moving_clip
@@ -186,3 +188,23 @@ def test_stored_flows_that_cannot_be(t):
     t.vvr("extract", "clip.mkv", "-o", "edges", "--filter", "edges").expect(0)
     t.vvr("seeds", "edges", "-o", "out").expect(1, "'edges'", "--seed-area", code="extraction-unsuitable")
     check(not t.path("out").exists(), "a folder was left")
+
+
+def writing_lists(t, number):
+    """Sends a signal to a run of `vvr seeds` that has written some of its lists. Returns its status."""
+    child = t.start("seeds", "flows", "-o", "lists", "--seed-area", "field", "--grid", "2")
+    until = time.monotonic() + 60
+    while not list(t.folder.glob(".vvr-*/*.txt")) and not t.path("lists").exists():
+        check(child.poll() is None and time.monotonic() < until, "it wrote no list")
+        time.sleep(0.001)
+    child.send_signal(number)
+    return child.wait(timeout=60)
+
+
+def test_seed_lists_appear_together_or_not_at_all(t):
+    for frame in range(400):
+        t.write(f"flows/{frame}.flo", flo(3, 0))
+    for number in (signal.SIGKILL, signal.SIGTERM):
+        status = writing_lists(t, number)
+        check(status == -number and not t.path("lists").exists(), f"signal {number}: status {status}, {t.files()}")
+    t.vvr("seeds", "flows", "-o", "lists", "--seed-area", "field").expect(0, "400 lists")
