@@ -1,15 +1,16 @@
 #include "cli/commands/new_folder.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
 
 namespace vvr::commands {
@@ -43,13 +44,31 @@ NewFolder::NewFolder(fs::path path, std::string_view setting) : path_(std::move(
     if (!path_.has_filename()) path_ = path_.parent_path();
     check_is_free(path_, setting);
     const fs::path parent = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-    std::string name = (parent / ".vvr-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) refuse(path_, errno);
-    hidden_ = name;
-    // mkdtemp gives the folder to its owner alone; an ordinary folder has what umask leaves.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::chmod(name.c_str(), 0777 & ~mask);
+    if (::access(parent.c_str(), W_OK | X_OK) != 0) refuse(path_, errno);
+    const std::string name = path_.filename().string();
+    std::optional<LockFile> lock = LockFile::try_take(parent, name);
+    if (!lock) {
+        throw Error(ErrorCode::file_locked,
+                    fmt::format("cannot create the folder '{}': another vvr is writing it; wait until it has ended, or "
+                                "choose another folder",
+                                path_.string()),
+                    {setting});
+    }
+    lock_.emplace(std::move(*lock));
+    // A hash, because the name may already have the maximum length.
+    hidden_ = parent / fmt::format(".vvr-{:016x}.new", fnv1a(name));
+    std::error_code none;
+    fs::remove_all(hidden_, none);  // left by a killed run
+    struct stat replaced {};
+    const bool replaces = ::lstat(path_.c_str(), &replaced) == 0;
+    // A folder that may be private is never open to others on the way, and stays private if it can't have its group.
+    if (::mkdir(hidden_.c_str(), replaces ? 0700 : 0777) != 0) {
+        const int error = errno;
+        hidden_.clear();  // somebody else's
+        refuse(path_, error);
+    }
+    if (replaces && ::chown(hidden_.c_str(), ::geteuid(), replaced.st_gid) == 0)
+        ::chmod(hidden_.c_str(), replaced.st_mode & 07777);
 }
 
 NewFolder::~NewFolder() {

@@ -2,18 +2,21 @@
 
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "cli/app/observer.h"
+#include "core/base/lock_file.h"
 
 namespace vvr::commands {
 
 /// A folder that appears with all its files or not at all. The files are written to a hidden folder beside it, which
-/// the destructor removes unless `publish` was called.
+/// the destructor removes unless `publish` was called. All runs that make the same folder use the same hidden one, and
+/// a lock lets them do so one at a time: so the next run removes what a killed one left.
 class NewFolder {
   public:
-    /// \param path must not exist, or be an empty folder
+    /// \param path must not exist, or be an empty folder, whose group and permissions the new one takes over
     /// \param setting that names the folder, for messages
     /// \throws Error io
     NewFolder(std::filesystem::path path, std::string_view setting);
@@ -29,6 +32,7 @@ class NewFolder {
 
   private:
     std::filesystem::path path_;
+    std::optional<LockFile> lock_;
     std::filesystem::path hidden_;
 };
 

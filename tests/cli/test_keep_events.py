@@ -7,7 +7,7 @@ import subprocess
 import time
 
 import pytest
-from harness import check, lock_name
+from harness import check, fnv1a, lock_name
 from test_archive import QUICK
 from test_cut import packets
 from test_sandbox import walls  # noqa: F401, a fixture
@@ -307,3 +307,10 @@ def test_cut_writes_evidence_as_a_whole_or_not_at_all(t):
     t.vvr("cut", "clip.avi", *span, "--evidence", "case").expect(3)
     check(not t.path("case").exists() and not [name for name in t.files() if ".vvr-" in name], f"{t.files()}")
     check(names(t.path("full")) == ["mine.txt"] and t.path("file").read_text() == "mine", "a file was changed")
+    # A folder that is there keeps its permissions, and one of a run that was killed is removed.
+    t.path("private").mkdir(mode=0o700)
+    left = f".vvr-{fnv1a('private'):016x}.new"
+    t.write(f"{left}/piece.mp4", "footage")
+    t.vvr("cut", NAMED, *span, "--evidence", "private").expect(0)
+    check(os.stat(t.path("private")).st_mode & 0o777 == 0o700, f"{os.stat(t.path('private')).st_mode:o}")
+    check(len(names(t.path("private"))) == 4 and not t.path(left).exists(), f"{names(t.path('private'))}")

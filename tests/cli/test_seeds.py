@@ -1,5 +1,6 @@
 """Seeds in the picture: flags of bricks, one list that all frames share, where seeds may lie, and a flow that is stored."""
 
+import contextlib
 import signal
 import struct
 import time
@@ -190,21 +191,36 @@ def test_stored_flows_that_cannot_be(t):
     check(not t.path("out").exists(), "a folder was left")
 
 
-def writing_lists(t, number):
-    """Sends a signal to a run of `vvr seeds` that has written some of its lists. Returns its status."""
+def hidden(t):
+    return [path.name for path in t.folder.glob(".vvr-*")]
+
+
+@contextlib.contextmanager
+def writing_lists(t):
+    """A run of `vvr seeds` that has written some of its lists, and is stopped there."""
     child = t.start("seeds", "flows", "-o", "lists", "--seed-area", "field", "--grid", "2")
     until = time.monotonic() + 60
     while not list(t.folder.glob(".vvr-*/*.txt")) and not t.path("lists").exists():
         check(child.poll() is None and time.monotonic() < until, "it wrote no list")
         time.sleep(0.001)
-    child.send_signal(number)
-    return child.wait(timeout=60)
+    child.send_signal(signal.SIGSTOP)
+    try:
+        yield child
+    finally:
+        child.kill()
+        child.wait()
 
 
 def test_seed_lists_appear_together_or_not_at_all(t):
     for frame in range(400):
         t.write(f"flows/{frame}.flo", flo(3, 0))
-    for number in (signal.SIGKILL, signal.SIGTERM):
-        status = writing_lists(t, number)
-        check(status == -number and not t.path("lists").exists(), f"signal {number}: status {status}, {t.files()}")
+    with writing_lists(t) as run:
+        run.send_signal(signal.SIGTERM)
+        run.send_signal(signal.SIGCONT)
+        check(run.wait(timeout=60) == -signal.SIGTERM, f"status {run.returncode}")
+    check(not t.path("lists").exists() and not hidden(t), f"{t.files()}, {hidden(t)}")
+    with writing_lists(t):
+        t.vvr("seeds", "flows", "-o", "lists", "--seed-area", "field").expect(2, "'lists'", "another vvr", code="file-locked")
+    check(not t.path("lists").exists() and hidden(t), f"{t.files()}, {hidden(t)}")
     t.vvr("seeds", "flows", "-o", "lists", "--seed-area", "field").expect(0, "400 lists")
+    check(not hidden(t), f"the killed run's files stay: {hidden(t)}")
