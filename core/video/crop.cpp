@@ -105,7 +105,7 @@ class UprightPicture {
     Size size_;
 };
 
-int rounded(double value) {
+int nearest(double value) {
     return static_cast<int>(std::lround(value));
 }
 
@@ -118,7 +118,7 @@ struct Ratio {
 Plane<Bgr> full_crop_of(const UprightPicture& picture, const Ratio& ratio, const FullSize& place, const PixelBox& box,
                         int longest_side) {
     const double most = std::max(ratio.x, ratio.y);  // the shorter side of a pixel is stretched, so no detail is lost
-    const Size to = fit_into({rounded(box.width() * most), rounded(box.height() * most)}, longest_side);
+    const Size to = fit_into({nearest(box.width() * most), nearest(box.height() * most)}, longest_side);
     const Ratio shrunk{to.width / (box.width() * ratio.x), to.height / (box.height() * ratio.y)};
     const double left = (box.left + place.left) * ratio.x;
     const double top = (box.top + place.top) * ratio.y;
@@ -131,11 +131,11 @@ Plane<Bgr> full_crop_of(const UprightPicture& picture, const Ratio& ratio, const
     const PixelBox part = picture.part_around(wanted);
     if (part.empty()) throw Error(ErrorCode::not_video, "a part of a frame is outside its picture");
     const Plane<Bgr> larger = picture.converted(
-        part, {std::max(1, rounded(part.width() * shrunk.x)), std::max(1, rounded(part.height() * shrunk.y))});
+        part, {std::max(1, nearest(part.width() * shrunk.x)), std::max(1, nearest(part.height() * shrunk.y))});
 
     // Beyond the picture's edge, which a shaking camera moves, its last pixels are repeated.
-    const int x = rounded((left - part.left) * shrunk.x);
-    const int y = rounded((top - part.top) * shrunk.y);
+    const int x = nearest((left - part.left) * shrunk.x);
+    const int y = nearest((top - part.top) * shrunk.y);
     Plane<Bgr> crop = Plane<Bgr>::for_overwrite(to);
     for (int j = 0; j < to.height; ++j) {
         const std::span<const Bgr> from = larger.row(std::clamp(y + j, 0, larger.height() - 1));
