@@ -15,6 +15,9 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.h"
@@ -102,6 +105,23 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
     return std::as_bytes(std::span(bytes.data(), bytes.size()));
 }
 
+/// All that is stored beside the manifest.
+constexpr std::array data_names{stored::scalar,    stored::flow,     stored::seeds, stored::colour,
+                                stored::reference, stored::infrared, stored::first, stored::last};
+
+/// Folders in a folder of data, while an older extraction is replaced: the new data, and the older ones.
+constexpr const char* new_data = ".vvr-new";
+constexpr const char* older_data = ".vvr-older";
+
+/// Waits until all files of the file system are on the disk. To sync each file takes longer than everything else.
+/// \param place a folder in that file system
+void sync_files(const fs::path& place) {
+    const int folder = ::open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int error = folder < 0 || ::syncfs(folder) != 0 ? errno : 0;
+    if (folder >= 0) ::close(folder);
+    if (error != 0) fail(place, error);
+}
+
 /// Whether the folder has nothing but what a run leaves that is killed before its first manifest is complete.
 bool has_only_leftovers(const fs::path& folder) {
     return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
@@ -150,19 +170,33 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::
     created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
     lock_.emplace(lock_folder(folder_));
-    // With this manifest, the next run recognises the folder if this run is killed.
-    replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
-    remove_data();
+    fs::remove_all(folder_ / new_data, error);
+    fs::remove_all(folder_ / older_data, error);
+    if (has_complete_data(folder_)) {
+        place_ = folder_ / new_data;
+        fs::create_directory(place_, error);
+        if (error) fail(place_, error.value());
+    } else {
+        place_ = folder_;
+        // With this manifest, the next run recognises the folder if this run is killed.
+        replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
+        remove_data();
+    }
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
-        fs::create_directory(folder_ / name, error);
+        fs::create_directory(place_ / name, error);
         if (error) fail(folder_ / name, error.value());
     }
 }
 
 DataFolder::~DataFolder() {
+    std::error_code none;
+    if (place_ != folder_) {
+        fs::remove_all(folder_ / new_data, none);
+        fs::remove_all(folder_ / older_data, none);
+        return;
+    }
     // Keeps the manifest if files remain, so that the next run recognises the folder.
     if (closed_ || !remove_data()) return;
-    std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
     lock_.reset();  // its file is in the folder
     if (created_) fs::remove(folder_, none);
@@ -170,8 +204,7 @@ DataFolder::~DataFolder() {
 
 bool DataFolder::remove_data() const {
     bool removed = true;
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
-                             stored::infrared, stored::first, stored::last}) {
+    for (const char* name : data_names) {
         std::error_code error;
         fs::remove_all(folder_ / name, error);
         removed = removed && !error;
@@ -179,13 +212,49 @@ bool DataFolder::remove_data() const {
     return removed;
 }
 
-// Doesn't sync each file as `replace_file` does, because that would take longer than everything else. The manifest is
-// written last and marks the folder as complete.
+/// Puts the new data in the place of the older ones. All is on the disk before, so that only renames follow, which can
+/// be undone. The manifest is unfinished meanwhile: so the next run recognises the folder if this one is killed.
+void DataFolder::replace_older(const std::string& manifest) const {
+    const fs::path older = folder_ / older_data;
+    const fs::path place = folder_ / stored::manifest;
+    std::error_code error;
+    fs::create_directory(older, error);
+    if (!error) fs::copy_file(place, older / stored::manifest, error);
+    if (error) fail(older, error.value());
+    write(stored::manifest, bytes_of(manifest));
+    write("unfinished.json", bytes_of(unfinished_manifest()));
+    sync_files(place_);
+    std::vector<std::pair<fs::path, fs::path>> moves{{place_ / "unfinished.json", place}};
+    for (const char* name : data_names) {
+        if (fs::exists(fs::symlink_status(folder_ / name, error))) moves.emplace_back(folder_ / name, older / name);
+    }
+    for (const char* name : data_names) {
+        if (fs::exists(place_ / name, error)) moves.emplace_back(place_ / name, folder_ / name);
+    }
+    moves.emplace_back(place_ / stored::manifest, place);
+    std::size_t moved = 0;
+    while (moved < moves.size()) {
+        fs::rename(moves[moved].first, moves[moved].second, error);
+        if (error) break;
+        ++moved;
+    }
+    if (moved == moves.size()) return;
+    std::error_code none;
+    while (moved > 1) {
+        --moved;
+        fs::rename(moves[moved].second, moves[moved].first, none);
+    }
+    fs::rename(older / stored::manifest, place, none);
+    fail(folder_, error.value());
+}
+
+// Doesn't sync each file as `replace_file` does; `close` syncs them all. The manifest is written last and marks the
+// folder as complete.
 void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
-    const fs::path path = folder_ / file;
+    const fs::path path = place_ / file;
     std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));
-    if (!out || std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) fail(path, errno);
-    if (std::fclose(out.release()) != 0) fail(path, errno);
+    if (!out || std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) fail(folder_ / file, errno);
+    if (std::fclose(out.release()) != 0) fail(folder_ / file, errno);
 }
 
 void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
@@ -220,7 +289,12 @@ void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
     manifest.flow_every = flow_every_;
     manifest.colour = true;
     manifest.frames = frames_;
-    replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    if (place_ != folder_) {
+        replace_older(format_manifest(manifest));
+    } else {
+        sync_files(folder_);
+        replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    }
     closed_ = true;
 }
 

@@ -277,4 +277,9 @@ bool is_replaceable(const std::filesystem::path& folder) {
     return json && is_ours(*json);
 }
 
+bool has_complete_data(const std::filesystem::path& folder) {
+    const std::optional<Json> json = manifest_of(folder);
+    return json && is_ours(*json) && json->value("complete", Json()) != Json(false);
+}
+
 }  // namespace vvr::store

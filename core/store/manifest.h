@@ -75,4 +75,7 @@ bool is_data_folder(const std::filesystem::path& folder);
 /// Whether the content of `folder` may be replaced: it has a readable manifest of vvr.
 bool is_replaceable(const std::filesystem::path& folder);
 
+/// Whether `folder` has a manifest of vvr that is not marked as unfinished.
+bool has_complete_data(const std::filesystem::path& folder);
+
 }  // namespace vvr::store

@@ -186,6 +186,31 @@ def test_extract_replaces_only_its_own(t):
     t.render("data", "--show", "volume").expect(0)
 
 
+def test_an_older_extraction_stays_until_the_new_one_is_complete(t):
+    t.clip("clip.avi", seconds=1)
+    t.clip("long.avi", seconds=60)
+    t.vvr("extract", "clip.avi", "-o", "data").expect(0)
+    t.write("data/notes.txt", "mine")
+
+    def content():
+        return {path: path.read_bytes() for path in t.path("data").rglob("*") if path.is_file()}
+
+    before = content()
+    t.run(["bash", "-c", f'ulimit -f 4; "{t.vvr_path}" extract long.avi -o data --field-size source']).expect(
+        2, "'data/", "File too large", "free some space", code="disk-full")
+    check(content() == before, "the older extraction has changed")
+    run = t.start("extract", "long.avi", "-o", "data")
+    while not t.path("data/.vvr-new/first.png").exists():
+        check(run.poll() is None, "it wrote no frame")
+        time.sleep(0.001)
+    run.kill()
+    run.wait()
+    t.render("data").expect(0, "10 frames")
+    t.vvr("extract", "clip.avi", "-o", "data", "--end", "5f").expect(0, "5 frames")
+    check(len(list(t.path("data/scalar").iterdir())) == 5 and not list(t.path("data").glob(".*")), f"{t.files()}")
+    check(t.path("data/notes.txt").read_text() == "mine", "somebody else's file has changed")
+
+
 def test_options_that_an_extraction_decided(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("data", "--filter", "edges").expect(1, "--filter edges", "'data'", "difference", code="extraction-unsuitable")

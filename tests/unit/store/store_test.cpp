@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -125,6 +127,38 @@ TEST_F(Store, WithoutCloseNothingStays) {
         EXPECT_THROW(store::StoredFields{names}, Error);
     }
     EXPECT_EQ(folder.files(), 0);
+}
+
+TEST_F(Store, ReplacesOlderDataOnlyByCompleteOnes) {
+    const std::vector<std::string> names{write("a", 0, 4)};
+    const fs::path a = names.front();
+    const auto frames = [&] {
+        return store::StoredFields(names).read({.every = 2}, [](const auto&, const auto&) {}).frames;
+    };
+    std::ofstream(a / "notes.txt") << "mine";
+    const auto count = [&] { return std::distance(fs::recursive_directory_iterator(a), {}); };
+    const auto files = count();
+    {
+        store::DataFolder data(a, 2);
+        data.add(frame_of(0), field_of(0));
+        EXPECT_EQ(frames(), 4) << "the older data are gone before there are others";
+    }
+    EXPECT_EQ(frames(), 4);
+    EXPECT_EQ(count(), files);
+    // The older data can't be moved out of the way, after some have been.
+    {
+        store::DataFolder data(a, 2);
+        data.add(frame_of(0), field_of(0));
+        fs::create_directories(a / ".vvr-older" / store::stored::seeds / "x");
+        EXPECT_THROW(data.close(manifest_of(), {}), Error);
+    }
+    EXPECT_EQ(frames(), 4);
+    EXPECT_EQ(count(), files);
+    write("a", 0, 7);
+    EXPECT_EQ(frames(), 7);
+    EXPECT_TRUE(fs::exists(a / "notes.txt"));
+    EXPECT_FALSE(fs::exists(a / ".vvr-new"));
+    EXPECT_FALSE(fs::exists(a / ".vvr-older"));
 }
 
 TEST_F(Store, IsWrittenByOneAtATime) {
