@@ -28,6 +28,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 
 namespace vvr::workers {
 
@@ -63,24 +64,6 @@ std::vector<std::string> environment_for(int threads, const std::string& worker)
     for (const auto& [name, value] : variables) texts.push_back(fmt::format("{}={}", name, value));
     return texts;
 }
-
-class Descriptor {
-  public:
-    explicit Descriptor(int file = -1) : file_(file) {}
-    ~Descriptor() {
-        if (file_ >= 0) ::close(file_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
-    Descriptor& operator=(Descriptor&&) = delete;
-
-    int get() const { return file_; }
-    int release() { return std::exchange(file_, -1); }
-
-  private:
-    int file_;
-};
 
 /// A pipe from a worker to its parent. The parent's end doesn't block.
 struct Pipe {

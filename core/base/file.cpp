@@ -16,6 +16,10 @@
 
 namespace vvr {
 
+Descriptor::~Descriptor() {
+    if (file_ >= 0) ::close(file_);
+}
+
 int open_no_follow(const std::filesystem::path& path, int flags) {
     const int file = ::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (file < 0) return -1;
@@ -41,23 +45,6 @@ bool is_same_file(int file, const std::filesystem::path& path) {
 }
 
 namespace {
-
-/// An open file that closes itself.
-class Opened {
-  public:
-    // O_NONBLOCK: if the file has become a FIFO since it was checked, don't wait for a writer.
-    explicit Opened(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-    ~Opened() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Opened(const Opened&) = delete;
-    Opened& operator=(const Opened&) = delete;
-
-    int get() const { return fd_; }
-
-  private:
-    int fd_;
-};
 
 bool is_descriptor_path(const std::string& path) {
     return path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
@@ -95,7 +82,8 @@ void check_is_file(const std::string& path, std::uintmax_t most) {
 
 std::string read_file(const std::string& path, std::uintmax_t most) {
     check_is_file(path);
-    const Opened file(path);
+    // O_NONBLOCK: if the file has become a FIFO since it was checked, don't wait for a writer.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, "open", errno);
     if (S_ISDIR(status.st_mode)) refuse(path, "open", EISDIR);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <climits>
 
@@ -43,6 +44,26 @@ constexpr bool is_plain_path(std::string_view path) {
     }
     return is_plain_name(path);
 }
+
+/// Owns the descriptor of an open file; negative = none.
+class Descriptor {
+  public:
+    explicit Descriptor(int file = -1) : file_(file) {}
+    ~Descriptor();
+    Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(file_, other.file_);
+        return *this;
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int get() const { return file_; }
+    int release() { return std::exchange(file_, -1); }
+
+  private:
+    int file_;
+};
 
 /// Opens a regular file. Refuses symbolic links, FIFOs and devices, which anyone may have placed there, without
 /// blocking.

@@ -116,10 +116,8 @@ constexpr const char* older_data = ".vvr-older";
 /// Waits until all files of the file system are on the disk. To sync each file takes longer than everything else.
 /// \param place a folder in that file system
 void sync_files(const fs::path& place) {
-    const int folder = ::open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int error = folder < 0 || ::syncfs(folder) != 0 ? errno : 0;
-    if (folder >= 0) ::close(folder);
-    if (error != 0) fail(place, error);
+    const Descriptor folder(::open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.get() < 0 || ::syncfs(folder.get()) != 0) fail(place, errno);
 }
 
 /// Whether the folder has nothing but what a run leaves that is killed before its first manifest is complete.

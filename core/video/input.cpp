@@ -139,10 +139,6 @@ Input open_stdin() {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-}
-
 bool is_url(const std::string& name) {
     const auto colon = name.find("://");
     return colon != std::string::npos && colon > 0 &&

@@ -4,23 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "core/base/file.h"
 #include "core/video/av.h"
 
 namespace vvr::video {
-
-/// An open file descriptor.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int get() const { return fd_; }
-
-  private:
-    int fd_;
-};
 
 /// The source of a video's bytes. Copies share the descriptor, but each reader has its own position.
 struct Input {
