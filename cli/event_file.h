@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string_view>
+#include <optional>
 
 #include <spdlog/logger.h>
 
+#include "cli/appended_file.h"
 #include "core/events/event_line.h"
 
 namespace vvr::cli {
@@ -17,9 +18,6 @@ class EventFile {
     /// \param path empty = nowhere
     /// \throws Error io if it can't be written, or if it is a file of another kind
     EventFile(std::filesystem::path path, spdlog::logger& log);
-    ~EventFile();
-    EventFile(const EventFile&) = delete;
-    EventFile& operator=(const EventFile&) = delete;
 
     void add(const events::EventLine& line);
 
@@ -28,15 +26,10 @@ class EventFile {
     bool finish();
 
   private:
-    void reopen_moved_file();
-    int write_text(std::string_view text);
-
     std::filesystem::path path_;
     spdlog::logger& log_;
-    int file_ = -1;
-    bool is_file_ = false;       ///< not a pipe or standard output
-    bool is_open_line_ = false;  ///< the last line was written in part
-    int error_ = 0;              ///< of the last line that was lost, as in errno
+    std::optional<AppendedFile> file_;
+    int error_ = 0;  ///< of the last line that was lost, as in errno
     std::size_t lost_ = 0;
 };
 

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <mutex>
 #include <string>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -19,6 +13,7 @@
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include "cli/appended_file.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
@@ -27,58 +22,35 @@ namespace vvr::cli {
 
 namespace {
 
-/// Appends lines to a file. Each line is one write, so several programs can share the file. Opens the file again if it
-/// has been moved or deleted.
+/// Whether the beginning of a file is text. It may have colours, whose sequences begin with ESC.
+bool is_text(std::string_view begin) {
+    constexpr std::string_view allowed = "\t\n\r\f\033";
+    return std::ranges::all_of(
+        begin, [&](unsigned char c) { return c >= ' ' || allowed.find(static_cast<char>(c)) != allowed.npos; });
+}
+
+constexpr AppendedKind log_kind{"the log", false, [](std::string_view begin) -> std::string_view {
+                                    return is_text(begin) ? "" : "it exists, and is no text";
+                                }};
+
+/// Appends lines to a file.
 class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   public:
     /// \throws Error io
-    explicit LogFile(std::string path);
-    ~LogFile() override;
-    LogFile(const LogFile&) = delete;
-    LogFile& operator=(const LogFile&) = delete;
+    explicit LogFile(const std::string& path) : file_(path, log_kind) {}
 
   protected:
-    void sink_it_(const spdlog::details::log_msg& message) override;
+    // A failed write loses the line; a log must not make a picture fail.
+    void sink_it_(const spdlog::details::log_msg& message) override {
+        spdlog::memory_buf_t line;
+        formatter_->format(message, line);
+        file_.append({line.data(), line.size()});
+    }
     void flush_() override {}
 
   private:
-    bool is_still_there() const;
-
-    std::string path_;
-    int fd_;
+    AppendedFile file_;
 };
-
-int open_at_end(const std::string& path) {
-    constexpr mode_t mode = 0666;
-    return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, mode);
-}
-
-LogFile::LogFile(std::string path) : path_(std::move(path)), fd_(open_at_end(path_)) {
-    if (fd_ >= 0) return;
-    throw system_error(errno, fmt::format("cannot write the log '{}'", path_), "check its folder and permissions");
-}
-
-LogFile::~LogFile() {
-    if (fd_ >= 0) ::close(fd_);
-}
-
-bool LogFile::is_still_there() const {
-    struct stat open {};
-    struct stat named {};
-    return ::fstat(fd_, &open) == 0 && ::stat(path_.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
-           open.st_ino == named.st_ino;
-}
-
-// A failed write loses the line; a log must not make a picture fail.
-void LogFile::sink_it_(const spdlog::details::log_msg& message) {
-    if (fd_ < 0 || !is_still_there()) {
-        if (fd_ >= 0) ::close(fd_);
-        fd_ = open_at_end(path_);
-    }
-    spdlog::memory_buf_t line;
-    formatter_->format(message, line);
-    [[maybe_unused]] const auto written = fd_ < 0 ? 0 : ::write(fd_, line.data(), line.size());
-}
 
 /// Marks warnings. Other lines have no mark.
 class WarningFlag : public spdlog::custom_flag_formatter {

@@ -37,11 +37,12 @@ int lock_file(int file, bool wait) {
     return result == 0 ? 0 : errno;
 }
 
-bool is_same_file(int file, const std::filesystem::path& path) {
+bool is_same_file(int file, const std::filesystem::path& path, bool follow) {
     struct stat ours {
     }, there{};
-    return ::fstat(file, &ours) == 0 && ::lstat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
-           ours.st_dev == there.st_dev;
+    return ::fstat(file, &ours) == 0 &&
+           ::fstatat(AT_FDCWD, path.c_str(), &there, follow ? 0 : AT_SYMLINK_NOFOLLOW) == 0 &&
+           ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
 namespace {

@@ -76,7 +76,8 @@ int open_no_follow(const std::filesystem::path& path, int flags);
 int lock_file(int file, bool wait);
 
 /// Whether `path` still names the open file: the lock's previous holder may have removed or renamed it.
-bool is_same_file(int file, const std::filesystem::path& path);
+/// \param follow also through a symbolic link
+bool is_same_file(int file, const std::filesystem::path& path, bool follow = false);
 
 /// Limits on the size of files to read, in bytes.
 namespace most_bytes {

@@ -39,6 +39,25 @@ def test_a_log_is_no_input(t):
     t.expect_files("clip.avi", "link.txt", "log.txt", "vvr.toml")
 
 
+def test_a_log_is_text(t):
+    """Footage that vvr reads otherwise, by a link or a pattern, and what is no file."""
+    t.clip("clip.avi", seconds=1)
+    t.copy("clip.avi", "footage/gate.dat")
+    os.symlink("footage", t.path("linked"))
+    before = t.path("footage/gate.dat").read_bytes()
+    t.vvr("archive", "linked", "-o", "out", "--match", "*.dat", "--log-file", "linked/gate.dat").expect(
+        2, "cannot write the log 'linked/gate.dat': it exists, and is no text; use another name", code="file-invalid")
+    check(t.path("footage/gate.dat").read_bytes() == before, "the footage has changed")
+    os.mkfifo(t.path("pipe"))
+    for strange in ("pipe", "/dev/null"):
+        t.vvr("info", "clip.avi", "--log-file", strange, timeout=20).expect(
+            2, f"cannot write the log '{strange}': it is not a regular file; use another name", code="file-invalid")
+    # A line that a full disk has cut short does not hold the log up.
+    t.write("log", "2026-11-21T20:00:00Z vvr: half a li")
+    t.vvr("info", "missing.avi", "--log-file", "log").expect(2, code="file-not-found")
+    check(len(t.path("log").read_text().splitlines()) == 2, t.path("log").read_text())
+
+
 @pytest.mark.nightly
 def test_a_file_of_a_recording_is_no_output(t):
     """In a folder below, of a pattern, of a list, and by a link."""
