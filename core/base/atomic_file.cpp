@@ -144,11 +144,24 @@ class TemporaryFile {
     int file_ = -1;
 };
 
-/// The file to replace: `path`, or the target of a symbolic link.
+/// The file to replace: `path`, or the target of a symbolic link, which need not exist yet.
 fs::path target_of(const fs::path& path) {
+    const auto is_link = [](const fs::path& file) {
+        std::error_code none;
+        return fs::is_symlink(file, none);
+    };
     std::error_code error;
-    if (!fs::is_symlink(path, error)) return path;
-    fs::path target = fs::weakly_canonical(path, error);
+    if (!is_link(path)) return path;
+    fs::path target = path;
+    if (fs::exists(path, error)) {
+        target = fs::canonical(path, error);
+    } else {
+        constexpr int most_links = 40;  // as many as the kernel follows, so that a circle of links ends
+        error.clear();
+        for (int links = 0; !error && links < most_links && is_link(target); ++links)
+            target = folder_of(target) / fs::read_symlink(target, error);
+        if (!error && is_link(target)) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    }
     if (error)
         throw system_error(error.value(),
                            fmt::format("cannot write '{}': its symbolic link cannot be followed", path.string()),

@@ -176,6 +176,17 @@ TEST_F(ImageTest, ReplacesAsAWholeAndFollowsLinks) {
     EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
     EXPECT_EQ(read_picture(folder / "a.png").pixels.size(), (Size{16, 8}));
     EXPECT_EQ(folder.files(), 2);
+    // To a file that is not there yet, in another folder, through another link.
+    fs::create_directory(folder / "other");
+    fs::create_symlink("other/link.png", folder / "dangling.png");
+    fs::create_symlink("real.png", folder / "other/link.png");
+    image::check_picture_path(folder / "dangling.png");
+    image::write_picture(folder / "dangling.png", gradient({4, 8}));
+    EXPECT_TRUE(fs::is_symlink(folder / "dangling.png"));
+    EXPECT_TRUE(fs::is_symlink(folder / "other/link.png"));
+    EXPECT_EQ(read_picture(folder / "other/real.png").pixels.size(), (Size{4, 8}));
+    fs::create_symlink("circle.png", folder / "circle.png");
+    test::expect_error(ErrorCode::io, [&] { image::check_picture_path(folder / "circle.png"); }, {"circle.png"});
 }
 
 TEST_F(ImageTest, EndingsInCapitalsCount) {
