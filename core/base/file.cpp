@@ -6,6 +6,7 @@
 #include <string>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -118,6 +119,10 @@ void write_standard_output(std::span<const std::byte> bytes) {
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         } else if (errno == EPIPE) {
             return;
+        } else if (errno == EAGAIN) {
+            // Another program that shares it has made it non-blocking.
+            pollfd ready{STDOUT_FILENO, POLLOUT, 0};
+            ::poll(&ready, 1, -1);
         } else if (errno != EINTR) {
             throw system_error(errno, "cannot write to stdout", "check where the output goes");
         }

@@ -6,6 +6,7 @@ import pty
 import resource
 import struct
 import subprocess
+import time
 
 import pytest
 from harness import check, part_name
@@ -157,6 +158,19 @@ def test_quiet_is_quiet(t):
 def test_reader_that_has_seen_enough(t):
     result = t.run(["bash", "-c", f'set -o pipefail; "{t.vvr_path}" render --help | head -n 1'])
     check(result.status == 0 and result.err == "" and result.out.count("\n") == 1, str(result))
+
+
+def test_stdout_that_does_not_block(t):
+    expected = t.vvr("help", "--json").out.encode()
+    check(len(expected) > 65536, "a pipe takes all of it at once")
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    run = t.start("help", "--json", stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    time.sleep(0.2)  # until the pipe is full; nothing fails if it is not yet
+    with open(reader, "rb") as pipe:
+        said = pipe.read()
+    check(run.wait() == 0 and said == expected, f"{len(said)} of {len(expected)} bytes, {run.stderr.read()}")
 
 
 def test_stdout_that_cannot_be_written(t):
