@@ -35,7 +35,11 @@ void check_is_free(const fs::path& path, std::string_view setting) {
             fmt::format("cannot create the folder '{}': a file is in its place; choose another name", path.string()),
             {setting});
     }
-    if (fs::is_empty(path, error) && !error) return;
+    const bool is_empty = fs::is_empty(path, error);
+    if (error)
+        throw system_error(error.value(), fmt::format("cannot list the folder '{}'", path.string()),
+                           "fix its permissions or choose another folder");
+    if (is_empty) return;
     throw Error(ErrorCode::folder_not_empty,
                 fmt::format("'{}' has files already; choose a new or an empty folder", path.string()), {setting});
 }

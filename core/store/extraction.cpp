@@ -121,10 +121,18 @@ void sync_files(const fs::path& place) {
 }
 
 /// Whether the folder has nothing but what a run leaves that is killed before its first manifest is complete.
+/// \throws Error io if it can't be listed
 bool has_only_leftovers(const fs::path& folder) {
-    return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
-        return is_temporary_of(stored::manifest, entry.path()) || LockFile::is_lock_of(stored::manifest, entry.path());
-    });
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (!is_temporary_of(stored::manifest, path) && !LockFile::is_lock_of(stored::manifest, path)) return false;
+    }
+    if (error)
+        throw system_error(error.value(), fmt::format("cannot list the folder '{}'", folder.string()),
+                           "fix its permissions or choose another folder");
+    return true;
 }
 
 /// Two runs that write the same names would mix their data, and one that fails would remove the data of the other.

@@ -105,6 +105,16 @@ def test_folder_that_cannot_be_written(t):
     t.expect_files("clip.avi", "folder.png", "locked")
 
 
+def test_a_folder_that_cannot_be_listed(t):
+    t.clip()
+    t.path("data").mkdir(mode=0o300)
+    # Root may list all folders, unless it gives that up.
+    as_user = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search") if os.geteuid() == 0 else ()
+    for command in (("extract", "clip.avi", "-o", "data"), ("cut", "clip.avi", "--start", "0s", "--evidence", "data")):
+        t.run([*as_user, t.vvr_path, *command]).expect(
+            2, "cannot list the folder 'data': Permission denied; fix its permissions", code="permission-denied")
+
+
 def test_full_disk_by_file_size_limit(t):
     t.clip()
     t.write("before.png", "an older picture")
