@@ -1,13 +1,11 @@
 #include "cli/app/keep_events.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
 #include <stop_token>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,8 +19,6 @@
 namespace vvr::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Events that overlap in time, margins included.
 struct Group {
@@ -48,13 +44,10 @@ std::vector<Group> group(const std::vector<events::Event>& events, double margin
     return groups;
 }
 
-/// The files of the footage; none if it is no file.
+/// The files of the footage.
 std::vector<video::SegmentPlace> files_of(const Plan& plan, const Observation& seen) {
     if (!seen.info.segments.empty()) return seen.info.segments;
-    const std::string& file = plan.job.input.names.front();
-    std::error_code none;
-    if (!fs::is_regular_file(file, none)) return {};
-    return {{file, 0, std::numeric_limits<double>::infinity(), 0}};
+    return {{plan.job.input.names.front(), 0, std::numeric_limits<double>::infinity(), 0}};
 }
 
 /// What all pieces have in common.
@@ -81,8 +74,8 @@ bool is_of_the_footage(const Error& error) {
 KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::string& camera, Observer& observer) {
     KeptEvents kept;
     const OutputOptions::Pieces& output = plan.job.output.pieces;
+    if (!seen.events || seen.events->events.empty()) return kept;
     const std::vector<video::SegmentPlace> files = files_of(plan, seen);
-    if (!seen.events || seen.events->events.empty() || files.empty()) return kept;
     PieceJob job = job_for(plan, seen, camera);
     PieceRecord record{camera, plan.clock, plan.job.settings};
     std::map<std::string, HashedFile> footage;
@@ -113,6 +106,7 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
         } catch (const Error& error) {
             if (!is_of_the_footage(error)) throw;
             if (failed == 0) kept.problem = error.what();
+            if (error.kind() == ErrorKind::io) kept.code = error.code();
             failed += events.events.size();
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "cli/app/observer.h"
 #include "cli/app/piece_record.h"
 #include "cli/app/plan.h"
+#include "core/base/error.h"
 
 namespace vvr::app {
 
@@ -14,6 +16,7 @@ namespace vvr::app {
 struct KeptEvents {
     std::vector<WrittenPiece> pieces;  ///< in order of time
     std::string problem{};             ///< which events have no piece, and why; empty = all have one
+    std::optional<ErrorCode> code{};   ///< if a file could not be read or written: another try may succeed
 };
 
 /// Copies each event, with a margin, to a file in the plan's folder of pieces, and writes the record of that folder.

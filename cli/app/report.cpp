@@ -312,6 +312,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     }
     for (const double tile : archive.tiles) json["stills"].push_back(rounded(tile));
     if (!archive.not_kept.empty()) json["not_kept"] = archive.not_kept;
+    if (archive.not_kept_code) json["not_kept_code"] = row_of(*archive.not_kept_code).name;
     return json_text(json, 2) + "\n";
 }
 

@@ -66,8 +66,9 @@ struct RunContext {
 
 /// What only an archive asks for in a report.
 struct ArchiveFacts {
-    std::span<const double> tiles{};  ///< times of the contact sheet's pictures, seconds
-    std::string not_kept{};           ///< which events have no piece, and why; empty = all have one
+    std::span<const double> tiles{};           ///< times of the contact sheet's pictures, seconds
+    std::string not_kept{};                    ///< which events have no piece, and why; empty = all have one
+    std::optional<ErrorCode> not_kept_code{};  ///< if a file could not be read or written
 };
 
 /// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.

@@ -250,6 +250,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
     // A run whose clip has lost events is no success, although the picture is drawn.
     if (sidecar.code) sidecar.status = static_cast<int>(cli::ExitStatus::partial);
+    if (archive::lacks_pieces(sidecar)) sidecar.tries = earlier_tries() + 1;
     sidecar.pieces = archive::list_pieces(staged_pieces());
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
@@ -283,6 +284,24 @@ std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar&
     return lines;
 }
 
+/// How often this version has failed to draw the clip as it is now, or to keep its events.
+int ClipTask::earlier_tries() const {
+    const bool again = before_ &&
+                       (before_->state == archive::Sidecar::State::failed || archive::lacks_pieces(*before_)) &&
+                       before_->version == version() && before_->settings == job_->pictures_of(clip_.path).digest &&
+                       before_->clip.size == clip_.size && before_->clip.modified == clip_.modified;
+    return again ? before_->tries : 0;
+}
+
+/// Adds the pieces of an earlier run that are still there.
+void ClipTask::add_older_pieces(archive::Sidecar& sidecar) const {
+    const fs::path folder = archive::pieces_folder(job_->out, clip_.path);
+    for (const std::string& name : before_->pieces) {
+        if (std::ranges::count(sidecar.pieces, name) == 0 && archive::has_pieces(folder, std::span(&name, 1)))
+            sidecar.pieces.push_back(name);
+    }
+}
+
 /// The sidecar of a clip that failed. It keeps what is known about files of an earlier run.
 archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string& reason, double seconds) const {
     archive::Sidecar sidecar;
@@ -292,18 +311,13 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
             std::error_code none;
             return !fs::is_regular_file(fs::symlink_status(archive::output_path(job_->out, clip_.path, kind), none));
         });
-        const fs::path pieces = archive::pieces_folder(job_->out, clip_.path);
-        std::erase_if(sidecar.pieces,
-                      [&](const std::string& name) { return !archive::has_pieces(pieces, std::span(&name, 1)); });
+        sidecar.pieces.clear();  // `finish` adds those that are there
         if (!sidecar.files.empty()) {
             sidecar.shows = archive::shown_by(*before_);
         } else {
             sidecar = archive::Sidecar();
         }
     }
-    const bool again = before_ && before_->state == archive::Sidecar::State::failed && before_->version == version() &&
-                       before_->settings == job_->pictures_of(clip_.path).digest && before_->clip.size == clip_.size &&
-                       before_->clip.modified == clip_.modified;
     sidecar.clip = clip_;
     if (day() != nullptr) {
         // The day is gone only when all clips are gone that its picture shows or should show.
@@ -316,7 +330,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
     sidecar.version = version();
     sidecar.took = rounded(seconds);
     sidecar.state = archive::Sidecar::State::failed;
-    sidecar.tries = (again ? before_->tries : 0) + 1;
+    sidecar.tries = earlier_tries() + 1;
     sidecar.status = status;
     sidecar.code = code;
     sidecar.reason = reason;
@@ -329,7 +343,10 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
     try {
         sidecar = failed(end) ? failure(status_of(end), code_of(end), reason_of(end, job_->limits), end.seconds)
                               : read_results(end);
-        if (!failed(end)) new_events_ = find_new_events(sidecar);
+        // The pieces of an earlier run may be all that is left of its footage: no picture with fewer replaces them.
+        if (archive::lacks_pieces(sidecar) && before_ && !before_->pieces.empty())
+            sidecar = failure(status_of(end), *sidecar.code, sidecar.reason, end.seconds);
+        if (sidecar.state == archive::Sidecar::State::done) new_events_ = find_new_events(sidecar);
     } catch (const Error& error) {
         sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, error.what(), end.seconds);
     } catch (const std::bad_alloc&) {
@@ -350,6 +367,9 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             if (kind == archive::OutputKind::report) report_moved_ = true;
         }
     }
+    // Pieces whose footage can't be copied any more have no replacement.
+    if (before_ && (sidecar.state == archive::Sidecar::State::failed || (job_->pieces_margin && sidecar.code)))
+        add_older_pieces(sidecar);
     archive::write_sidecar(job_->out, sidecar);
     if (before_) {
         remove_files(job_->out, clip_.path, before_->files, sidecar.files);

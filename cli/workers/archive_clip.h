@@ -89,6 +89,8 @@ class ClipTask {
     std::string file_name() const;
     archive::Sidecar read_results(const WorkerResult& end) const;
     std::vector<events::EventLine> find_new_events(const archive::Sidecar& sidecar) const;
+    int earlier_tries() const;
+    void add_older_pieces(archive::Sidecar& sidecar) const;
     archive::Sidecar failure(int status, ErrorCode code, const std::string& reason, double seconds) const;
     const archive::CameraDay* day() const;
     std::string camera() const;

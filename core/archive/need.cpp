@@ -43,7 +43,8 @@ Need need_by_sidecar(const Clip& clip, const std::optional<Sidecar>& sidecar, co
     if (sidecar->clip.size != clip.size || sidecar->clip.modified != clip.modified) return Need::changed;
     if (sidecar->settings != rules.settings) return Need::settings;
     if (sidecar->state == Sidecar::State::done) {
-        return files_there(*sidecar, out, rules) ? Need::nothing : Need::missing;
+        if (!files_there(*sidecar, out, rules)) return Need::missing;
+        return lacks_pieces(*sidecar) && sidecar->tries < rules.tries ? Need::retry : Need::nothing;
     }
     // Another version may succeed.
     return sidecar->tries < rules.tries || sidecar->version != rules.version ? Need::retry : Need::given_up;

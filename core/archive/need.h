@@ -18,7 +18,7 @@ enum class Need {
     changed,        ///< its file has changed
     settings,       ///< it was drawn with other settings
     missing,        ///< some of its output files no longer exist
-    retry,          ///< it failed, and will be tried again
+    retry,          ///< it failed, or lacks pieces, and will be tried again
     given_up,       ///< it failed too often
     still_written,  ///< it changed a moment ago
     expired,        ///< it is older than files are kept

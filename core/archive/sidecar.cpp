@@ -34,6 +34,10 @@ std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string&
     return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
 }
 
+bool lacks_pieces(const Sidecar& sidecar) {
+    return sidecar.state == Sidecar::State::done && sidecar.code && row_of(*sidecar.code).kind == ErrorKind::io;
+}
+
 Sidecar::Shown shown_by(const Sidecar& sidecar) {
     return sidecar.shows.value_or(Sidecar::Shown{sidecar.clip, sidecar.settings});
 }

@@ -86,6 +86,9 @@ std::optional<Sidecar> parse_sidecar(const std::string& text);
 /// \throws Error io for an invalid report
 void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 
+/// Whether events of a drawn clip have no piece because a file could not be read or written. Another try may succeed.
+bool lacks_pieces(const Sidecar& sidecar);
+
 /// What its files show: `shows`, or the clip itself unless a later attempt has failed.
 Sidecar::Shown shown_by(const Sidecar& sidecar);
 

@@ -307,6 +307,8 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         if (sidecar.day && sidecar.reason.empty()) sidecar.reason = problems_of(json.at("problems"));
         if (const std::string not_kept = json.value("not_kept", ""); !not_kept.empty()) {
             sidecar.reason += (sidecar.reason.empty() ? "" : "; ") + not_kept;
+            const auto code = find_error_code(json.value("not_kept_code", ""));
+            if (code && row_of(*code).kind == ErrorKind::io) sidecar.code = code;
             if (!sidecar.code) sidecar.code = ErrorCode::partial;
         }
         // The index must place every clip, and names the source of the time.

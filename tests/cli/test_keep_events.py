@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import time
 
@@ -10,7 +11,7 @@ import pytest
 from harness import check, fnv1a, lock_name
 from test_archive import QUICK
 from test_cut import packets
-from test_sandbox import walls  # noqa: F401, a fixture
+from test_sandbox import hijacked, walls  # noqa: F401, a fixture
 
 H264 = ("-c:v", "libx264", "-bf", "2", "-g", "20", "-keyint_min", "20", "-sc_threshold", "0", "-pix_fmt", "yuv420p")
 RATE = 10
@@ -123,6 +124,50 @@ def test_pieces_stay_when_the_clip_is_gone_and_go_by_age(t):
     archive(t, "--keep", "30d").expect(0, f"{CLIP}: older than --keep; removed ", f"{CLIP}.events/event-1.mp4", f"{CLIP}.events/evidence.json")
     check(names(folder) == ["event-7.mp4"], f"{names(folder)}")
     check(not sidecar.exists() and not t.path(f"out/{CLIP}.png").exists(), "the rest")
+
+
+def archive_that_loses_its_clip(t, *arguments):
+    """A run whose clip the recorder removes while it is decoded. Without a sandbox, as the worker removes it itself."""
+    t.path(f"in/{CLIP}").rename(t.path("clip.mp4"))
+    shutil.copy2(t.path("clip.mp4"), t.path(f"in/{CLIP}"))
+    done = t.vvr("archive", "in", "-o", "out", *QUICK, "--keep-events", "--sandbox", "off", *arguments, env={**hijacked(), "HIJACK_LOSES": str(t.path(f"in/{CLIP}"))})
+    t.path("clip.mp4").rename(t.path(f"in/{CLIP}"))
+    return done
+
+
+def test_pieces_stay_when_a_redraw_loses_the_clip(t):
+    """They may be all that is left of it; and a clip whose file could not be read is tried again."""
+    two_events(t, f"in/{CLIP}")
+    t.age("in")
+    archive_that_loses_its_clip(t).expect(6, "1 clip drawn", "events could not be kept: cannot read ", code="file-not-found")
+    known = t.json(f"out/{CLIP}.json")
+    check((known["state"], known["tries"], known["code"]) == ("done", 1, "file-not-found") and "pieces" not in known, f"{known}")
+    archive(t).expect(0, "1 clip drawn")
+    folder = t.path(f"out/{CLIP}.events")
+    before = {name: (folder / name).read_bytes() for name in names(folder)}
+    check(len(before) > 2, f"{names(folder)}")
+    archive_that_loses_its_clip(t, "--margin", "1s").expect(6, "1 failed", "could not be kept: cannot read ", "the older picture is kept", code="file-not-found")
+    check({name: (folder / name).read_bytes() for name in names(folder)} == before, f"{names(folder)}")
+    known = t.json(f"out/{CLIP}.json")
+    check((known["state"], known["tries"], known["pieces"]) == ("failed", 1, sorted(before)) and "shows" in known, f"{known}")
+    archive(t).expect(0, "1 clip drawn")
+    check(names(folder) == sorted(before) and t.json(f"out/{CLIP}.json")["state"] == "done", f"{names(folder)}")
+
+
+def test_pieces_stay_when_a_redraw_cannot_copy(t):
+    """The clip has no time stamps any more."""
+    clip = "in/gate/2026-11-21_20-00-00.avi"
+    two_events(t, clip, ("-c:v", "mpeg4", "-g", "20"))
+    t.age("in")
+    archive(t).expect(0, "1 clip drawn")
+    folder = t.path("out/gate/2026-11-21_20-00-00.avi.events")
+    before = {name: (folder / name).read_bytes() for name in names(folder)}
+    two_events(t, clip, ("-c:v", "mpeg4", "-bf", "2", "-g", "20"))
+    t.age("in")
+    archive(t).expect(6, "1 clip drawn", "2 of 2 events could not be kept: ", code="partial")
+    check({name: (folder / name).read_bytes() for name in names(folder)} == before, f"{names(folder)}")
+    check(t.json("out/gate/2026-11-21_20-00-00.avi.json")["pieces"] == sorted(before), "the sidecar forgets them")
+    archive(t).expect(0, "nothing to do")
 
 
 @pytest.mark.nightly

@@ -1,7 +1,7 @@
 /// What a decoder would try that a hostile clip has taken over. Preloaded into vvr (LD_PRELOAD), it takes the place of
 /// libav's function that opens a clip. With $HIJACK_OUT it tries all that such a worker should not be able to, and
 /// writes a line for each into $HIJACK_OUT/hijacked: what it tried, and the error that it met; 0 = none. Without it the
-/// clip's own name says what is done.
+/// clip's own name says what is done, or $HIJACK_LOSES names a file to remove.
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -414,4 +414,13 @@ extern "C" [[gnu::visibility("default")]] int avformat_open_input(void** context
     static const auto real = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "avformat_open_input"));
     take_over(url == nullptr ? "" : url);
     return real(context, url, format, options);
+}
+
+/// In place of libav's. When a worker begins the preview of its page, the file $HIJACK_LOSES goes, as if the recorder
+/// removed it. The clip is not opened again until its events are copied.
+extern "C" [[gnu::visibility("default")]] int avcodec_send_frame(void* context, const void* frame) {
+    using Send = int (*)(void*, const void*);
+    static const auto real = reinterpret_cast<Send>(dlsym(RTLD_NEXT, "avcodec_send_frame"));
+    if (!place("HIJACK_LOSES").empty()) unlink(place("HIJACK_LOSES").c_str());
+    return real(context, frame);
 }

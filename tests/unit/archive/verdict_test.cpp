@@ -40,6 +40,13 @@ TEST_F(Archive, DecidesWhatIsToBeDone) {
     other = sidecar;
     other.version = "1.0.0";
     EXPECT_EQ(need(clip, other), archive::Need::nothing) << "a picture that is there stays, whatever drew it";
+    other = sidecar;
+    other.code = ErrorCode::partial;
+    EXPECT_EQ(need(clip, other), archive::Need::nothing) << "another try would keep no more events";
+    other.code = ErrorCode::file_not_found;
+    EXPECT_EQ(need(clip, other), archive::Need::retry);
+    other.tries = 3;
+    EXPECT_EQ(need(clip, other), archive::Need::nothing);
     fs::remove(archive::output_path(out(), "a.avi", archive::OutputKind::picture));
     EXPECT_EQ(need(clip, sidecar), archive::Need::missing);
 
