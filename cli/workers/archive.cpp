@@ -229,11 +229,11 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
 }
 
 /// Runs a step that follows the drawing. An error about one file is logged, so that the next step still runs.
+/// \param step false = it has logged an error itself
 /// \returns whether the step succeeded
-bool succeeds(spdlog::logger& log, const std::function<void()>& step) {
+bool succeeds(spdlog::logger& log, const std::function<bool()>& step) {
     try {
-        step();
-        return true;
+        return step();
     } catch (const Error& error) {
         if (!affects_one_file(error)) throw;
         cli::log_error(log, error.code(), error.what());
@@ -283,12 +283,14 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         outcome = draw_clips(job, work, shares.workers, events, environment);
     }
     // Write the index even if pruning failed.
-    const bool pruned =
-        !options.prune || succeeds(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
-    const bool aged =
-        !options.keep || succeeds(environment.log, [&] { remove_expired(job, options.shard, false, environment); });
-    const bool indexed =
-        !options.writes(Written::index) || succeeds(environment.log, [&] { write_index(job, clips, environment); });
+    const bool pruned = !options.prune ||
+                        succeeds(environment.log, [&] { return prune(job, clips, options.shard, false, environment); });
+    const bool aged = !options.keep ||
+                      succeeds(environment.log, [&] { return remove_expired(job, options.shard, false, environment); });
+    const bool indexed = !options.writes(Written::index) || succeeds(environment.log, [&] {
+        write_index(job, clips, environment);
+        return true;
+    });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     const bool told = events.finish();

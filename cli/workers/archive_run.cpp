@@ -331,16 +331,46 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
     remove_other_days(job.out, days);
 }
 
-std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
-                  const cli::Environment& environment) {
+namespace {
+
+/// Removes the files of a clip, or prints that it would.
+/// \param word for the list of a dry run
+/// \param why for the log; the names of the files follow
+///
+/// \returns false after an error about these files, which it logs
+bool remove_files_of(const archive::Sidecar& sidecar, const ArchiveJob& job, std::string_view word,
+                     std::string_view why, bool dry_run, const cli::Environment& environment) {
+    const std::string name = archive::text_of_path(sidecar.clip.path);
+    if (dry_run) {
+        cli::print(fmt::format("{:<15} {}\n", word, name));
+        return true;
+    }
+    try {
+        const auto held = environment.signals.hold();
+        const auto removed = archive::remove_clip(job.out, job.in, sidecar);
+        if (!removed) return true;  // another run is drawing it
+        environment.log.info("{}: {} {}", name, why,
+                             archive::text_of_path(fmt::format("{}", fmt::join(*removed, ", "))));
+        return true;
+    } catch (const Error& error) {
+        if (!affects_one_file(error)) throw;
+        cli::log_error(environment.log, error.code(), error.what());
+        return false;
+    }
+}
+
+}  // namespace
+
+bool prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
+           const cli::Environment& environment) {
     std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
     std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.contains(sidecar.clip.path); });
-    if (sidecars.empty()) return 0;
+    if (sidecars.empty()) return true;
     const archive::Present present = archive::find_present(job.in, job.out, clips, job.names, sidecars);
     archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;
-    std::size_t removed = 0;
+    bool all = true;
     for (const archive::Sidecar& sidecar : sidecars) {
         // Check right before the removal: a disk may have been unmounted since the last one.
         const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, job.names);
@@ -348,21 +378,10 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
         if (verdict.fate == archive::SourceState::unknown) ++unknown;
         const bool moved = verdict.fate == archive::SourceState::moved;
         if (verdict.fate != archive::SourceState::gone && !moved) continue;
-        ++removed;
-        const std::string name = archive::text_of_path(sidecar.clip.path);
-        if (dry_run) {
-            cli::print(fmt::format("{:<15} {}\n", moved ? "moved" : "gone", name));
-            continue;
-        }
-        try {
-            const auto held = environment.signals.hold();
-            if (!archive::remove_clip(job.out, job.in, sidecar)) continue;  // another run is drawing it
-            environment.log.info("{}: {}, so its picture was removed", name,
-                                 moved ? "its clips belong to other days now" : "the clip was deleted");
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::io) throw;
-            cli::log_error(environment.log, error.code(), error.what());
-        }
+        all &= remove_files_of(sidecar, job, moved ? "moved" : "gone",
+                               moved ? "its clips belong to other days now, so its picture was removed:"
+                                     : "the clip was deleted, so its picture was removed:",
+                               dry_run, environment);
     }
     for (const std::string& folder : away) {
         environment.log.warn(
@@ -376,31 +395,19 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             "deleted, remove the pictures yourself",
             unknown == 1 ? "1 day was" : fmt::format("{} days were", unknown));
     }
-    return removed;
+    return all;
 }
 
-void remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
+bool remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
                     const cli::Environment& environment) {
     const auto now = std::chrono::system_clock::now();
+    bool all = true;
     for (const archive::Sidecar& sidecar : archive::list_outputs(job.out, job.in).sidecars) {
-        const std::string& clip = sidecar.clip.path;
-        if (!shard.contains(clip) || !archive::is_expired(sidecar.clip, job.rules, now)) continue;
-        if (dry_run) {
-            cli::print(
-                fmt::format("{:<15} {}\n", archive::name_of(archive::Need::expired), archive::text_of_path(clip)));
-            continue;
-        }
-        try {
-            const auto held = environment.signals.hold();
-            const auto removed = archive::remove_clip(job.out, job.in, sidecar);
-            if (!removed) continue;  // another run is drawing it
-            environment.log.info("{}: older than --keep; removed {}", archive::text_of_path(clip),
-                                 archive::text_of_path(fmt::format("{}", fmt::join(*removed, ", "))));
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::io) throw;
-            cli::log_error(environment.log, error.code(), error.what());
-        }
+        if (!shard.contains(sidecar.clip.path) || !archive::is_expired(sidecar.clip, job.rules, now)) continue;
+        all &= remove_files_of(sidecar, job, archive::name_of(archive::Need::expired), "older than --keep; removed",
+                               dry_run, environment);
     }
+    return all;
 }
 
 }  // namespace vvr::workers

@@ -45,14 +45,15 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 
 /// Removes the files of clips that are certainly gone, and of days all of whose clips are gone.
 /// \param clips which files are clips; an excluded file counts as present
-/// \returns how many clips and days
-/// \throws Error io when it can't be known what is gone
-std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
-                  const cli::Environment& environment);
+/// \returns false if some files could not be removed; an error line says which
+/// \throws Error io when it can't be known what is gone, or for a full disk
+bool prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
+           const cli::Environment& environment);
 
 /// Removes the files of clips and days that are older than files are kept: only those that a sidecar names.
+/// \returns false if some files could not be removed; an error line says which
 /// \throws Error io
-void remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
+bool remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry_run,
                     const cli::Environment& environment);
 
 }  // namespace vvr::workers

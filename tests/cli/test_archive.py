@@ -336,6 +336,26 @@ def test_archive_prunes(t):
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
 
 
+def test_archive_says_that_it_cannot_remove(t):
+    """The others are removed, and the run has not succeeded."""
+    t.old_clips("gate/gone.avi", "hall/gone.avi", "hall/a.avi")
+    archive(t).expect(0, "3 clips drawn")
+    t.path("in/gate/gone.avi").unlink()
+    t.path("in/hall/gone.avi").unlink()
+    t.copy("in/hall/a.avi", "in/gate/a.avi")
+    t.stamp("in/gate/a.avi", -40 * 86400)
+    run = ("archive", "in", "-o", "out", *QUICK, "--keep", "30d")
+    t.path("out/gate").chmod(0o555)
+    pruned = t.vvr_with_permissions(*run, "--prune")
+    known = t.path("out/gate/gone.avi.json").read_text()
+    t.path("out/gate/gone.avi.json").write_text(re.sub(r'"modified_ns": \d+', '"modified_ns": 1', known))
+    expired = t.vvr_with_permissions(*run)
+    t.path("out/gate").chmod(0o755)
+    pruned.expect(2, "cannot lock 'out/gate/", "hall/gone.avi: the clip was deleted, so its picture was removed: hall/gone.avi.png, ", code="permission-denied")
+    expired.expect(2, "cannot lock 'out/gate/", code="permission-denied")
+    archive(t, "--keep", "30d").expect(0, "gate/gone.avi: older than --keep; removed gate/gone.avi.png, ")
+
+
 def test_archive_takes_no_other_file_for_a_lock(t):
     """Whoever may write into PICTURES can't have files of others removed or written."""
     t.old_clips("a.avi", "b.avi", "c.avi", "d.avi")
