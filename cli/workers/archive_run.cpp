@@ -348,7 +348,7 @@ bool remove_files_of(const archive::Sidecar& sidecar, const ArchiveJob& job, std
     try {
         const auto held = environment.signals.hold();
         const auto removed = archive::remove_clip(job.out, job.in, sidecar);
-        if (!removed) return true;  // another run is drawing it
+        if (!removed) return true;  // another run is drawing it, or just has
         environment.log.info("{}: {} {}", name, why,
                              archive::text_of_path(fmt::format("{}", fmt::join(*removed, ", "))));
         return true;

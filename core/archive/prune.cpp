@@ -168,7 +168,11 @@ std::optional<std::vector<std::string>> remove_clip(const fs::path& out, const f
     check_own_folder(out, folder);
     const auto claim = LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
-    std::vector<std::string> removed = remove_outputs(out, sidecar);
+    // Another run may have drawn it since the caller has read the sidecar.
+    const std::optional<Sidecar> now = read_sidecar(out, sidecar.clip.path);
+    const bool same = now && format_sidecar(*now) == format_sidecar(sidecar);
+    std::optional<std::vector<std::string>> removed;
+    if (same) removed = remove_outputs(out, sidecar);
     // The lock of a killed run goes with the claim, so `tidy` would not find it.
     if (claim->is_stale()) remove_unfinished(folder, name, files_with_owners(out, list_outputs(out, in)));
     return removed;

@@ -30,7 +30,8 @@ void tidy(const std::filesystem::path& out, const Outputs& outputs);
 
 /// Removes a clip's files and its sidecar, and what a killed program left of it.
 /// \param in the folder of clips, as in `list_outputs`
-/// \returns what the sidecar named and was removed, below `out`; nothing if another program is drawing the clip
+/// \returns what the sidecar named and was removed, below `out`; nothing if another program is drawing the clip, or has
+///          written its sidecar since
 /// \throws Error io
 std::optional<std::vector<std::string>> remove_clip(const std::filesystem::path& out, const std::filesystem::path& in,
                                                     const Sidecar& sidecar);

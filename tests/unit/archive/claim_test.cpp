@@ -96,6 +96,19 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
+TEST_F(Archive, RemovesNoClipThatHasBeenDrawnSince) {
+    archive::Sidecar sidecar = done("a.avi");
+    archive::write_sidecar(out(), sidecar);
+    const archive::Sidecar known = archive::list_outputs(out(), in()).sidecars.front();
+    sidecar.clip.modified += 1;
+    archive::write_sidecar(out(), sidecar);
+    EXPECT_FALSE(archive::remove_clip(out(), in(), known));
+    EXPECT_TRUE(fs::exists(out() / "a.avi.png"));
+    EXPECT_TRUE(archive::remove_clip(out(), in(), sidecar));
+    EXPECT_FALSE(fs::exists(out() / "a.avi.png"));
+    EXPECT_FALSE(archive::remove_clip(out(), in(), sidecar)) << "another run has removed it";
+}
+
 TEST_F(Archive, TakesOverNoClaimThatIsNone) {
     write(out() / "victim/photo.png");
     write(out() / "photo.png");
