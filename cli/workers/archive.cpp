@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <set>
 #include <string>
 #include <system_error>
@@ -81,6 +82,9 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.rules.version = version();
     job.rules.settle = settling_time;
     job.rules.redraw = options.redraw;
+    // With fewer clips a worker's share of the memory is larger.
+    constexpr std::size_t many = std::numeric_limits<int>::max();
+    job.rules.limits = {options.timeout.count(), split_for_threads(options, many).memory};
     job.rules.day = options.day_rule();
     job.rules.keep = options.keep;
     if (options.keep_events) job.pieces_margin = options.margin;
@@ -275,6 +279,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         const Shares shares = split_for_threads(options, work.size());
         job.threads = shares.threads;
         job.limits = {options.timeout, shares.memory, largest_file, most_written};
+        job.rules.limits.memory = shares.memory;
         job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);
         environment.log.log(job.sandbox->is_whole() ? spdlog::level::info : spdlog::level::warn, "{}",
                             job.sandbox->summary());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <new>
@@ -9,6 +10,9 @@
 #include <span>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -123,6 +127,20 @@ void remove_unlisted_pieces(const fs::path& folder, const std::optional<archive:
     archive::remove_pieces(folder, names);
 }
 
+/// Why none of the files can be opened, as in errno; 0 = one can.
+int error_of_opening(const fs::path& in, const std::vector<std::string>& files) {
+    int error = 0;
+    for (const std::string& file : files) {
+        const int opened = ::open((in / file).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        if (opened >= 0) {
+            ::close(opened);
+            return 0;
+        }
+        error = errno;
+    }
+    return error;
+}
+
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
     throw system_error(error.value(), fmt::format("cannot create the folder '{}'", folder.string()),
                        "choose another -o, or remove what is in its place");
@@ -153,6 +171,13 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     const archive::Need need =
         (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules_for(path), now);
     if (!archive::wants_work(need)) return std::nullopt;
+    // Without permission to read it, the clip is not at fault: this is no try, and no sidecar says that it has failed.
+    const int error_of_clip = error_of_opening(job.in, is_day ? day->second.files : std::vector{path});
+    if (error_of_clip == ENOENT) return std::nullopt;
+    if (error_of_clip != 0) {
+        throw system_error(error_of_clip, fmt::format("cannot read '{}'", (job.in / path).string()),
+                           "check its permissions and those of its folder");
+    }
     archive::check_own_place(archive::sidecar_path(job.out, path));
     const fs::path pieces = archive::pieces_folder(job.out, path);
     if (job.pieces_margin) archive::check_own_folder(folder, pieces);
@@ -284,12 +309,13 @@ std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar&
     return lines;
 }
 
-/// How often this version has failed to draw the clip as it is now, or to keep its events.
+/// How often this version has failed to draw the clip as it is now with these limits, or to keep its events.
 int ClipTask::earlier_tries() const {
     const bool again = before_ &&
                        (before_->state == archive::Sidecar::State::failed || archive::lacks_pieces(*before_)) &&
                        before_->version == version() && before_->settings == job_->pictures_of(clip_.path).digest &&
-                       before_->clip.size == clip_.size && before_->clip.modified == clip_.modified;
+                       before_->clip.size == clip_.size && before_->clip.modified == clip_.modified &&
+                       !archive::is_limit_raised(*before_, job_->rules.limits);
     return again ? before_->tries : 0;
 }
 
@@ -331,6 +357,15 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
     sidecar.took = rounded(seconds);
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.tries = earlier_tries() + 1;
+    sidecar.limits.reset();
+    if (row_of(code).kind == ErrorKind::limit) {
+        sidecar.limits = job_->rules.limits;
+        // A share of the memory that goes up and down must not start the tries again and again.
+        if (earlier_tries() > 0 && before_->limits) {
+            sidecar.limits->seconds = std::max(sidecar.limits->seconds, before_->limits->seconds);
+            sidecar.limits->memory = std::max(sidecar.limits->memory, before_->limits->memory);
+        }
+    }
     sidecar.status = status;
     sidecar.code = code;
     sidecar.reason = reason;

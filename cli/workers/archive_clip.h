@@ -57,7 +57,7 @@ struct ArchiveJob {
 class ClipTask {
   public:
     /// Nothing if another program has the clip, if it is already done, or if it no longer exists.
-    /// \throws Error io
+    /// \throws Error io, also if the clip can't be opened
     static std::optional<ClipTask> take(const ArchiveJob& job, const std::string& path);
 
     ClipTask(ClipTask&&) = default;

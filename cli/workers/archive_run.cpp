@@ -78,7 +78,7 @@ class ClipTally {
     ArchiveOutcome outcome_;
 };
 
-/// Takes a clip. If its files can't be locked, the clip has failed, and no sidecar can say so.
+/// Takes a clip. If it can't be read, or its files can't be locked, it has failed, and no sidecar says so.
 std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& clip, ClipTally& tally) {
     try {
         auto task = ClipTask::take(job, clip);

@@ -46,8 +46,10 @@ Need need_by_sidecar(const Clip& clip, const std::optional<Sidecar>& sidecar, co
         if (!files_there(*sidecar, out, rules)) return Need::missing;
         return lacks_pieces(*sidecar) && sidecar->tries < rules.tries ? Need::retry : Need::nothing;
     }
-    // Another version may succeed.
-    return sidecar->tries < rules.tries || sidecar->version != rules.version ? Need::retry : Need::given_up;
+    // Another version may succeed, and so may a worker that may use more.
+    const bool again =
+        sidecar->tries < rules.tries || sidecar->version != rules.version || is_limit_raised(*sidecar, rules.limits);
+    return again ? Need::retry : Need::given_up;
 }
 
 }  // namespace

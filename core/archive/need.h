@@ -35,6 +35,7 @@ struct ArchiveRules {
     DayRule day{};                                   ///< when days begin
     std::optional<std::chrono::nanoseconds> keep{};  ///< how long files are kept; none = for ever
     std::chrono::nanoseconds redraw{};               ///< least time between drawings of a growing day
+    TryLimits limits{};                              ///< the least that a worker gets
 };
 
 Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,

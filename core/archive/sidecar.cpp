@@ -38,6 +38,12 @@ bool lacks_pieces(const Sidecar& sidecar) {
     return sidecar.state == Sidecar::State::done && sidecar.code && row_of(*sidecar.code).kind == ErrorKind::io;
 }
 
+bool is_limit_raised(const Sidecar& sidecar, const TryLimits& now) {
+    if (!sidecar.limits || !sidecar.code) return false;
+    if (*sidecar.code == ErrorCode::worker_timeout) return now.seconds == 0 || now.seconds > sidecar.limits->seconds;
+    return row_of(*sidecar.code).kind == ErrorKind::limit && now.memory > sidecar.limits->memory;
+}
+
 Sidecar::Shown shown_by(const Sidecar& sidecar) {
     return sidecar.shows.value_or(Sidecar::Shown{sidecar.clip, sidecar.settings});
 }

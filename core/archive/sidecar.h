@@ -15,6 +15,12 @@
 
 namespace vvr::archive {
 
+/// What a worker may use.
+struct TryLimits {
+    std::int64_t seconds = 0;  ///< 0 = unlimited
+    std::int64_t memory = 0;   ///< bytes
+};
+
 /// What an archive knows of a clip, as a file next to its picture. Sidecars are the only database.
 struct Sidecar {
     enum class State { done, failed };
@@ -24,9 +30,10 @@ struct Sidecar {
     std::string version;   ///< version of vvr that made them
     State state = State::done;
     int tries = 1;
-    int status = 0;                 ///< exit status of the last attempt
-    std::optional<ErrorCode> code;  ///< code of the error in `reason`; older sidecars have none
-    std::string reason;             ///< why it failed; after success, a remaining problem
+    int status = 0;                   ///< exit status of the last attempt
+    std::optional<ErrorCode> code;    ///< code of the error in `reason`; older sidecars have none
+    std::string reason;               ///< why it failed; after success, a remaining problem
+    std::optional<TryLimits> limits;  ///< the highest so far, after a failure by a limit; older sidecars have none
     std::vector<OutputKind> files;
     std::vector<std::string> pieces;  ///< names of its files in `pieces_folder`
     double took = 0;                  ///< seconds that the last attempt took
@@ -88,6 +95,9 @@ void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 
 /// Whether events of a drawn clip have no piece because a file could not be read or written. Another try may succeed.
 bool lacks_pieces(const Sidecar& sidecar);
+
+/// Whether the last try failed by a limit that is higher now.
+bool is_limit_raised(const Sidecar& sidecar, const TryLimits& now);
 
 /// What its files show: `shows`, or the clip itself unless a later attempt has failed.
 Sidecar::Shown shown_by(const Sidecar& sidecar);

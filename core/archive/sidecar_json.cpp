@@ -159,6 +159,8 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     }
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
     sidecar.took = number(json.at("took_seconds"), longest_try);
+    if (const auto limits = json.find("limits"); limits != json.end())
+        sidecar.limits = {whole_number(limits->at("seconds")), whole_number(limits->at("memory"))};
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
     sidecar.pieces = pieces_of(json.value("pieces", Json::array()));
     if (const auto day = json.find("day"); day != json.end()) {
@@ -229,6 +231,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
               {"code", sidecar.code ? Json(row_of(*sidecar.code).name) : Json()},
               {"reason", sidecar.reason.empty() ? Json() : Json(sidecar.reason)},
               {"took_seconds", sidecar.took}};
+    if (sidecar.limits) json["limits"] = {{"seconds", sidecar.limits->seconds}, {"memory", sidecar.limits->memory}};
     if (sidecar.day) {
         json["day"] = {
             {"camera", text_of_path(sidecar.day->camera)}, {"date", sidecar.day->date}, {"clips", sidecar.day->clips}};

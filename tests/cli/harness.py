@@ -30,6 +30,12 @@ def skip_with_sanitizers(why):
         pytest.skip(f"sanitizers {why}")
 
 
+def hijacked():
+    """The environment in which clips take over the workers that open them."""
+    skip_with_sanitizers("let no library be loaded before theirs")
+    return {**os.environ, "LD_PRELOAD": os.environ["VVR_HIJACK"]}
+
+
 def nightly_except(values, *daily):
     """Parameters of a test: the default set runs only those in `daily`."""
     return [value if value in daily else pytest.param(value, marks=pytest.mark.nightly) for value in values]

@@ -13,7 +13,7 @@ import subprocess
 import time
 
 import pytest
-from harness import check, fnv1a, lock_name, page_data, part_name
+from harness import check, fnv1a, hijacked, lock_name, page_data, part_name
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 DAY_FILE = re.compile(r"index\.\d{4}-\d\d-\d\d\.js")
@@ -199,6 +199,30 @@ def test_archive_tries_again(t):
     check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
     check(after["shows"] == {name: before["clip"][name] for name in ("bytes", "modified_ns")} | {"settings": before["settings"]}, f"{after}")
     check("failed; shows what was until" in t.path("out/index.html").read_text(), "the index does not say it")
+
+
+def test_archive_counts_no_try_of_a_clip_that_it_may_not_read(t):
+    t.old_clips("a.avi", "shut.avi")
+    t.path("in/shut.avi").chmod(0)
+    for _ in range(4):
+        t.vvr_with_permissions("archive", "in", "-o", "out", *QUICK).expect(
+            6, "shut.avi failed, cannot read 'in/shut.avi': Permission denied; check its permissions", code="permission-denied")
+    check(not t.path("out/shut.avi.json").exists(), f"{outputs(t)}")
+    nothing_hidden(t)
+    t.path("in/shut.avi").chmod(0o644)
+    archive(t).expect(0, "1 clip drawn", "1 done before")
+
+
+def test_archive_tries_again_with_a_higher_limit(t):
+    t.old_clips("stay.avi")  # what libvvr_hijack.so makes of this clip lasts for ever
+    for tries in (1, 2, 3):
+        archive(t, "--timeout", "1s", env=hijacked()).expect(6, "stay.avi failed, status 5: ", code="worker-timeout")
+        check(sidecar(t, "stay.avi")["tries"] == tries and sidecar(t, "stay.avi")["limits"]["seconds"] == 1, f"{sidecar(t, 'stay.avi')}")
+    archive(t, "--timeout", "1s").expect(0, "1 failed three times")
+    archive(t, "--timeout", "2s", env=hijacked()).expect(6, "stay.avi failed, status 5: ", code="worker-timeout")
+    check(sidecar(t, "stay.avi")["tries"] == 1 and sidecar(t, "stay.avi")["limits"]["seconds"] == 2, f"{sidecar(t, 'stay.avi')}")
+    archive(t, "--timeout", "2s").expect(0, "1 clip drawn")
+    check("limits" not in sidecar(t, "stay.avi"), f"{sidecar(t, 'stay.avi')}")
 
 
 @pytest.mark.nightly

@@ -8,10 +8,10 @@ import subprocess
 import time
 
 import pytest
-from harness import check, fnv1a, lock_name
+from harness import check, fnv1a, hijacked, lock_name
 from test_archive import QUICK
 from test_cut import packets
-from test_sandbox import hijacked, walls  # noqa: F401, a fixture
+from test_sandbox import walls  # noqa: F401, a fixture
 
 H264 = ("-c:v", "libx264", "-bf", "2", "-g", "20", "-keyint_min", "20", "-sc_threshold", "0", "-pix_fmt", "yuv420p")
 RATE = 10

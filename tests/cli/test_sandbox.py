@@ -9,7 +9,7 @@ import signal
 import time
 
 import pytest
-from harness import check, nightly_except, skip_with_sanitizers
+from harness import check, hijacked, nightly_except, skip_with_sanitizers
 from test_archive import archive, complete, outputs, sidecar
 
 LIBC = ctypes.CDLL(None, use_errno=True)
@@ -45,12 +45,6 @@ def without(features, t, *arguments):
     """An archive as on a kernel without them."""
     return t.run([os.environ["VVR_WITHHOLD"], features, t.vvr_path, "archive", "in", "-o", "out", "--size", "160x100", "--field-size", "48x36",
                   "--flow", "none", "--backend", "software", *arguments])
-
-
-def hijacked():
-    """The environment in which clips take over the workers that open them."""
-    skip_with_sanitizers("let no library be loaded before theirs")
-    return {**os.environ, "LD_PRELOAD": os.environ["VVR_HIJACK"]}
 
 
 def hijack(t, mode, *arguments):

@@ -25,6 +25,8 @@ using test::Archive;
 TEST_F(Archive, DecidesWhatIsToBeDone) {
     const auto now = std::chrono::system_clock::now();
     const archive::ArchiveRules rules{"s", "1.2.3", {archive::OutputKind::picture}, 3, 60s};
+    archive::ArchiveRules with_limits = rules;
+    with_limits.limits = {7200, 2000};
     archive::Sidecar sidecar = done("a.avi");
     const archive::Clip clip = sidecar.clip;
     const auto need = [&](const archive::Clip& there, const std::optional<archive::Sidecar>& known) {
@@ -57,6 +59,21 @@ TEST_F(Archive, DecidesWhatIsToBeDone) {
     EXPECT_EQ(need(clip, sidecar), archive::Need::given_up);
     sidecar.version = "1.0.0";
     EXPECT_EQ(need(clip, sidecar), archive::Need::retry) << "another version may know better";
+
+    sidecar.version = rules.version;
+    const auto after = [&](ErrorCode code, const archive::TryLimits& limits) {
+        archive::Sidecar failed = sidecar;
+        failed.code = code;
+        failed.limits = limits;
+        return archive::need_of(clip, failed, out(), with_limits, now);
+    };
+    EXPECT_EQ(after(ErrorCode::worker_timeout, {7199, 3000}), archive::Need::retry);
+    EXPECT_EQ(after(ErrorCode::worker_timeout, {7200, 1000}), archive::Need::given_up);
+    EXPECT_EQ(after(ErrorCode::worker_killed, {7200, 1999}), archive::Need::retry);
+    EXPECT_EQ(after(ErrorCode::out_of_memory, {3600, 2000}), archive::Need::given_up);
+    EXPECT_EQ(after(ErrorCode::not_video, {1, 1}), archive::Need::given_up) << "no limit was in its way";
+    with_limits.limits.seconds = 0;
+    EXPECT_EQ(after(ErrorCode::worker_timeout, {7200, 1000}), archive::Need::retry) << "without a limit";
 
     const auto modified = [&](std::chrono::nanoseconds ago) {
         return archive::Clip{"a.avi", 3, (now.time_since_epoch() - ago).count()};
