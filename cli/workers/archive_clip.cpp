@@ -159,7 +159,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     }
     std::optional<LockFile> claim = LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
-    if (claim->is_stale()) remove_leftovers(folder, archive::written_names(name));
+    if (claim->is_stale()) archive::remove_unfinished(job.out, job.in, path);
     archive::remove_staging(archive::staging_of(job.out, path));
     // The clip may have changed since the scan, or another run may have done it.
     const auto day = job.days.find(path);
@@ -287,14 +287,12 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
 }
 
 /// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
-/// it, so it counts without one too. That of a killed run doesn't: nobody was told of its events.
+/// it, so it counts without one too. That of a killed run has been removed: nobody was told of its events.
 std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
     const bool told = day() != nullptr ? job_->tells_days : job_->tells_clips;
     if (!told || !sidecar.events) return {};
     const archive::OlderReport older =
-        before_ || !lock_.is_stale()
-            ? archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report))
-            : archive::OlderReport{};
+        archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
     std::vector<events::EventLine> lines =
         archive::new_events(staged(archive::OutputKind::report), older,
                             day() != nullptr ? archive::Reported::day : archive::Reported::clip);

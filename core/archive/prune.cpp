@@ -131,14 +131,10 @@ std::vector<std::string> written_names(const std::string& file_name) {
 
 namespace {
 
-/// Removes what a killed program left of a clip. The caller holds its lock.
+/// Removes the files of a clip without a sidecar. No run has finished it, and no sidecar names these files.
 /// \param owned files that belong to other clips, or to the archive
-void remove_unfinished(const fs::path& folder, const std::string& name, const std::set<fs::path>& owned) {
-    remove_leftovers(folder, written_names(name));
-    remove_staging(staging_of(folder, name));
+void remove_unnamed_files(const fs::path& folder, const std::string& name, const std::set<fs::path>& owned) {
     std::error_code none;
-    if (fs::exists(sidecar_path(folder, name), none)) return;
-    // No run has finished it, and no sidecar will ever name these files.
     for (const OutputRow& row : output_rows) {
         const fs::path path = output_path(folder, name, row.kind);
         // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
@@ -152,13 +148,31 @@ void remove_unfinished(const fs::path& folder, const std::string& name, const st
     remove_pieces(pieces, names);
 }
 
+/// Removes temporary files of a killed program.
+/// \returns whether the clip has a sidecar
+bool remove_hidden_files(const fs::path& folder, const std::string& name) {
+    remove_leftovers(folder, written_names(name));
+    remove_staging(staging_of(folder, name));
+    std::error_code none;
+    return fs::exists(sidecar_path(folder, name), none);
+}
+
 }  // namespace
+
+void remove_unfinished(const fs::path& out, const fs::path& in, const std::string& clip) {
+    const fs::path folder = sidecar_path(out, clip).parent_path();
+    const std::string name = fs::path(clip).filename().string();
+    if (remove_hidden_files(folder, name)) return;
+    remove_unnamed_files(folder, name, files_with_owners(out, list_outputs(out, in)));
+}
 
 void tidy(const fs::path& out, const Outputs& outputs) {
     if (outputs.locks.empty()) return;
     const std::set<fs::path> owned = files_with_owners(out, outputs);
     for (const fs::path& file : outputs.locks) {
-        if (const auto left = LockFile::take_over(file)) remove_unfinished(file.parent_path(), left->second, owned);
+        const auto left = LockFile::take_over(file);
+        if (left && !remove_hidden_files(file.parent_path(), left->second))
+            remove_unnamed_files(file.parent_path(), left->second, owned);
     }
 }
 
@@ -174,7 +188,7 @@ std::optional<std::vector<std::string>> remove_clip(const fs::path& out, const f
     std::optional<std::vector<std::string>> removed;
     if (same) removed = remove_outputs(out, sidecar);
     // The lock of a killed run goes with the claim, so `tidy` would not find it.
-    if (claim->is_stale()) remove_unfinished(folder, name, files_with_owners(out, list_outputs(out, in)));
+    if (claim->is_stale()) remove_unfinished(out, in, sidecar.clip.path);
     return removed;
 }
 

@@ -36,6 +36,11 @@ void tidy(const std::filesystem::path& out, const Outputs& outputs);
 std::optional<std::vector<std::string>> remove_clip(const std::filesystem::path& out, const std::filesystem::path& in,
                                                     const Sidecar& sidecar);
 
+/// Removes what a killed program left of a clip: temporary files, and all its files if there is no sidecar that names
+/// them. Neither the index nor files of other clips are removed. The caller holds the clip's lock.
+/// \param in the folder of clips, as in `list_outputs`
+void remove_unfinished(const std::filesystem::path& out, const std::filesystem::path& in, const std::string& clip);
+
 /// The staging folder of a clip's files, next to their final place. It is hidden, and exists only while a program makes
 /// them.
 std::filesystem::path staging_of(const std::filesystem::path& out, const std::string& clip);

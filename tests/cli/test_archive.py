@@ -515,6 +515,19 @@ def test_archive_removes_what_a_killed_redraw_left_of_a_clip_that_goes(t):
     check(left == ["gate/gone.avi.txt", "gate/old.avi.txt", "index.html"], f"{left}")
 
 
+def test_archive_removes_what_a_killed_run_left_of_a_clip_that_fails(t):
+    """It was killed before it wrote the sidecar: no later one would name these files."""
+    t.old_clips("gate/bad.avi")
+    archive(t).expect(0, "1 clip drawn")
+    t.path("out/gate/bad.avi.json").unlink()
+    t.write(f"out/gate/{lock_name('bad.avi')}", "bad.avi")
+    t.write("in/gate/bad.avi", "no video")
+    t.age("in")
+    archive(t).expect(6, "1 failed", code="not-video")
+    check(outputs(t) == ["gate/bad.avi.json", "index.html"], f"{outputs(t)}")
+    nothing_hidden(t)
+
+
 def start(t, *arguments, **options):
     return t.start("archive", "in", "-o", "out", *QUICK, *arguments, stderr=subprocess.PIPE, start_new_session=True,
                    **options)
