@@ -359,18 +359,33 @@ bool remove_files_of(const archive::Sidecar& sidecar, const ArchiveJob& job, std
     }
 }
 
+/// The sidecars of a part of the clips, for a removal.
+/// \param all out: false if there may be more, which an error line says
+std::vector<archive::Sidecar> list_sidecars(const ArchiveJob& job, const archive::Shard& shard, bool& all,
+                                            const cli::Environment& environment) {
+    archive::Outputs outputs = archive::list_outputs(job.out, job.in);
+    for (const archive::ScanProblem& problem : outputs.problems) {
+        if (!problem.unread) continue;
+        all = false;
+        cli::log_error(environment.log, ErrorCode::io,
+                       fmt::format("cannot read '{}': {}; nothing is removed there; fix its permissions",
+                                   (job.out / problem.path).string(), problem.reason));
+    }
+    std::erase_if(outputs.sidecars, [&](const auto& sidecar) { return !shard.contains(sidecar.clip.path); });
+    return std::move(outputs.sidecars);
+}
+
 }  // namespace
 
 bool prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
            const cli::Environment& environment) {
-    std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.contains(sidecar.clip.path); });
-    if (sidecars.empty()) return true;
+    bool all = true;
+    const std::vector<archive::Sidecar> sidecars = list_sidecars(job, shard, all, environment);
+    if (sidecars.empty()) return all;
     const archive::Present present = archive::find_present(job.in, job.out, clips, job.names, sidecars);
     archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;
-    bool all = true;
     for (const archive::Sidecar& sidecar : sidecars) {
         // Check right before the removal: a disk may have been unmounted since the last one.
         const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, job.names);
@@ -402,8 +417,8 @@ bool remove_expired(const ArchiveJob& job, const archive::Shard& shard, bool dry
                     const cli::Environment& environment) {
     const auto now = std::chrono::system_clock::now();
     bool all = true;
-    for (const archive::Sidecar& sidecar : archive::list_outputs(job.out, job.in).sidecars) {
-        if (!shard.contains(sidecar.clip.path) || !archive::is_expired(sidecar.clip, job.rules, now)) continue;
+    for (const archive::Sidecar& sidecar : list_sidecars(job, shard, all, environment)) {
+        if (!archive::is_expired(sidecar.clip, job.rules, now)) continue;
         all &= remove_files_of(sidecar, job, archive::name_of(archive::Need::expired), "older than --keep; removed",
                                dry_run, environment);
     }

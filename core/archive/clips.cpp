@@ -126,29 +126,35 @@ class Walk {
                                     scan_.problems.back().reason));
         }
         for (; !folders_.empty() || !links_.empty();) {
-            std::deque<std::string>& from = folders_.empty() ? links_ : folders_;
+            const bool link = folders_.empty();
+            std::deque<std::string>& from = link ? links_ : folders_;
             const std::string folder = from.front();
             from.pop_front();
-            enter(folder);
+            enter(folder, link);
         }
         std::ranges::sort(scan_.clips, {}, &Clip::path);
         return std::move(scan_);
     }
 
   private:
-    void enter(const std::string& folder) {
+    /// The recorder may delete what a folder has just listed. But a link to nothing may lead to an unmounted disk.
+    void add_unread(const std::string& path, int error, bool link) {
+        if (error != ENOENT || link) scan_.problems.push_back({path, text_of_system_error(error), true});
+    }
+
+    void enter(const std::string& folder, bool link) {
         struct stat status {};
         if (::stat((in_ / folder).c_str(), &status) != 0) {
-            scan_.problems.push_back({folder, text_of_system_error(errno), true});
+            add_unread(folder, errno, link);
         } else if (above_.contains({status.st_dev, status.st_ino})) {
             scan_.problems.push_back({folder, "it is a symbolic link to a folder above the archive; remove it"});
         } else if (!is_kernel_filesystem(in_ / folder) && !is_pieces_folder(in_ / folder) &&
                    seen_.emplace(status.st_dev, status.st_ino).second) {
-            list(folder);
+            list(folder, link);
         }
     }
 
-    void list(const std::string& folder) {
+    void list(const std::string& folder, bool link = true) {
         std::error_code error;
         std::vector<std::pair<std::string, fs::file_type>> entries;
         for (fs::directory_iterator entry(in_ / folder, error); !error && entry != fs::directory_iterator();
@@ -159,7 +165,7 @@ class Walk {
         }
         std::ranges::sort(entries);  // deterministic: of several links to a folder, the same one is always taken
         for (const auto& [name, type] : entries) add(folder.empty() ? name : fmt::format("{}/{}", folder, name), type);
-        if (error) scan_.problems.push_back({folder, error.message(), true});
+        if (error) add_unread(folder, error.value(), link);
     }
 
     void add(const std::string& path, fs::file_type type) {
@@ -176,7 +182,7 @@ class Walk {
         }
         struct stat status {};
         if (::stat((in_ / path).c_str(), &status) != 0) {
-            if (clip) scan_.problems.push_back({path, text_of_system_error(errno), true});
+            if (clip) add_unread(path, errno, link);
         } else if (S_ISDIR(status.st_mode)) {
             if (link) links_.push_back(path);
         } else if (clip && S_ISREG(status.st_mode)) {

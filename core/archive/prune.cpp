@@ -86,14 +86,21 @@ bool is_gone(const fs::path& path) {
 
 Outputs list_outputs(const fs::path& out, const fs::path& in) {
     Outputs outputs;
+    if (is_gone(out)) return outputs;
     std::error_code error;
-    fs::recursive_directory_iterator entry(out, fs::directory_options::skip_permission_denied, error);
+    fs::recursive_directory_iterator entry(out, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         const fs::path& path = entry->path();
         std::error_code none;
         const bool hidden = path.filename().string().starts_with('.');
         if (entry->is_directory(none)) {
-            if (hidden || fs::equivalent(path, in, none)) entry.disable_recursion_pending();
+            std::error_code closed;
+            if (hidden || fs::equivalent(path, in, none)) {
+                entry.disable_recursion_pending();
+            } else if (fs::directory_iterator(path, closed); closed) {
+                outputs.problems.push_back({path.lexically_relative(out).string(), closed.message(), true});
+                entry.disable_recursion_pending();
+            }
         } else if (LockFile::is_lock_file(path)) {
             outputs.locks.push_back(path);
         } else if (!hidden && path.extension() == sidecar_extension) {

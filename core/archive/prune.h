@@ -14,12 +14,12 @@ namespace vvr::archive {
 
 /// The files in an archive's folder of pictures that belong to the archive.
 struct Outputs {
-    std::vector<Sidecar> sidecars;             ///< by path
-    std::vector<ScanProblem> problems;         ///< unreadable files with a sidecar's name; paths below the folder
+    std::vector<Sidecar> sidecars;      ///< by path
+    std::vector<ScanProblem> problems;  ///< unreadable folders, and files with a sidecar's name; paths below `out`
     std::vector<std::filesystem::path> locks;  ///< lock files of running or killed programs
 };
 
-/// Lists the files of an archive.
+/// Lists the files of an archive. A folder that does not exist has none.
 /// \param in the folder of clips; skipped if it is inside `out`
 /// \throws Error io
 Outputs list_outputs(const std::filesystem::path& out, const std::filesystem::path& in);

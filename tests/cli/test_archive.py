@@ -380,6 +380,19 @@ def test_archive_says_that_it_cannot_remove(t):
     archive(t, "--keep", "30d").expect(0, "gate/gone.avi: older than --keep; removed gate/gone.avi.png, ")
 
 
+def test_archive_names_a_folder_of_pictures_that_it_cannot_read(t):
+    t.old_clips("gate/a.avi", "hall/a.avi")
+    archive(t, "--dry-run", "--prune", "--keep", "30d").expect(0, out=None)  # no folder yet
+    check(not t.path("out").exists(), "a dry run leaves something")
+    archive(t).expect(0, "2 clips drawn")
+    t.path("out/gate").chmod(0)
+    indexed = t.vvr_with_permissions("archive", "-o", "out", "--write", "index")
+    kept = t.vvr_with_permissions("archive", "in", "-o", "out", *QUICK, "--match", "hall/*", "--keep", "30d")
+    t.path("out/gate").chmod(0o755)
+    indexed.expect(0, "warning: 'out/gate': Permission denied; it is left unchanged and is missing from the index")
+    kept.expect(2, "cannot read 'out/gate': Permission denied; nothing is removed there", code="io")
+
+
 def test_archive_takes_no_other_file_for_a_lock(t):
     """Whoever may write into PICTURES can't have files of others removed or written."""
     t.old_clips("a.avi", "b.avi", "c.avi", "d.avi")

@@ -1,14 +1,17 @@
 #include "core/archive/clips.h"
 
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/stat.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/archive/camera_days.h"
@@ -23,6 +26,30 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Archive;
+
+TEST_F(Archive, HasNoProblemWithClipsThatAreDeletedMeanwhile) {
+    constexpr int many = 200;
+    const auto name = [](int k) { return fmt::format("{:03}", k); };
+    for (int k = 0; k < many; ++k) {
+        write(in() / (name(k) + ".avi"));
+        write(in() / name(k) / "clip.avi");
+    }
+    std::atomic<bool> ended = false;
+    const std::jthread recorder([&] {
+        // In the other order than the scan, so that they meet.
+        for (int k = many; k-- > 0;) {
+            fs::remove(in() / (name(k) + ".avi"));
+            fs::remove_all(in() / name(k));
+        }
+        ended = true;
+    });
+    while (!ended) {
+        const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
+        EXPECT_TRUE(scan.problems.empty()) << scan.problems.front().path << ": " << scan.problems.front().reason;
+    }
+    fs::create_symlink("nowhere", in() / "link.avi");
+    EXPECT_EQ(archive::scan_archive(in(), out(), archive::ClipNames()).problems.size(), 1U);
+}
 
 TEST_F(Archive, FindsClipsInFolders) {
     for (const char* name :
