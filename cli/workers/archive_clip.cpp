@@ -37,7 +37,7 @@ void remove_files(const fs::path& out, const std::string& clip, const std::vecto
                   const std::vector<archive::OutputKind>& kept) {
     for (const archive::OutputKind kind : kinds) {
         std::error_code none;
-        if (std::ranges::count(kept, kind) == 0) fs::remove(archive::output_path(out, clip, kind), none);
+        if (std::ranges::count(kept, kind) == 0) archive::remove_own(archive::output_path(out, clip, kind), none);
     }
 }
 
@@ -278,8 +278,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     if (archive::lacks_pieces(sidecar)) sidecar.tries = earlier_tries() + 1;
     sidecar.pieces = archive::list_pieces(staged_pieces());
     for (const archive::OutputKind kind : sidecar.files) {
-        std::error_code none;
-        if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
+        if (archive::is_own_file(staged(kind))) continue;
         throw Error(ErrorCode::worker_result_invalid, fmt::format("the worker reported success but did not write '{}'",
                                                                   archive::output_path("", clip_.path, kind).string()));
     }
@@ -332,8 +331,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
     if (before_ && !before_->files.empty()) {
         sidecar = *before_;
         std::erase_if(sidecar.files, [&](archive::OutputKind kind) {
-            std::error_code none;
-            return !fs::is_regular_file(fs::symlink_status(archive::output_path(job_->out, clip_.path, kind), none));
+            return !archive::is_own_file(archive::output_path(job_->out, clip_.path, kind));
         });
         sidecar.pieces.clear();  // `finish` adds those that are there
         if (!sidecar.files.empty()) {

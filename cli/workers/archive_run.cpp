@@ -147,8 +147,7 @@ void remove_other_days(const fs::path& out, const archive::DayFiles& days) {
     for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
         const std::string name = entry.path().filename().string();
         std::error_code none;
-        const bool is_file = fs::is_regular_file(fs::symlink_status(entry.path(), none));
-        if (is_file && archive::is_day_file(name) && !days.contains(name)) fs::remove(entry.path(), none);
+        if (archive::is_day_file(name) && !days.contains(name)) archive::remove_own(entry.path(), none);
     }
 }
 

@@ -102,6 +102,25 @@ std::optional<std::string_view> irregular_file_at(const fs::path& path) {
     return found == strange.end() ? std::nullopt : std::optional(found->second);
 }
 
+bool is_own_file(const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(fs::symlink_status(path, none));
+}
+
+bool remove_own(const fs::path& file, std::error_code& error) {
+    return is_own_file(file) && fs::remove(file, error);
+}
+
+bool remove_own(const fs::path& file) {
+    std::error_code error;
+    const bool removed = remove_own(file, error);
+    if (error) {
+        throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
+                           "fix the permissions of its folder");
+    }
+    return removed;
+}
+
 void check_own_place(const fs::path& file) {
     if (const auto what = irregular_file_at(file)) {
         throw Error(ErrorCode::not_a_file, fmt::format("cannot write '{}': it is {}; remove it", file.string(), *what));

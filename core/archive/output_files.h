@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 // Limits of what an archive's files may contain. Others may have written them, and one absurd number must not stop the
 // rest.
@@ -61,6 +62,17 @@ namespace vvr::archive {
 
 /// What is at a path instead of a file, such as "a link" or "a pipe"; nothing for a file, or where nothing is.
 std::optional<std::string_view> irregular_file_at(const std::filesystem::path& path);
+
+/// Whether a regular file is at a path: no link to one.
+bool is_own_file(const std::filesystem::path& path);
+
+/// Removes a file. Anything but a regular file stays.
+/// \returns whether there was one
+/// \throws Error io
+bool remove_own(const std::filesystem::path& file);
+
+/// The same without an exception.
+bool remove_own(const std::filesystem::path& file, std::error_code& error);
 
 /// Checks that a file may be written here.
 /// \throws Error io if something other than a file is there

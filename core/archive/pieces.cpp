@@ -23,11 +23,6 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(fs::symlink_status(path, none));
 }
 
-bool is_file(const fs::path& path) {
-    std::error_code none;
-    return fs::is_regular_file(fs::symlink_status(path, none));
-}
-
 }  // namespace
 
 fs::path pieces_folder(const fs::path& out, const std::string& clip) {
@@ -35,7 +30,7 @@ fs::path pieces_folder(const fs::path& out, const std::string& clip) {
 }
 
 bool is_pieces_folder(const fs::path& folder) {
-    return folder.extension() == piece_extension && is_file(folder / video::record_name);
+    return folder.extension() == piece_extension && is_own_file(folder / video::record_name);
 }
 
 std::vector<std::string> list_pieces(const fs::path& folder) {
@@ -45,7 +40,7 @@ std::vector<std::string> list_pieces(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (video::is_piece_name(name) && is_file(entry->path())) names.push_back(name);
+        if (video::is_piece_name(name) && is_own_file(entry->path())) names.push_back(name);
     }
     std::ranges::sort(names);
     return names;
@@ -53,7 +48,7 @@ std::vector<std::string> list_pieces(const fs::path& folder) {
 
 bool has_pieces(const fs::path& folder, std::span<const std::string> names) {
     return names.empty() || (is_folder(folder) && std::ranges::all_of(names, [&](const std::string& name) {
-                                 return is_file(folder / name);
+                                 return is_own_file(folder / name);
                              }));
 }
 
@@ -79,14 +74,7 @@ std::vector<fs::path> remove_pieces(const fs::path& folder, std::span<const std:
     std::vector<fs::path> removed;
     if (names.empty() || !is_folder(folder)) return removed;
     for (const std::string& name : names) {
-        const fs::path file = folder / name;
-        if (!is_file(file)) continue;
-        std::error_code error;
-        if (fs::remove(file, error)) removed.push_back(file);
-        if (error) {
-            throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
-                               "fix the permissions of its folder");
-        }
+        if (remove_own(folder / name)) removed.push_back(folder / name);
     }
     std::error_code not_empty;
     fs::remove(folder, not_empty);

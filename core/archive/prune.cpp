@@ -146,8 +146,7 @@ void remove_unnamed_files(const fs::path& folder, const std::string& name, const
         const fs::path path = output_path(folder, name, row.kind);
         // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
         // that of the index.
-        if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
-        fs::remove(path, none);
+        if (!owned.contains(path)) remove_own(path, none);
     }
     const fs::path pieces = pieces_folder(folder, name);
     std::vector<std::string> names = list_pieces(pieces);

@@ -1,7 +1,6 @@
 #include "core/archive/sidecar.h"
 
 #include <span>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -57,12 +56,7 @@ std::vector<std::string> remove_outputs(const fs::path& out, const Sidecar& side
         removed.push_back(piece.lexically_relative(out).string());
     }
     for (const fs::path& file : files) {
-        if (irregular_file_at(file)) continue;
-        std::error_code error;
-        if (fs::remove(file, error)) removed.push_back(file.lexically_relative(out).string());
-        if (error)
-            throw system_error(error.value(), fmt::format("cannot remove '{}'", file.string()),
-                               "fix the permissions of its folder");
+        if (remove_own(file)) removed.push_back(file.lexically_relative(out).string());
     }
     return removed;
 }
