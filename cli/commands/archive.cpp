@@ -66,7 +66,7 @@ constexpr Setting jobs{"jobs",
                        "cores / --threads, less if memory is short"};
 constexpr Setting timeout{"timeout", "TIME", "maximum time per clip; 0 = no limit"};
 constexpr Setting max_memory{
-    "max-memory", "BYTES", "memory limit per clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
+    "max-memory", "BYTES", "memory limit per clip, for example 2G", {}, "80 % of the memory / --jobs, at least 2G"};
 constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own clip and pictures"};
 }  // namespace archive_text
 

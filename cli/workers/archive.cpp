@@ -62,7 +62,8 @@ Shares split_for_threads(const ArchiveOptions& options, std::size_t clips) {
     constexpr std::int64_t usual_need = 1'000'000'000;
     constexpr std::int64_t least_limit = 2 * usual_need;
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const std::int64_t memory = machine_memory();
+    // The rest is for the run itself, other programs and the files that the system caches.
+    const std::int64_t memory = std::min(machine_memory(), control_group_memory()) / 5 * 4;
     const int by_memory = static_cast<int>(std::clamp<std::int64_t>(memory / usual_need, 1, cores));
     int workers = options.jobs.value_or(std::max(1, std::min(by_memory, cores / std::max(1, threads))));
     workers = static_cast<int>(std::clamp<std::size_t>(clips, 1, static_cast<std::size_t>(workers)));

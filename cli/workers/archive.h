@@ -88,7 +88,7 @@ struct ArchiveOptions {
     int threads = 0;          ///< per worker; 0 = its share of the cores
     std::optional<int> jobs;  ///< workers at a time; none = as many as cores and memory allow
     std::chrono::seconds timeout{7200};
-    std::optional<std::int64_t> max_memory;  ///< bytes per worker; none = an equal share of the machine's memory
+    std::optional<std::int64_t> max_memory;  ///< bytes per worker; none = an equal share of 80 % of the memory
 };
 
 /// Draws the clips that are new or changed, and writes the index.

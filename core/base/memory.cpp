@@ -1,10 +1,15 @@
 #include "core/base/memory.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <fstream>
 #include <latch>
+#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <typeinfo>
@@ -20,6 +25,23 @@ namespace vvr {
 
 std::int64_t machine_memory() {
     return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+}
+
+std::int64_t control_group_memory(const std::filesystem::path& membership, const std::filesystem::path& groups) {
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    constexpr std::string_view of_version_2 = "0::/";
+    std::ifstream lines(membership);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(of_version_2)) continue;
+        std::filesystem::path group = line.substr(of_version_2.size());
+        for (;; group = group.parent_path()) {
+            // A number, or "max". The root group of a machine has no such file, but that of a container has one.
+            std::int64_t limit = 0;
+            if (std::ifstream(groups / group / "memory.max") >> limit) least = std::min(least, limit);
+            if (group.empty()) break;
+        }
+    }
+    return least;
 }
 
 bool is_memory_available(std::int64_t bytes) {

@@ -2,11 +2,19 @@
 
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 
 namespace vvr {
 
 /// Bytes of physical memory; 0 or less = unknown.
 std::int64_t machine_memory();
+
+/// The lowest memory limit of this process's control group (cgroup v2) and those above it, in bytes: the limit of a
+/// container, or of a service of systemd. The greatest number = none.
+/// \param membership a file such as /proc/self/cgroup
+/// \param groups the folder of the root group
+std::int64_t control_group_memory(const std::filesystem::path& membership = "/proc/self/cgroup",
+                                  const std::filesystem::path& groups = "/sys/fs/cgroup");
 
 /// Whether the process can allocate `bytes` more: its own limits may be lower than the machine's memory.
 bool is_memory_available(std::int64_t bytes);
