@@ -39,9 +39,9 @@ FoundEvent event_of(const Json& event, double width, double height) {
     FoundEvent found;
     found.kind = kind_of(event.at("kind").get<std::string>());
     found.number = whole_of(event.at("number"));
-    double longest = 0;
-    for (const Json& stay : event.at("stays")) longest = std::max(longest, stay.at("seconds").get<double>());
-    found.still = whole(longest * 10);
+    double still = 0;
+    for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
+    found.still = whole(still * 10);
     std::vector<events::Waypoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");

@@ -14,9 +14,9 @@ namespace vvr::archive {
 /// What an archive knows of an event.
 struct FoundEvent {
     events::EventKind kind = events::EventKind::moved;
-    int number = 0;                               ///< in the picture, the page and the report
-    int still = 0;                                ///< its longest stay, tenths of a second
-    std::vector<events::Waypoint> path;           ///< its simplified path, from its first to its last moment
+    int number = 0;                      ///< in the picture, the page and the report
+    int still = 0;                       ///< the sum of its stays, tenths of a second; of older sidecars, the longest
+    std::vector<events::Waypoint> path;  ///< its simplified path, from its first to its last moment
     const detector::ObjectClass* what = nullptr;  ///< null = unknown
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;

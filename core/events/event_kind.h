@@ -24,7 +24,7 @@ enum class Emphasis { none, standing, strong };
 enum class Tally {
     none,
     lasts,  ///< duration of the longest
-    still,  ///< longest time in which one keeps its place
+    still,  ///< longest time for which one stood, in all its stays
     count,
 };
 
