@@ -99,12 +99,7 @@ std::string url_of_picture(const PageContent& content) {
     return data_url("image/webp", image::encode_webp(content.picture.pixels, quality));
 }
 
-/// The end of the last frame, seconds.
-double end_of(const std::vector<ConstantRateFrames>& times) {
-    const ConstantRateFrames& last = times.back();
-    return last.at(last.first + last.count);
-}
-
+/// When the last frame was, seconds.
 double last_frame_of(const std::vector<ConstantRateFrames>& times) {
     const ConstantRateFrames& last = times.back();
     return last.at(last.first + last.count - 1);
@@ -145,9 +140,8 @@ std::string make_page(const PageContent& content) {
         return html_text(Json::parse(json_text(text)).get<std::string>());
     };
     const double begin = content.moments.times.front().begin;
-    const double end = end_of(content.moments.times);
-    // Times of the clip are those of the picture's title, as in the script: of the first and the last frame.
-    const double until = content.clock ? end + 1e-4 : last_frame_of(content.moments.times);
+    // As in the picture's title and in the script: of the first and the last frame.
+    const double end = last_frame_of(content.moments.times);
     return fill(
         web::page_html,
         {
@@ -158,7 +152,7 @@ std::string make_page(const PageContent& content) {
             {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
             {"file", shown(content.file)},
             {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(begin, content.clock),
-                                    labels::format_moment(until, content.clock),
+                                    labels::format_moment(end, content.clock),
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
             {"way", time_direction(content.settings)},
             {"list", list_of(content)},

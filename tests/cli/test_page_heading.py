@@ -39,7 +39,7 @@ def test_page_heading_of_a_clip_in_an_archive(t):
         heading, file, summary = words_of(t, name.replace("in/", "out/") + ".html")
         check(heading == f"{camera} · {'Tue 17' if day.endswith('17') else 'Wed 18'} Nov 2026, 07:15", heading)
         check(file == name.split("/")[-1], file)
-        check(summary == "07:15:00 to 07:15:02, 20 frames; times of day by file name", summary)
+        check(summary == "07:15:00 to 07:15:01, 20 frames; times of day by file name", summary)
 
 
 def test_page_heading_of_a_day_in_an_archive(t):

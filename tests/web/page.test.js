@@ -32,6 +32,9 @@ test('frames and seconds are each other’s inverse', () => {
     assert.deepEqual([time.clamped(-3), time.clamped(17), time.clamped(999)], [0, 17, 249]);
     near(time.ends, 10);
     assert.equal(time.span(), '0:00 to 0:10');
+    // A clock of the day shows the second that has begun, as the picture's title does.
+    const begin = Date.UTC(2026, 10, 21, 8) / 1000;
+    assert.equal(new Timeline([[0, 250, 0, 0.04]], {begin, leaps: [], zone: null, by: ''}).span(), '08:00:00 to 08:00:09');
     near(time.lasts, 9.96);
 });
 

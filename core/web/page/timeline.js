@@ -185,10 +185,9 @@ export class Timeline {
         return timeText(dateOf(all / 10)) + (tenths ? '.' + (all % 10 + 10) % 10 : '');
     }
 
-    /** From when to when it is. Times of the clip are those of the picture's title: of the first and the last frame. */
+    /** From when to when it is, as in the picture's title: the times of the first and the last frame. */
     span() {
-        const end = this.clock === null ? this.secondsOf(this.lastFrame) : this.ends;
-        return `${this.clockOf(this.begins, false)} to ${this.clockOf(end, false)}`;
+        return `${this.clockOf(this.begins, false)} to ${this.clockOf(this.secondsOf(this.lastFrame), false)}`;
     }
 
     /**
