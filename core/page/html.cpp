@@ -177,6 +177,7 @@ Json json_of_kinds() {
                          {"words", row.words},
                          {"by", row.by},
                          {"isThing", row.is_thing},
+                         {"isOfScene", row.is_of_scene},
                          {"emphasis", name_of(row.emphasis)},
                          {"tally", name_of(row.tally)},
                          {"choice", row.choice != nullptr ? Json(row.choice->name) : Json()}});

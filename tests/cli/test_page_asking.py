@@ -46,6 +46,21 @@ def test_page_lists_what_was_in_a_rectangle(t):
         check(page.text("heading") == "5 events" and page.hidden("copyroi"), page.text("heading"))
 
 
+def test_page_says_since_when_a_taken_thing_is_missing(t):
+    # The same ways twice: of somebody, and of something that went.
+    bag(t)
+    ways = [[[50, 0.5, 0.5], [375, 0.5, 0.5]], [[50, 0.49, 0.5], [375, 0.51, 0.5]], [[50, 0.49, 0.5], [375, 0.51, 0.5]]]
+    with Page(t, with_events(t, "taken.html", ways, lambda k: "moved" if k == 1 else "taken")) as page:
+        page.press("#askbox")
+        page.drag("#screen", (0.3, 0.3), (0.7, 0.7))
+        check(listed(page) == {0: "missing from 0:02", 1: "here 13.0 s", 2: "missing from 0:02"}, f"{listed(page)}")
+        lasts = page.texts("#events .lasts")
+        check(lasts == [" · missing 13 s", " · 13 s", " · missing 13 s"], f"{lasts}")
+        page.press("#askline")
+        page.drag("#screen", (0.5, 0.3), (0.5, 0.7))
+        check(listed(page).keys() == {1}, f"what is not there crosses a line: {listed(page)}")
+
+
 def test_page_lists_what_crossed_a_line(t):
     wanted = {0: "→ 0:0[12]", 1: "← 0:0[12]", 4: "→ 0:0[12], ← 0:0[56]"}
     bag(t)

@@ -2,14 +2,15 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {answerOf, coloursOf, daysBetween, eventOf, heatOf, hitBeside, ofWay, sortedFound} from '../../core/web/index/answers.js';
+import {answerOf, coloursOf, daysBetween, eventOf, heatOf, hitBeside, ofWay, sortedFound, waysOf} from '../../core/web/index/answers.js';
 import {busiestHour, clipsOf, counted, eventsIn, failureOf, hoursOf, neighbourOf, pageOf, summaryOf} from '../../core/web/index/clips.js';
 import {choicesIn, chosenOf, isOf, isOfChoice, nothingAsked, readQuery, sortedBy, spanOf, writeQuery} from '../../core/web/index/query.js';
 import {nearestStill, sheetPlace, stillsBetween} from '../../core/web/index/sheet.js';
 import {isWithin, overlaps, timeWords, timesIn} from '../../core/web/shared/day_time.js';
 import {wallIn} from '../../core/web/shared/wall_clock.js';
 
-const kind = (name, tally, choice) => ({name, words: name, by: 'by', isThing: false, emphasis: 'none', tally, choice});
+const kind = (name, tally, choice) =>
+    ({name, words: name, by: 'by', isThing: false, isOfScene: name === 'taken', emphasis: 'none', tally, choice});
 const day = Date.UTC(2026, 10, 21) / 1000;
 const hour = 3600;
 const data = {
@@ -158,6 +159,22 @@ test('an object that comes to a place again is found at the later time too', () 
     const from = begin => answerOf(pacer, place, 0, [640, 480], {...clock, has: (_, seconds) => seconds >= begin});
     assert.deepEqual([from(0).at, from(100).at, from(306).at, from(308)], [2.5, 305, 307.5, null]);
     assert.equal(from(100).words(), 'here 5.0 s');
+});
+
+test('a thing that was taken is missing while its event lasts', () => {
+    const bag = sceneEvent('taken', 400, 498, 500, 600, 502, 500);  // went at 40 s; the clip ends at 60 s
+    const answer = (place, time = clock) => answerOf(bag, place, 0, [640, 480], time);
+    const box = {kind: 'box', from: [400, 400], to: [600, 600]};
+    assert.equal(answer(box).words(), 'missing from +40');
+    assert.equal(answer(null).words(), 'missing from +40');
+    assert.equal(answer({...box, to: [450, 600]}), null);
+    // Also of a search for a later time.
+    const later = answer(box, {...clock, has: (_, seconds) => seconds >= 50});
+    assert.deepEqual([later.at, later.words()], [60, 'missing from +40']);
+    // It didn't go across a line, though the middle of its outline does.
+    assert.equal(answer({kind: 'line', from: [500, 0], to: [500, 1000]}), null);
+    const left = sceneEvent('left', ...bag.way);
+    assert.deepEqual(waysOf([bag, left]), [[400, 498, 500], bag.way]);
 });
 
 test('a hit is at the crossing in the direction that is asked for', () => {

@@ -89,7 +89,7 @@ test('the clock is that of the day where it is known, and leaps with summer time
 
 const event = (kind, first, last, more = {}) => ({kind, first, last, begin: first / 25, end: last / 25, still: 0, from: null, into: null, by: null, path: [], way: [], ...more});
 const rank = {left: 0, stood: 1, moved: 2};
-const kindOf = name => ({name, words: name + ' behind', by: 'put down by', isThing: name === 'left', emphasis: 'none',
+const kindOf = name => ({name, words: name + ' behind', by: 'put down by', isThing: name === 'left', isOfScene: name === 'taken', emphasis: 'none',
                          tally: name === 'stood' ? 'still' : 'none', choice: null, rank: rank[name]});
 const events = [event('moved', 0, 100), event('stood', 25, 50, {still: 3, class: 'person', group: 'person', score: 0.874}),
                 event('left', 75, 225, {still: 1, from: 0, by: 1}), event('moved', 75, 80, {class: 'car', group: 'vehicle', score: 1}),
@@ -144,6 +144,7 @@ test('counts of kinds and of classes', () => {
 test('an event in words', () => {
     assert.deepEqual(factsOf(events[1], kindOf('stood'), 'here 1.0 s'), ['1 s', 'person (87 %)', 'stood behind 3 s', 'here 1.0 s']);
     assert.deepEqual(factsOf(events[0], kindOf('moved'), ''), ['4 s']);
+    assert.deepEqual(factsOf(event('taken', 0, 500), kindOf('taken'), 'missing from 0:00'), ['missing 20 s', 'missing from 0:00']);
     assert.deepEqual(relationsOf(events[2], kindOf('left')), [{place: 0, words: 'began in one outline with'}, {place: 1, words: 'put down by'}]);
     assert.deepEqual(relationsOf(event('left', 0, 1, {into: 3}), kindOf('left')), [{place: 3, words: 'ended in one outline with'}]);
 });

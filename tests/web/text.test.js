@@ -47,11 +47,12 @@ test('grouping keeps the order', () => {
 });
 
 test('kinds have the rank of their row, and unknown ones rank last', () => {
-    const row = name => ({name, words: name + '!', by: 'b', isThing: true, emphasis: 'strong', tally: 'count', choice: null});
+    const row = name => ({name, words: name + '!', by: 'b', isThing: true, isOfScene: true, emphasis: 'strong', tally: 'count', choice: null});
     const kindOf = kindsBy([row('first'), row('second')]);
     assert.equal(kindOf('second').rank, 1);
     assert.equal(kindOf('second').words, 'second!');
-    assert.deepEqual(kindOf('new'), {name: 'new', words: 'new', by: 'by', isThing: false, emphasis: 'none', tally: 'none', choice: null, rank: 2});
+    assert.deepEqual(kindOf('new'), {name: 'new', words: 'new', by: 'by', isThing: false, isOfScene: false, emphasis: 'none', tally: 'none', choice: null,
+                                     rank: 2});
 });
 
 test('dates on the wall', () => {

@@ -4,7 +4,7 @@ import {shortSpanOf} from '../shared/durations.js';
 import {meets, sidesOf} from '../shared/shapes.js';
 import {clamp} from '../shared/text.js';
 import {daysBefore} from '../shared/wall_clock.js';
-import {boundsOf, crossingWords, crossingsOf, stayOf, stayWords, staysOf} from '../shared/ways.js';
+import {boundsOf, crossingWords, crossingsOf, missingWords, stayOf, stayWords, staysOf} from '../shared/ways.js';
 
 /**
  * @typedef {import('../shared/shapes.js').Shape} Shape
@@ -23,7 +23,7 @@ import {boundsOf, crossingWords, crossingsOf, stayOf, stayWords, staysOf} from '
  * @typedef {object} Answer
  * @property {number} at the second of the clip
  * @property {number[]} ways the sides to which it crossed a line
- * @property {() => string} words what there is to say
+ * @property {() => string} words what there is to say; '' = only for how long it was in view
  *
  * @typedef {{event: SceneEvent, how: Answer}} Found
  *
@@ -56,7 +56,9 @@ export function eventOf(clip, [kind, number, still, ...rest], kindOf) {
  */
 export function answerOf(event, place, way, size, clock) {
     if (place && !meets(event.bounds, sidesOf(place))) return null;
+    const {isOfScene} = event.kind;
     if (place?.kind === 'line') {
+        if (isOfScene) return null;  // what is not there crosses nothing
         const crossings = crossingsOf(event.way, place.from, place.to).filter(({at}) => clock.has(event, at / 10));
         const wanted = crossings.find(({side}) => way === 0 || side === way);
         if (!crossings.length) return null;
@@ -68,7 +70,9 @@ export function answerOf(event, place, way, size, clock) {
     // An event that lasts into the time is shown when that begins.
     const moments = spans.map(([from, to]) => firstMoment(Math.round(from) / 10, to / 10, seconds => clock.has(event, seconds)));
     const at = moments.find(moment => moment !== null) ?? null;
-    return at === null ? null : {at, ways: [], words: () => box ? stayWords(stayOf(event.way, box) ?? {lasts: 0}, shortSpanOf) : ''};
+    if (at === null) return null;
+    return {at, ways: [], words: () => isOfScene ? missingWords(clock.text(event, event.way[0] / 10))
+        : box ? stayWords(stayOf(event.way, box) ?? {lasts: 0}, shortSpanOf) : ''};
 }
 
 /**
@@ -119,6 +123,12 @@ export function hitBeside(hits, from, by) {
     const here = hits.findIndex(({event}) => event.clip.url === from.clip && event.number === from.number);
     return here < 0 ? null : hits[here + by] ?? null;
 }
+
+/**
+ * The ways of events for heatOf. Of a thing of the scene it is only the moment at which it goes: then it is no longer there.
+ * @param {SceneEvent[]} events
+ */
+export const waysOf = events => events.map(({kind, way}) => kind.isOfScene ? way.slice(0, 3) : way);
 
 /**
  * For how long objects were in each cell of a grid, in tenths of a second, at least one for each that passes.

@@ -6,7 +6,7 @@ import {isWithin} from '../shared/day_time.js';
 import {digits, many} from '../shared/text.js';
 import {timeText} from '../shared/wall_clock.js';
 import {arrowAcross} from '../shared/ways.js';
-import {answerOf, coloursOf, daysBetween, heatOf, ofWay} from './answers.js';
+import {answerOf, coloursOf, daysBetween, heatOf, ofWay, waysOf} from './answers.js';
 import {bits} from './data.js';
 import {eventsOf, loadDay} from './events.js';
 import {isOf, isOfChoice} from './query.js';
@@ -126,7 +126,7 @@ export function drawHeat() {
     [canvas.width, canvas.height] = grid;
     // Where nothing was found one sees where something would have been.
     const shown = hits().length ? hits().map(({event}) => event) : state.answer.events;
-    const cells = heatOf(shown.map(({way}) => way), columns, rows);
+    const cells = heatOf(waysOf(shown), columns, rows);
     canvas.getContext('2d')?.putImageData(new ImageData(coloursOf(cells), columns, rows), 0, 0);
 }
 

@@ -146,7 +146,8 @@ export function countsOfClasses(events) {
  * @param {string | null} answer what it has to do with the place that is asked for
  */
 export function factsOf(event, kind, answer) {
-    const facts = [durationOf(secondsFor(event))];
+    const lasts = durationOf(secondsFor(event));
+    const facts = [kind.isOfScene ? 'missing ' + lasts : lasts];
     if (event.class) facts.push(`${event.class} (${Math.round((event.score ?? 0) * 100)} %)`);
     if (kind.tally === 'still' && !event.deed) facts.push(kind.words + ' ' + durationOf(event.still));
     if (answer) facts.push(answer);

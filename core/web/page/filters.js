@@ -3,7 +3,7 @@
 import {spanOf} from '../shared/durations.js';
 import {scaled, sidesOf} from '../shared/shapes.js';
 import {derived} from '../shared/state.js';
-import {crossingWords, crossingsOf, stayOf, stayWords} from '../shared/ways.js';
+import {crossingWords, crossingsOf, missingWords, stayOf, stayWords} from '../shared/ways.js';
 import {isSet, sortedPlaces, wantedPlaces} from './events.js';
 import {keyOf} from './marks.js';
 import {kindOf, state} from './state.js';
@@ -18,9 +18,11 @@ export function answerOf(event) {
     const place = scaled(asked, 1000);
     if (asked.kind === 'box') {
         const stay = stayOf(event.way, sidesOf(place));
-        return stay && stayWords(stay, spanOf);
+        if (!stay) return null;
+        return kindOf(event.kind).isOfScene ? missingWords(time.clockOf(event.begin, false)) : stayWords(stay, spanOf);
     }
-    const crossings = crossingsOf(event.way, place.from, place.to);
+    // What is not there crosses nothing.
+    const crossings = kindOf(event.kind).isOfScene ? [] : crossingsOf(event.way, place.from, place.to);
     return crossings.length ? crossingWords(crossings, asked, data.size, seconds => time.clockOf(seconds, false)) : null;
 }
 

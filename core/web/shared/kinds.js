@@ -1,8 +1,8 @@
 // Kinds of events: the rows of the program's table (core/events/event_kind.h), most informative first.
 
 /**
- * @typedef {{name: string, words: string, by: string, isThing: boolean, emphasis: string, tally: string,
- *     choice: string | null}} KindRow
+ * @typedef {{name: string, words: string, by: string, isThing: boolean, isOfScene: boolean, emphasis: string,
+ *     tally: string, choice: string | null}} KindRow
  * @typedef {KindRow & {rank: number}} Kind
  */
 
@@ -15,5 +15,6 @@
 export function kindsBy(rows) {
     const kinds = new Map(rows.map((row, rank) => [row.name, {...row, rank}]));
     return name => kinds.get(name) ??
-        {name, words: name, by: 'by', isThing: false, emphasis: 'none', tally: 'none', choice: null, rank: kinds.size};
+        {name, words: name, by: 'by', isThing: false, isOfScene: false, emphasis: 'none', tally: 'none', choice: null,
+         rank: kinds.size};
 }

@@ -91,6 +91,12 @@ export function stayOf(way, box) {
 export const stayWords = ({lasts}, words) => lasts < 0.5 ? 'came past here' : `here ${words(lasts / 10)}`;
 
 /**
+ * What a search says of a thing of the scene, which is not there while its event lasts: "missing from 0:40".
+ * @param {string} time at which the event begins
+ */
+export const missingWords = time => 'missing from ' + time;
+
+/**
  * Where a way is at a time, in thousandths; before and after it, at its ends.
  * @param {number[]} way
  * @param {number} tenths of a second
