@@ -176,6 +176,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.field = plan.clip.field_size;
     content.picture = std::move(picture);
     content.settings = settings;
+    content.time_direction = job.layout->time_direction;
     content.moments = std::move(moments);
     content.span = job.fields.span;
     content.clock = plan.clock;

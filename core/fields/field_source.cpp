@@ -364,8 +364,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     options.flow.every_frame = needs.flow_of_every_frame;
     options.full_size = needs.full_size;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
-    if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown)
-        options.flow.method = std::string(no_flow().name);
+    if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = FlowChoice::none();
     return compute_fields(*clip_, options, sink, needs.scene, needs.find_living);
 }
 

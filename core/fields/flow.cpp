@@ -94,6 +94,12 @@ FlowChoice::FlowChoice(std::string name) : name_(std::move(name)), row_(&of_fold
     }
 }
 
+FlowChoice::FlowChoice(const FlowRow& row) : name_(row.name), row_(&row) {}
+
+FlowChoice FlowChoice::none() {
+    return FlowChoice(no_flow());
+}
+
 bool FlowChoice::is_folder() const {
     return row_ == &of_folder;
 }

@@ -36,11 +36,16 @@ class FlowChoice {
     FlowChoice(std::string name);
     FlowChoice(const char* name) : FlowChoice(std::string(name)) {}
 
+    /// The method that computes nothing.
+    static FlowChoice none();
+
     const FlowRow& row() const { return *row_; }
     const std::string& name() const { return name_; }  ///< of the row or the folder
     bool is_folder() const;
 
   private:
+    explicit FlowChoice(const FlowRow& row);
+
     std::string name_;
     const FlowRow* row_;
 };

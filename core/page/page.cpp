@@ -16,7 +16,6 @@
 #include "core/labels/time_ticks.h"
 #include "core/page/html.h"
 #include "core/page/page_data.h"
-#include "core/space/layout.h"
 #include "web_files.h"
 
 namespace vvr::page {
@@ -117,15 +116,6 @@ std::string time_source_text(const PageContent& content) {
     return content.clock ? fmt::format("times of day {}", words) : std::string(words);
 }
 
-/// The direction of time in the picture, as text.
-std::string time_direction(const image::Metadata& settings) {
-    const auto layout = std::ranges::find(settings, "layout", &image::Metadata::value_type::first);
-    const auto row = layout == settings.end()
-                         ? space::layouts().begin()
-                         : std::ranges::find(space::layouts(), layout->second, &space::LayoutRow::name);
-    return row == space::layouts().end() ? std::string() : row->time_direction;
-}
-
 }  // namespace
 
 std::string make_page(const PageContent& content) {
@@ -154,7 +144,7 @@ std::string make_page(const PageContent& content) {
             {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(begin, content.clock),
                                     labels::format_moment(end, content.clock),
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
-            {"way", time_direction(content.settings)},
+            {"way", content.time_direction},
             {"list", list_of(content)},
             {"first kind", std::string(events::ranked_kinds().front().words)},
             {"style", style},

@@ -82,6 +82,7 @@ struct PageContent {
     Size field;                      ///< field size; events are in field pixels
     image::Picture picture;          ///< includes pixel data
     image::Metadata settings;        ///< of the picture
+    std::string time_direction;      ///< in the picture: "from left to right"
     Moments moments;
     video::FrameSpan span{};                           ///< the requested part of the clip
     std::optional<std::vector<events::Event>> events;  ///< none = not detected

@@ -53,6 +53,14 @@ fields::PlaneStack derivatives_of(Size size, double u, double v) {
     return result;
 }
 
+TEST(FlowChoice, OfNothingHasTheRowThatComputesNothing) {
+    const fields::FlowChoice none = fields::FlowChoice::none();
+    EXPECT_EQ(&none.row(), &fields::no_flow());
+    EXPECT_EQ(none.name(), fields::no_flow().name);
+    EXPECT_FALSE(none.is_folder());
+    EXPECT_FALSE(fields::has_flow({.method = none}));
+}
+
 TEST(Flow, EveryMethodFollowsASlowTexture) {
     const auto frames = test::moving_texture({96, 80}, 15, 0.8, -0.5);
     for (fields::FlowOptions options : all_methods()) {
