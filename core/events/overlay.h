@@ -13,7 +13,7 @@ namespace vvr::events {
 /// Finds the clock that a camera writes into its pictures, by how it changes: some of its pixels change when a second
 /// begins, always at the same phase, and at no other time. Nothing else in a scene does, wherever the clock is.
 ///
-/// It needs at least three frames per second and about ten seconds.
+/// It needs at least three frames per second and about twenty seconds: a dozen changes, and it looks every ten seconds.
 class ClockFinder {
   public:
     /// \param grey the picture; the search rests while it is empty

@@ -30,7 +30,7 @@ Planes lasting_reference(std::span<const video::Frame> frames);
 using LivingFinder = std::function<std::vector<PixelBox>(const video::Frame&)>;
 
 /// Replaces people, vehicles and animals in the empty scene by what is behind them. Looks at the first frame, and only
-/// if somebody is in it, at about seven more. Whoever is at a place in nearly all of them stays in the scene.
+/// if somebody is in it, at about ten more. Whoever is at a place in nearly all of them stays in the scene.
 /// \param frames from which `scene` was made, in order of time
 void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene);
 
