@@ -214,8 +214,9 @@ video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& sta
     const std::string times = video::day_times_of(resolved, clock, info);
     if (!times.empty()) {
         const bool counted = span.asked == video::RequestedSpan{};
-        day_times = fmt::format("'{}': {}{}", info.name, times,
-                                counted ? "; counted from the first frame; a time of day is written @02:00" : "");
+        day_times = fmt::format(
+            "'{}': {}{}", info.name, times,
+            counted ? "; --start and --end count from the first frame; for a time of day, write @02:00" : "");
     }
     return resolved;
 }

@@ -50,7 +50,7 @@ constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
 constexpr Setting keep{
     "keep",
     "AGE",
-    "remove pictures, pages and their files when the clip was last written longer ago, for example 30d; "
+    "remove pictures, pages and their files of clips last written longer ago than this, for example 30d; "
     "older clips are not drawn",
     {},
     "for ever"};

@@ -29,8 +29,7 @@ namespace {
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
-constexpr Setting still{"still", "FILE",
-                        "the frame of the clip that shows most, with a box around what it shows: .jpg .png"};
+constexpr Setting still{"still", "FILE", "the frame of the clip that shows most: .jpg .png"};
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};

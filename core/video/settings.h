@@ -14,7 +14,9 @@ inline constexpr Setting rate{.name = "rate",
 inline constexpr Setting decode{
     .name = "decode",
     .unit = "NAME",
-    .help = "the frames of a video file that are decoded; fewer take less time. Numbers of frames count only these",
+    .help =
+        "the frames of a video file that are decoded; fewer take less time; frame numbers count only "
+        "decoded frames",
     .not_live_reason = "every frame of a stream is decoded"};
 inline constexpr Setting hwaccel{
     "hwaccel", "NAME",

@@ -106,7 +106,7 @@ def test_parts_of_a_clip_by_the_clock(t):
     ]:
         done = t.render(name, *options, "--report", "r.json").expect(0, says)
         is_offset = not any("@" in option or "-" in option[2:] for option in options)
-        check(("counted from the first frame; a time of day is written @02:00" in done.err) == is_offset, str(done))
+        check(("--start and --end count from the first frame; for a time of day, write @02:00" in done.err) == is_offset, str(done))
         report = t.json("r.json")
         first, stop = frames
         check(report["frames"]["used"] == stop - first and report["span"]["first"] == first / 10, f"{done} {report['span']}")
