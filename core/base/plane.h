@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 namespace vvr {
@@ -122,6 +123,26 @@ inline PixelBox bounding_box(const PixelBox& a, const PixelBox& b) {
 /// The intersection of two boxes; empty if they don't intersect.
 inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
+}
+
+/// The part of a plane in a box, which lies within it.
+template <class T>
+Plane<T> cropped(const Plane<T>& plane, const PixelBox& box) {
+    auto part = Plane<T>::for_overwrite(box.size());
+    for (int j = 0; j < box.height(); ++j) {
+        std::copy_n(plane.row(box.top + j).begin() + box.left, box.width(), part.row(j).begin());
+    }
+    return part;
+}
+
+/// Sets the pixels of a box, as far as it lies within the plane.
+template <class T>
+void fill(Plane<T>& plane, const PixelBox& box, const std::type_identity_t<T>& value) {
+    const PixelBox inside = intersection(box, {0, 0, plane.width(), plane.height()});
+    if (inside.empty()) return;
+    for (int j = inside.top; j < inside.bottom; ++j) {
+        std::fill_n(plane.row(j).begin() + inside.left, inside.width(), value);
+    }
 }
 
 }  // namespace vvr

@@ -24,15 +24,7 @@ double at_most(double value, double most) {
 }
 
 fields::Planes part_of_scene(const fields::Planes& scene, const PixelBox& box) {
-    fields::Planes part{Plane<std::uint8_t>(box.size()), {}};
-    if (!scene.colour.empty()) part.colour = Plane<Bgr>(box.size());
-    for (int j = 0; j < box.height(); ++j) {
-        for (int i = 0; i < box.width(); ++i) {
-            part.grey.at(i, j) = scene.grey.at(box.left + i, box.top + j);
-            if (!part.colour.empty()) part.colour.at(i, j) = scene.colour.at(box.left + i, box.top + j);
-        }
-    }
-    return part;
+    return {cropped(scene.grey, box), scene.colour.empty() ? Plane<Bgr>() : cropped(scene.colour, box)};
 }
 
 /// The connected component of the pixels above a level that holds most of the settled ones; nothing where they share

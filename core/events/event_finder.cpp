@@ -81,13 +81,7 @@ void EventFinder::restart() {
 Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, const Moment& now) {
     const Plane<std::uint8_t>& field = sight.field;
     Plane<std::uint8_t> rest = field;
-    for (const PixelBox& clock : clocks_.found()) {
-        for (int j = clock.top; j < clock.bottom; ++j) {
-            std::ranges::fill(
-                rest.row(j).subspan(static_cast<std::size_t>(clock.left), static_cast<std::size_t>(clock.width())),
-                std::uint8_t{0});
-        }
-    }
+    for (const PixelBox& clock : clocks_.found()) fill(rest, clock, 0);
     for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);

@@ -183,12 +183,7 @@ void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_
         if (k == 0 && boxes.empty()) return;
         seen.push_back(&frames[k]);
         Plane<std::uint8_t>& plane = hides.emplace_back(scene.grey.size());
-        for (const PixelBox& living : boxes) {
-            const PixelBox box = intersection(living, {0, 0, plane.width(), plane.height()});
-            for (int j = box.top; j < box.bottom; ++j) {
-                for (int i = box.left; i < box.right; ++i) plane.at(i, j) = 1;
-            }
-        }
+        for (const PixelBox& living : boxes) fill(plane, living, 1);
     }
     std::vector<const video::Frame*> behind;
     std::vector<const video::Frame*> before;

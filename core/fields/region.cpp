@@ -191,14 +191,7 @@ Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size vi
             if (mask.pixels()[i] != 0) region.pixels()[i] = 0;
         }
     }
-    for (const PixelBox& overlay : options.overlays) {
-        const PixelBox box = intersection(overlay, {0, 0, field.width, field.height});
-        const auto left = static_cast<std::size_t>(box.left);
-        const auto width = static_cast<std::size_t>(box.width());
-        for (int j = box.top; j < box.bottom; ++j) {
-            std::ranges::fill(region.row(j).subspan(left, width), std::uint8_t{0});
-        }
-    }
+    for (const PixelBox& overlay : options.overlays) fill(region, overlay, 0);
     return region;
 }
 

@@ -33,15 +33,6 @@ PixelBox scaled(const PixelBox& box, double scale) {
     return {at(box.left), at(box.top), at(box.right), at(box.bottom)};
 }
 
-Plane<Bgr> part_of(const Plane<Bgr>& picture, const PixelBox& box) {
-    Plane<Bgr> part = Plane<Bgr>::for_overwrite(box.size());
-    for (int j = 0; j < box.height(); ++j) {
-        const auto row = picture.row(box.top + j).subspan(static_cast<std::size_t>(box.left), part.row(j).size());
-        std::ranges::copy(row, part.row(j).begin());
-    }
-    return part;
-}
-
 }  // namespace
 
 PixelBox still_box(const PixelBox& object, Size frame) {
@@ -78,7 +69,7 @@ ObjectPicture Crop::still() const {
     PixelBox box = scaled(still_, scale_);
     const int side = std::min({box.width(), wide.picture.width() - box.left, wide.picture.height() - box.top});
     box = {box.left, box.top, box.left + side, box.top + side};
-    return {part_of(wide.picture, box), wide.object.translated(-box.left, -box.top), scale_,
+    return {cropped(wide.picture, box), wide.object.translated(-box.left, -box.top), scale_,
             origin_ + glm::ivec2(still_.left, still_.top)};
 }
 

@@ -223,7 +223,7 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     bricks::Volume volume(size, {8});
     for (int f = 0; f < 8; ++f) {
         Plane<Bgr> colour(size, {51, 128, 255});
-        test::fill(colour, {size.width / 2, 0, size.width, size.height}, {26, 204, 51});
+        fill(colour, {size.width / 2, 0, size.width, size.height}, {26, 204, 51});
         volume.add(test::field_of(f, size, 255), colour);
     }
     Shot shot = small_shot();

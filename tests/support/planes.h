@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <type_traits>
 
 #include "core/base/plane.h"
 
@@ -27,15 +26,6 @@ inline Plane<Bgr> noise(Size size, unsigned seed) {
         const auto byte = [&] { return static_cast<std::uint8_t>(random()); };
         return Bgr{byte(), byte(), byte()};
     });
-}
-
-/// Gives a box one value, as far as it is in the plane.
-template <class T>
-void fill(Plane<T>& plane, const PixelBox& box, const std::type_identity_t<T>& value) {
-    const PixelBox there = intersection(box, {0, 0, plane.width(), plane.height()});
-    for (int j = there.top; j < there.bottom; ++j) {
-        for (int i = there.left; i < there.right; ++i) plane.at(i, j) = value;
-    }
 }
 
 /// How many pixels are not 0.

@@ -132,15 +132,6 @@ Plane<float> upsampled(const Plane<float>& coarse, Size size) {
     return fine;
 }
 
-/// The part `part` of a plane.
-Plane<float> cut(const Plane<float>& plane, const PixelBox& part) {
-    auto result = Plane<float>::for_overwrite(part.size());
-    for (int j = 0; j < part.height(); ++j) {
-        std::copy_n(plane.row(part.top + j).begin() + part.left, part.width(), result.row(j).begin());
-    }
-    return result;
-}
-
 /// A 3×3 median filter. Between iterations it removes single outliers and keeps motion boundaries (Sun, Roth and Black,
 /// CVPR 2010).
 Plane<float> median_of_nine(const Plane<float>& plane) {
@@ -178,10 +169,10 @@ class Pyramid final : public FlowMethod {
             const Size size = parts[k].size();
             flow = k + 1 == here.size() ? Flow{Plane<float>(size), Plane<float>(size)}
                                         : Flow{upsampled(flow.u, size), upsampled(flow.v, size)};
-            improve(flow, cut(here[k], parts[k]), next[k], parts[k]);
+            improve(flow, cropped(here[k], parts[k]), next[k], parts[k]);
         }
         const PixelBox wanted = part.translated(-parts[0].left, -parts[0].top);
-        return wanted.size() == parts[0].size() ? flow : Flow{cut(flow.u, wanted), cut(flow.v, wanted)};
+        return wanted.size() == parts[0].size() ? flow : Flow{cropped(flow.u, wanted), cropped(flow.v, wanted)};
     }
 
   private:

@@ -22,7 +22,7 @@ fields::Field walkers(int i) {
         const double speed = 0.4 + 0.7 * k;
         const int left = static_cast<int>(speed * i + 20 * std::sin(0.05 * (k + 1) * i)) % size.width;
         const int top = 14 * k;
-        test::fill(field.scalar, {left, top, left + 8, top + 12}, 200);
+        fill(field.scalar, {left, top, left + 8, top + 12}, 200);
     }
     return field;
 }

@@ -59,7 +59,7 @@ TEST_F(DetectorTest, FindsWhatTheModelTells) {
 TEST_F(DetectorTest, ReturnsBoxesInPixelsOfTheImage) {
     Detector detector(write(TinyModel().onnx()));
     Plane<Bgr> image({256, 128}, Bgr{0, 0, 0});
-    test::fill(image, {96, 64, 128, 96}, {255, 0, 0});
+    fill(image, {96, 64, 128, 96}, {255, 0, 0});
     // The image is a quarter of its size in the input: the cell is at 24, 16, and a box has 16 pixels there.
     const auto found = detector.detect(view_of(image), 0.5F);
     ASSERT_EQ(found.size(), 1);

@@ -28,8 +28,8 @@ struct Stage {
     events::FrameView sight() const { return {field, grey_, colour}; }
 
     void paint(const PixelBox& box, const Bgr& paint) {
-        test::fill(field, box, 200);
-        test::fill(colour, box, paint);
+        fill(field, box, 200);
+        fill(colour, box, paint);
     }
 
   private:

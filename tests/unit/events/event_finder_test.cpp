@@ -13,7 +13,6 @@ namespace vvr {
 namespace {
 
 using test::at;
-using test::fill;
 
 using Paint = std::function<void(int, Plane<std::uint8_t>&)>;
 

@@ -13,7 +13,6 @@ namespace vvr {
 namespace {
 
 using test::at;
-using test::fill;
 
 TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     Plane<std::uint8_t> field({60, 40});

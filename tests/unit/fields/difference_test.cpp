@@ -120,7 +120,7 @@ TEST(Difference, BlobsOfAnyShapeAreOne) {
 
 TEST(Difference, OnlyTheRegionIsLookedAt) {
     Plane<std::uint8_t> region(pair_size, 255);
-    test::fill(region, {0, 0, pair_size.width, 30}, 0);
+    fill(region, {0, 0, pair_size.width, 30}, 0);
     const Plane<std::uint8_t> object =
         object_in(test::flat_frame(pair_size, 0, 200), test::flat_frame(pair_size, 0, 100), plain(), region);
     EXPECT_EQ(lit(object), pixels - 30 * pair_size.width);
@@ -168,9 +168,9 @@ TEST(Illumination, LocalFollowsALampAtOneSide) {
 
 TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
     video::Frame empty = dark_texture();
-    test::fill(empty.grey, {5, 5, 30, 20}, 255);
+    fill(empty.grey, {5, 5, 30, 20}, 255);
     video::Frame frame = seen(empty, 0.8, 0, 0, 1);
-    test::fill(frame.grey, {5, 5, 30, 20}, 255);
+    fill(frame.grey, {5, 5, 30, 20}, 255);
     fields::FieldOptions options;
     options.smooth = 0;  // or the cut off places' edges would be something between
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
@@ -237,7 +237,7 @@ TEST(Shadows, AreUnknownWhereNothingHasAColour) {
     const fields::FieldOptions options{.illumination = "none"};
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0) << "a coat in the night";
     for (video::Frame* const picture : {&frame, &empty}) {
-        test::fill(picture->colour, {50, 0, 60, pair_size.height}, Bgr{40, 90, 160});  // a door
+        fill(picture->colour, {50, 0, 60, pair_size.height}, Bgr{40, 90, 160});  // a door
     }
     EXPECT_EQ(object_in(frame, empty, options).at(15, 25), 0) << "there are colours, and none changed";
 }
@@ -246,7 +246,7 @@ TEST(Planes, FewColouredPixelsAreNoColours) {
     constexpr Size size{100, 60};
     const auto picture = [&](const Bgr& tint, int coloured_columns) {
         Plane<Bgr> colour(size, tint);
-        test::fill(colour, {0, 0, coloured_columns, size.height}, Bgr{40, 90, 160});
+        fill(colour, {0, 0, coloured_columns, size.height}, Bgr{40, 90, 160});
         return colour;
     };
     EXPECT_FALSE(fields::has_colours(picture({80, 80, 80}, 0)));

@@ -25,7 +25,7 @@ video::Frame walker(std::int64_t index) {
     frame.pts = static_cast<double>(index) / 25;
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(30 + p / 4);
     const int left = static_cast<int>(4 * index);
-    test::fill(frame.grey, {left, 16, left + 12, 32}, 220);
+    fill(frame.grey, {left, 16, left + 12, 32}, 220);
     return frame;
 }
 
@@ -84,8 +84,8 @@ TEST(Filters, SignedTellsDarkerFromBrighter) {
     const video::Frame empty = test::flat_frame(frame_size, 0, 100);
     const auto make = [&](std::int64_t) {
         video::Frame frame = empty;
-        test::fill(frame.grey, {0, 0, 8, frame_size.height}, 60);
-        test::fill(frame.grey, {8, 0, 16, frame_size.height}, 160);
+        fill(frame.grey, {0, 0, 8, frame_size.height}, 60);
+        fill(frame.grey, {8, 0, 16, frame_size.height}, 160);
         return frame;
     };
     const Plane<std::uint8_t> scalar =
@@ -238,7 +238,7 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
         options.threshold = 255;
         fields::EmptyScene scene = test::scene_of(walker(1000));
         scene.region = Plane<std::uint8_t>(frame_size, 255);
-        test::fill(scene.region, {0, 0, frame_size.width, 24}, 0);
+        fill(scene.region, {0, 0, frame_size.width, 24}, 0);
         for (const fields::Field& field : test::fields_of(test::frames_of(8, walker), scene, options)) {
             for (int j = 0; j < 24; ++j)
                 ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), frame_size.width) << row.name;

@@ -20,7 +20,7 @@ constexpr Size mask_size{96, 64};
 using test::lit;
 
 void paint(Plane<std::uint8_t>& plane, int left, int top, int width, int height, std::uint8_t value) {
-    test::fill(plane, {left, top, left + width, top + height}, value);
+    fill(plane, {left, top, left + width, top + height}, value);
 }
 
 TEST(Blobs, FaintOnesGo) {

@@ -19,7 +19,7 @@ std::vector<bool> motion(int frames, int begin, int end) {
     for (int i = 0; i < frames; ++i) {
         place = (place + (begin <= i && i < end ? 2 : 0)) % 48;
         fields::Field field{i, 0.1 * i, Plane<std::uint8_t>({64, 32}), {}, {}};
-        test::fill(field.scalar, {place, 8, place + 16, 24}, 200);
+        fill(field.scalar, {place, 8, place + 16, 24}, 200);
         field.scalar.at(i % 64, 3) = 90;
         told.push_back(moves(field));
     }

@@ -28,8 +28,8 @@ TEST(Reference, IsWithoutWhoStoodThereForMostOfTheClip) {
     std::vector<video::Frame> frames;
     for (int f = 0; f < 24; ++f) {
         video::Frame& frame = frames.emplace_back(test::flat_frame({20, 8}, f, 90));
-        if (f < 16) test::fill(frame.grey, person, 200);
-        if (f >= 12) test::fill(frame.grey, box, 10);
+        if (f < 16) fill(frame.grey, person, 200);
+        if (f >= 12) fill(frame.grey, box, 10);
     }
     fields::Planes scene = fields::lasting_reference(frames);
     EXPECT_EQ(scene.grey.at(5, 4), 200);
@@ -123,7 +123,7 @@ TEST(RunningReference, LightChangesBehindObjectsToo) {
 /// A square in the middle, as an object shows it.
 Plane<std::uint8_t> square(Size picture, std::uint8_t about, std::uint8_t inside) {
     Plane<std::uint8_t> plane(picture, about);
-    test::fill(plane, {20, 20, 40, 40}, inside);
+    fill(plane, {20, 20, 40, 40}, inside);
     return plane;
 }
 

@@ -20,7 +20,7 @@ constexpr int pictures = 6;
 /// A grey background with a bar of red that moves.
 image::Picture bar_at(int place) {
     image::Picture picture{Plane<image::Rgba>(size, {0.5F, 0.5F, 0.5F, 1})};
-    test::fill(picture.pixels, {8 * place, 0, 8 * place + 8, size.height}, {1, 0, 0, 1});
+    fill(picture.pixels, {8 * place, 0, 8 * place + 8, size.height}, {1, 0, 0, 1});
     return picture;
 }
 
