@@ -175,22 +175,10 @@ class Strip {
     int number_size_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
-/// The time that an event takes in its row.
-struct Place {
-    double begin = 0;
-    double end = 0;
-
-    bool overlaps(const Place& other) const { return begin < other.end && other.begin < end; }
-};
-
 /// Whether fewer than `rows` of the others are there at each moment of a place.
-bool has_row(const Place& place, std::span<const Place> others, int rows) {
+bool has_row(const Period& place, std::span<const Period> others, int rows) {
     std::vector<std::pair<double, int>> steps;  // ends sort before the beginnings at the same time
-    for (const Place& other : others) {
+    for (const Period& other : others) {
         if (!other.overlaps(place)) continue;
         steps.emplace_back(other.begin, 1);
         steps.emplace_back(other.end, -1);
@@ -209,9 +197,12 @@ bool has_row(const Place& place, std::span<const Place> others, int rows) {
 
 std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart) {
-    const auto place_of = [&](std::size_t k) { return Place{events[k].first.seconds, events[k].last.seconds + apart}; };
+    // The time that an event takes in its row.
+    const auto place_of = [&](std::size_t k) {
+        return Period{events[k].first.seconds, events[k].last.seconds + apart};
+    };
     std::vector<std::size_t> chosen;
-    std::vector<Place> places;
+    std::vector<Period> places;
     for (const std::size_t k : order) {
         if (!has_row(place_of(k), places, rows)) continue;
         chosen.push_back(k);
@@ -222,7 +213,7 @@ std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::spa
     std::vector<double> until(static_cast<std::size_t>(std::max(0, rows)), -std::numeric_limits<double>::infinity());
     std::vector<StripBar> bars;
     for (const std::size_t k : chosen) {
-        const Place place = place_of(k);
+        const Period place = place_of(k);
         const auto row = std::ranges::find_if(until, [&](double end) { return end <= place.begin; });
         if (row == until.end()) continue;
         *row = place.end;

@@ -17,6 +17,8 @@ namespace vvr::glance {
 struct Period {
     double begin = 0;
     double end = 0;
+
+    bool overlaps(const Period& other) const { return begin < other.end && other.begin < end; }
 };
 
 /// The rest of the clip, in order.
