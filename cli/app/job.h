@@ -90,7 +90,7 @@ struct OutputOptions {
     std::filesystem::path report;      ///< empty = none
     std::filesystem::path events_csv;  ///< the events as a table; empty = none
     std::filesystem::path tracks;      ///< the objects' boxes in each frame; empty = none
-    bool tells_events = false;         ///< of a stream: each event is told when it has ended
+    bool reports_events = false;       ///< of a stream: each event is reported when it has ended
     bool returns_events = false;       ///< the caller gets the events
     bool returns_pixel_data = false;   ///< the caller gets the frame, time and depth of each pixel
     events::EventChoice events;        ///< which events are listed

@@ -272,7 +272,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
               .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};
     plan.detector = std::move(detector);
     plan.products = products_of(job, marks_objects, purpose);
-    plan.finds_objects = plan.products.events || job.output.tells_events || plan.colours_objects() ||
+    plan.finds_objects = plan.products.events || job.output.reports_events || plan.colours_objects() ||
                          job.look.show.any(&PartRow::needs_events);
     plan.nonuniform = !plan.products.series && wants_room_for_motion(job.bricks, clip);
     plan.layout = space::make_layout(job.layout, space::shape_for(clip.field_size, job.shape));

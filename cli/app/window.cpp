@@ -48,7 +48,7 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
         const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
         name_events(events);
         if (ended_) {
-            tell_ended(events, true);
+            report_ended(events, true);
         } else {
             seen_.events = events_between(events, seen_.begin.seconds, seen_.last->pts);
             number_as_shown(*seen_.events);
@@ -141,19 +141,19 @@ void Window::number_as_shown(ShownEvents& shown) {
 
 /// Passes on the events that have ended for good: none of their tracks is followed, and no later one can be linked.
 /// \param all also those that the end of the stream has cut
-void Window::tell_ended(const std::vector<events::Event>& events, bool all) {
-    std::set<std::size_t> told;
+void Window::report_ended(const std::vector<events::Event>& events, bool all) {
+    std::set<std::size_t> reported;
     for (const events::Event& event : events) {
         const double ago = seen_.last->pts - event.last.seconds;
         // Of a group, the same person may come out again.
         const double wait = event.into ? events::thresholds.memory : events::thresholds.link.seconds;
         const bool is_over = all || (ago > wait && !builder_.finder->follows(event.tracks));
         const std::size_t first = first_track_of(event);
-        const bool before = told_.contains(first);
+        const bool before = reported_.contains(first);
         if (is_over && !before) ended_(event, number_of(event));
-        if (is_over || before) told.insert(first);
+        if (is_over || before) reported.insert(first);
     }
-    told_ = std::move(told);  // the others have been forgotten
+    reported_ = std::move(reported);  // the others have been forgotten
 }
 
 /// Removes the pictures of objects that were forgotten. In a stream of days, there would be no room for new ones.
@@ -182,16 +182,16 @@ std::set<std::size_t> Window::tracks_of_bearers(double seconds) const {
 
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
-    constexpr double link_seconds = events::thresholds.memory;  // whoever returns within it may be the same object
-    // After a gap in the signal, the last look may be long ago: what ended since then isn't told yet.
+    constexpr double remembered = events::thresholds.memory;  // whoever returns within it may be the same object
+    // After a gap in the signal, the last look may be long ago: what ended since then isn't reported yet.
     const double kept = ended_ ? std::min(seen_.begin.seconds, looked_) : seen_.begin.seconds;
-    if (!plan_.products.events) builder_.finder->forget_ended_before(kept - link_seconds, bearers_);
+    if (!plan_.products.events) builder_.finder->forget_ended_before(kept - remembered, bearers_);
     looked_ = seen_.last->pts;
     events::EventFinder until_now = *builder_.finder;
     builder_.set_findings(until_now.finish());
     seen_.findings.largest_share = builder_.finder->largest_share_since(seen_.begin.seconds);
-    bearers_ = tracks_of_bearers(kept - link_seconds);
-    if (!plan_.products.events) forget_crops_before(kept - link_seconds);
+    bearers_ = tracks_of_bearers(kept - remembered);
+    if (!plan_.products.events) forget_crops_before(kept - remembered);
     builder_.identify();
     const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
     name_events(events);
@@ -205,7 +205,7 @@ void Window::look_at_events() {
             objects_.give_number(track, shown.numbers[k]);
         }
     }
-    if (ended_) tell_ended(events, false);
+    if (ended_) report_ended(events, false);
     seen_.events = std::move(shown);
     seen_.scene = video::picture_of(*seen_.first);
 }

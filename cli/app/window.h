@@ -47,7 +47,7 @@ class Window {
     std::size_t number_of(const events::Event& event);
     void number_as_shown(ShownEvents& shown);
     std::set<std::size_t> tracks_of_bearers(double seconds) const;
-    void tell_ended(const std::vector<events::Event>& events, bool all);
+    void report_ended(const std::vector<events::Event>& events, bool all);
 
     const Plan& plan_;
     fields::FieldNeeds needs_;
@@ -55,9 +55,9 @@ class Window {
     Observation& seen_;
     FullSink full_;
     EndedSink ended_;
-    std::set<std::size_t> told_;     ///< the first tracks of the events that `ended_` has got
-    std::set<std::size_t> bearers_;  ///< tracks that explain things that are still there
-    double looked_ = 0;              ///< seconds; the last frame when events were last looked at
+    std::set<std::size_t> reported_;  ///< the first tracks of the events that `ended_` has got
+    std::set<std::size_t> bearers_;   ///< tracks that explain things that are still there
+    double looked_ = 0;               ///< seconds; the last frame when events were last looked at
     LiveObjects objects_;
     std::map<std::size_t, std::size_t> numbers_;       ///< of the events already shown, by first track
     std::map<std::size_t, std::size_t> first_tracks_;  ///< of the last events, by track

@@ -134,8 +134,8 @@ class Watch final : public Command {
         options::check_events_to(events_to_, job_);
         cli::Console console(environment, false);
         cli::EventFile events(events_to_, environment.log);
-        job_.output.tells_events = !events_to_.empty();
-        if (job_.output.tells_events) {
+        job_.output.reports_events = !events_to_.empty();
+        if (job_.output.reports_events) {
             options_.on_event = [&events](const events::EventLine& one) { events.add(one); };
         }
         app::StreamWatch watch(job_, options_, console);

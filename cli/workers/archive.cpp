@@ -273,8 +273,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     std::vector<PlannedClip> work = found.planned;
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     cli::EventFile events(options.events_to, environment.log);
-    job.tells_clips = !options.events_to.empty();
-    job.tells_days = job.tells_clips && !options.grouping().clips;  // else each event would be told twice
+    job.reports_clips = !options.events_to.empty();
+    job.reports_days = job.reports_clips && !options.grouping().clips;  // else each event would be reported twice
     ArchiveOutcome outcome;
     if (!work.empty()) {
         const Shares shares = split_for_threads(options, work.size());
@@ -299,8 +299,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
-    const bool told = events.finish();
-    if (!pruned || !aged || !indexed || !told) return cli::ExitStatus::io;
+    const bool reported = events.finish();
+    if (!pruned || !aged || !indexed || !reported) return cli::ExitStatus::io;
     return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;
 }
 

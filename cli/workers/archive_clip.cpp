@@ -61,7 +61,7 @@ ClipTask::~ClipTask() {
     if (finished_ || lock_.descriptor() < 0) return;
     remove_leftovers(folder(), archive::written_names(file_name()));
     archive::remove_staging(staging());
-    // Nobody was told of its events, and the next run must not take it for a report that was told.
+    // Its events were not reported, and the next run must not take it for a report whose events were.
     if (report_moved_ && !before_) remove_files(job_->out, clip_.path, {archive::OutputKind::report}, {});
 }
 
@@ -286,10 +286,10 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
 }
 
 /// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
-/// it, so it counts without one too. That of a killed run has been removed: nobody was told of its events.
+/// it, so it counts without one too. That of a killed run has been removed: its events were not reported.
 std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
-    const bool told = day() != nullptr ? job_->tells_days : job_->tells_clips;
-    if (!told || !sidecar.events) return {};
+    const bool wanted = day() != nullptr ? job_->reports_days : job_->reports_clips;
+    if (!wanted || !sidecar.events) return {};
     const archive::OlderReport older =
         archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
     std::vector<events::EventLine> lines =

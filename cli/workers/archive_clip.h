@@ -37,8 +37,8 @@ struct ArchiveJob {
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     std::optional<double> pieces_margin{};             ///< seconds around each kept event; none = events aren't kept
     int threads = 1;                                   ///< per worker
-    bool tells_clips = false;                          ///< the new events of clips are told
-    bool tells_days = false;                           ///< those of days
+    bool reports_clips = false;                        ///< the new events of clips are reported
+    bool reports_days = false;                         ///< those of days
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 
@@ -76,7 +76,7 @@ class ClipTask {
     /// \throws Error when every other clip would fail too: io for a full disk, limit when no worker can start
     archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
-    /// After `finish`: the events that no earlier run has told, if they are to be told.
+    /// After `finish`: the events that no earlier run has reported, if they are to be reported.
     const std::vector<events::EventLine>& new_events() const { return new_events_; }
 
   private:

@@ -7,10 +7,10 @@
 
 #include "core/events/event_line.h"
 
-// What other programs are told of the events of an archive (`vvr archive --events-to`).
+// What is reported to other programs of the events of an archive (`vvr archive --events-to`).
 namespace vvr::archive {
 
-/// What an older report has of a clip or of a day. Its events were told when it was made.
+/// What an older report has of a clip or of a day. Its events were reported when it was made.
 struct OlderReport {
     bool exists = false;
     double end = 0;                 ///< of a clip, seconds from its first frame
