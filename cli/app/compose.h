@@ -52,7 +52,7 @@ scene::Scene scene_of(const Plan& plan, const Observation& seen, const Compositi
 /// The colours of voxels that belong to an object or a time; empty if no voxel does.
 std::vector<glm::vec4> palette_of(const Plan& plan);
 
-/// The intervals without frames. Those between the requested parts are told from losses of signal.
+/// The intervals without frames. Those between the requested parts are distinguished from losses of signal.
 std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation& seen);
 
 /// All text of a picture, with lines and portraits. Empty if there is no font.

@@ -126,10 +126,6 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     return std::move(builder.seen);
 }
 
-}  // namespace
-
-namespace {
-
 // Pixels per frame: no motion up to the first, motion from the second on.
 constexpr float resting = 0.2F;
 constexpr float moving = 0.6F;

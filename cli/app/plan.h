@@ -38,7 +38,7 @@ enum class Purpose {
 
 /// The products of a run in addition to files.
 struct Products {
-    int pictures = 1;         ///< over which the tracelines' texture moves on by one stripe
+    int pictures = 1;         ///< number of pictures, per brick in a series; 0 = none
     bool series = false;      ///< one picture per brick, while the window moves over the clip
     bool pixel_data = false;  ///< pictures have the frame, time and depth of each pixel
     bool events = false;      ///< a report or a page lists the events

@@ -10,9 +10,9 @@ namespace vvr::events {
 /// prints what a change of each number by a quarter does.
 struct Thresholds {
     double least_length = 4;  ///< field pixels; a shorter length is too uncertain, so this replaces it
-    double most = 0.5;   ///< share; from here on, it is most: of its frames it is seen in, of its box inside another
-    double memory = 60;  ///< seconds for which what was seen counts: a stationary object may be occluded as long
-    double bearer = 3;   ///< seconds before or after a thing appears or goes: its bearer is beside it within them
+    double most = 0.5;        ///< share that counts as most: of an object's frames, of its box, of its pixels
+    double memory = 60;       ///< seconds for which what was seen counts: a stationary object may be occluded as long
+    double bearer = 3;        ///< seconds before or after a thing appears or goes: its bearer is beside it within them
 
     /// What counts as an object in one field.
     struct {

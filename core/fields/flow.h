@@ -70,8 +70,8 @@ bool has_flow(const FlowOptions& options);
 /// The method that computes nothing.
 const FlowRow& no_flow();
 
-/// Whether a clip is so short that flow is computed in the whole frame, which a sequence without an empty scene, such
-/// as a benchmark's, needs. In others it is computed only near visible pixels that change.
+/// Whether a clip has so few frames that flow is computed everywhere. Benchmark sequences are that short, and have no
+/// empty scene. In others it is computed only near visible pixels that change.
 ///
 /// \param frames of the clip; 0 = unknown
 bool is_short(std::int64_t frames);

@@ -84,7 +84,7 @@ inline constexpr Setting threads{
 
 namespace vvr::fields {
 
-/// The folder of own scalar fields. Who names one chooses the filter that draws them.
+/// The folder of the user's scalar fields. Setting it also selects the filter `given`.
 template <class Options>
 struct FieldFolder {
     Options& options;

@@ -60,7 +60,6 @@ void Crop::compress() {
 }
 
 ObjectPicture Crop::surroundings() const {
-    // A still does not depend on how many objects there were beside it.
     return {image::decompress(is_raw() ? image::compress(raw_) : jpeg_), scaled(object_, scale_), scale_, origin_};
 }
 

@@ -27,8 +27,8 @@ struct ObjectPicture {
     PixelBox in_field(const PixelBox& box) const;
 };
 
-/// A crop of a frame around an object. Most are replaced by a better one soon, so they are compressed late; whoever
-/// looks at one sees the compressed picture in any case.
+/// A crop of a frame around an object. Most are replaced by a better one soon, so they are compressed late. Reading one
+/// always goes through JPEG, so its pixels do not depend on whether it has been compressed yet.
 class Crop {
   public:
     /// \param portrait its box is within the frame
