@@ -5,13 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.h"
+
 namespace vvr {
 
-/// Serialises JSON. Bytes that are not UTF-8, as in file names, become U+FFFD.
+/// Serialises JSON. Bytes that are not UTF-8, as in file names, become U+FFFD. Characters that could disguise a name on
+/// a terminal are escaped.
 /// \param indent spaces per level; -1 = one line
 /// \param ascii escape all non-ASCII characters
 inline std::string json_text(const nlohmann::ordered_json& json, int indent = -1, bool ascii = false) {
-    return json.dump(indent, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace);
+    return shown_json(json.dump(indent, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 /// Parses JSON. The result is discarded (`is_discarded`) if the text is not JSON or is nested so deeply that copying it

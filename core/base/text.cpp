@@ -1,5 +1,6 @@
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -47,6 +48,27 @@ std::string shown_text(std::string_view text) {
             result += text.substr(0, length);
         }
         text.remove_prefix(length);
+    }
+    return result;
+}
+
+std::string shown_json(std::string_view json) {
+    std::string result;
+    result.reserve(json.size());
+    while (!json.empty()) {
+        // JSON has escapes already for control characters of ASCII, except for DEL.
+        const auto other = std::ranges::find_if(json, [](unsigned char byte) { return byte >= 0x7F; });
+        result.append(json.begin(), other);
+        json.remove_prefix(static_cast<std::size_t>(other - json.begin()));
+        if (json.empty()) break;
+        const std::optional<Character> character = first_character(json);
+        const std::size_t length = character ? character->length : 1;
+        if (character && is_hidden(character->code)) {
+            result += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(character->code));
+        } else {
+            result += json.substr(0, length);
+        }
+        json.remove_prefix(length);
     }
     return result;
 }

@@ -31,6 +31,9 @@ constexpr bool is_digit(char c) {
 /// disguise a name.
 std::string shown_text(std::string_view text);
 
+/// Escapes the same characters of JSON, so that it can be shown on a terminal. Its value stays the same.
+std::string shown_json(std::string_view json);
+
 /// Removes private parts of every `scheme://...` address in a text: user and password, and everything from `?` or `#`
 /// on.
 std::string redact_secrets(std::string_view text);

@@ -1,6 +1,7 @@
 """Names, files and texts that somebody made on purpose: nothing is replaced, forged, told or waited for without end."""
 
 import fcntl
+import json
 import os
 import resource
 import signal
@@ -46,6 +47,12 @@ def test_names_forge_no_lines(t):
     run = t.vvr("info", "y\x1b]0;evil.avi")
     run.expect(0, out=None)
     check("\x1b" not in run.out and "\\x1b]0;evil.avi" in run.out, repr(run.out))
+    # JSON has the same name, without the characters that a terminal obeys. Others stay readable.
+    name = "T\u00fcr\u009b2J\u202eiva.avi"
+    t.copy("y\x1b]0;evil.avi", name)
+    run = t.vvr("info", name, "--json").expect(0, out=None)
+    check(not any(mark in run.out for mark in "\u009b\u202e") and "T\u00fcr" in run.out, repr(run.out))
+    check(name in json.dumps(run.json(), ensure_ascii=False), repr(run.out))
 
 
 def test_addresses_tell_no_secrets(t):

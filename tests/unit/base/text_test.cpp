@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/json_text.h"
 #include "core/base/setting.h"
 #include "tests/support/errors.h"
 
@@ -19,6 +20,14 @@ TEST(ShownText, TellsNoSecrets) {
     EXPECT_EQ(redact_secrets("udp://@:5000"), "udp://:5000");
     EXPECT_EQ(redact_secrets("http://host"), "http://host");
     EXPECT_EQ(redact_secrets("http://host/a@b.ts"), "http://host/a@b.ts");
+}
+
+TEST(ShownText, OfJsonKeepsItsValue) {
+    const std::string name = "T\u00fcr \u009b2J \u202e \x7f \U0001f6aa \n";
+    const nlohmann::ordered_json json{{"name", name}};
+    const std::string text = json_text(json, 2);
+    EXPECT_EQ(text, "{\n  \"name\": \"T\u00fcr \\u009b2J \\u202e \\u007f \U0001f6aa \\n\"\n}");
+    EXPECT_EQ(parse_json(text), json);
 }
 
 const std::array<std::string, 4> names{"render", "info", "doctor", "horn-schunck"};
