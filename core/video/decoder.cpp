@@ -86,6 +86,11 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
     if (code < 0) {
         require_memory(code, demuxer.log());
+        if (code == AVERROR(EAGAIN)) {
+            throw Error(ErrorCode::out_of_memory,
+                        fmt::format("cannot decode '{}': the system has too few threads; use fewer threads", name),
+                        {"threads"});
+        }
         throw Error(
             ErrorCode::not_video,
             fmt::format("cannot decode '{}': the {} decoder failed to start: {}; convert the video to H.264 first",

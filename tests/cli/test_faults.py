@@ -115,6 +115,17 @@ def test_threads_that_openexr_cannot_have_end_it_with_status_5(walk):
     check(said > 0, f"{walk.counts}")
 
 
+def test_threads_that_a_decoder_cannot_have_are_no_fault_of_the_clip(t):
+    t.clip("clip.mp4", seconds=1, codec=("-c:v", "libx264"))
+    said = 0
+    for number in range(1, 8):
+        run = t.render("clip.mp4", "--threads", "4", env=os.environ | {"VVR_FAULT": f"pthread_create:{number}",
+                                                                      "LD_PRELOAD": built(t, "libvvr_fail_nth.so")})
+        check(run.status in (0, 5), f"{number}: {run}")
+        said += "cannot decode 'clip.mp4': the system has too few threads; use fewer threads (--threads)" in run.err
+    check(said > 0, "no thread is the decoder's")
+
+
 def test_files_that_cannot_be_opened_are_no_fault_of_the_clip(t):
     t.clip("clip.avi", seconds=1)
     log = t.path("log")
