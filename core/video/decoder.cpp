@@ -87,9 +87,11 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads, std::fu
     if (code < 0) {
         require_memory(code, demuxer.log());
         if (code == AVERROR(EAGAIN)) {
-            throw Error(ErrorCode::out_of_memory,
-                        fmt::format("cannot decode '{}': the system has too few threads; use fewer threads", name),
-                        {"threads"});
+            throw Error(
+                ErrorCode::out_of_memory,
+                fmt::format(
+                    "cannot decode '{}': no thread could be started; use fewer threads, or give vvr more memory", name),
+                {"threads"});
         }
         throw Error(
             ErrorCode::not_video,

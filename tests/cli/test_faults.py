@@ -122,7 +122,7 @@ def test_threads_that_a_decoder_cannot_have_are_no_fault_of_the_clip(t):
         run = t.render("clip.mp4", "--threads", "4", env=os.environ | {"VVR_FAULT": f"pthread_create:{number}",
                                                                       "LD_PRELOAD": built(t, "libvvr_fail_nth.so")})
         check(run.status in (0, 5), f"{number}: {run}")
-        said += "cannot decode 'clip.mp4': the system has too few threads; use fewer threads (--threads)" in run.err
+        said += "cannot decode 'clip.mp4': no thread could be started; use fewer threads, or give vvr more memory (--threads)" in run.err
     check(said > 0, "no thread is the decoder's")
 
 
