@@ -95,7 +95,8 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         const bool hidden = path.filename().string().starts_with('.');
         if (entry->is_directory(none)) {
             std::error_code closed;
-            if (hidden || fs::equivalent(path, in, none)) {
+            // Only root may read lost+found, which each file system of the ext family has at its top.
+            if (hidden || path.filename() == "lost+found" || fs::equivalent(path, in, none)) {
                 entry.disable_recursion_pending();
             } else if (fs::directory_iterator(path, closed); closed) {
                 outputs.problems.push_back({path.lexically_relative(out).string(), closed.message(), true});

@@ -396,10 +396,12 @@ def test_archive_names_a_folder_of_pictures_that_it_cannot_read(t):
     archive(t, "--dry-run", "--prune", "--keep", "30d").expect(0, out=None)  # no folder yet
     check(not t.path("out").exists(), "a dry run leaves something")
     archive(t).expect(0, "2 clips drawn")
+    t.path("out/lost+found").mkdir(0)  # of a file system, not of the archive
     t.path("out/gate").chmod(0)
     indexed = t.vvr_with_permissions("archive", "-o", "out", "--write", "index")
     kept = t.vvr_with_permissions("archive", "in", "-o", "out", *QUICK, "--match", "hall/*", "--keep", "30d")
     t.path("out/gate").chmod(0o755)
+    check("lost+found" not in indexed.err + kept.err, str(indexed))
     indexed.expect(0, "warning: 'out/gate': Permission denied; it is left unchanged and is missing from the index")
     kept.expect(2, "cannot read 'out/gate': Permission denied; nothing is removed there", code="io")
 
