@@ -248,7 +248,8 @@ void Writer::finish(const RunContext& context, double seconds) {
     if (context.plan.products.events && context.seen.events)
         observer_.info(events_summary(context.seen.events->events, context.seen.not_chosen.size(), context.plan.clock));
     if (!output.report.empty())
-        write_text(output.report, format_report(context, advice, seconds, {tiles_, kept_.problem, kept_.code}), observer_);
+        write_text(output.report, format_report(context, advice, seconds, {tiles_, kept_.problem, kept_.code}),
+                   observer_);
     if (!output.events_csv.empty()) write_text(output.events_csv, events_table(context), observer_);
     if (!output.tracks.empty()) write_text(output.tracks, tracks_table(context), observer_);
     if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(context), observer_);
