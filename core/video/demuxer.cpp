@@ -128,7 +128,9 @@ bool is_text(const Input& input) {
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check the disk", input.name, words));
     }
-    if (is_text(input)) throw Error(ErrorCode::not_video, fmt::format("'{}' is not a video, but a text file; give a video", input.name));
+    if (is_text(input))
+        throw Error(ErrorCode::not_video,
+                    fmt::format("'{}' is not a video, but a text file; give a video", input.name));
     if (words.find("moov atom not found") != std::string::npos) {
         throw Error(ErrorCode::not_video,
                     fmt::format("'{}' is incomplete: it lacks the index that is written last (moov atom not found); "
@@ -307,7 +309,8 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorCode::not_video, fmt::format("'{}' is not a video, but a text file; give a video file", input.name));
+        throw Error(ErrorCode::not_video,
+                    fmt::format("'{}' is not a video, but a text file; give a video file", input.name));
     }
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
         throw Error(
