@@ -123,6 +123,7 @@ class LivePictures {
             files_.add(finished.number, std::move(finished.picture), record);
         }
         ++count_;
+        check_clock(seen.end().seconds);
         const auto came = stream_.arrival(seen.end().frame);
         const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
         if (came) latency_.add(took);
@@ -149,6 +150,19 @@ class LivePictures {
     }
 
   private:
+    /// Warns once if the stream comes faster than it was recorded: then its end can't be now.
+    /// \param end of the picture, seconds of the stream
+    void check_clock(double end) {
+        constexpr double little = 5;  // seconds; a server may send what it has kept
+        const double passed = std::chrono::duration<double>(Clock::now() - began_).count();
+        const bool is_live = plan_.clock && plan_.clock->source == ClockSource::live;
+        if (!is_live || end < passed + little || std::exchange(is_ahead_, true)) return;
+        observer_.warn(
+            fmt::format("'{}' comes faster than it was recorded, so its times of day are ahead of the clock; give "
+                        "--start-time none, or the time at which it begins",
+                        stream_.info().name));
+    }
+
     page::LiveState state_of(const RunContext& context) const {
         page::LiveState state;
         state.text = is_learning(context.seen) ? "learning the empty scene" : "watching";
@@ -175,6 +189,8 @@ class LivePictures {
     Latency latency_;
     std::string page_;  ///< the last one
     std::int64_t count_ = 0;
+    Clock::time_point began_ = Clock::now();
+    bool is_ahead_ = false;
 };
 
 /// The job with the name and start time of the stream.
@@ -201,8 +217,13 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     const std::string& name = stream_->info().name;
     std::error_code none;
     const bool is_file = fs::is_regular_file(name, none);
-    if (is_file && !grows(name)) {
-        observer.warn(fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
+    if (is_file) {
+        observer.warn(
+            grows(name)
+                ? fmt::format("'{}' is a growing file, not a live stream; vvr ends where it ends now; `tail "
+                              "-c +1 -f` piped into `vvr watch -` follows it",
+                              name)
+                : fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
     }
     if (options_.camera.empty()) {
         const video::RecorderNames names(job.input.name_patterns);

@@ -113,7 +113,7 @@ class Watch final : public Command {
         line.find_camera(options_.camera);
         options::add_input_options(
             line, job_.input, "INPUT",
-            "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a growing file, - for stdin, "
+            "a URL (rtsp://..., http://...), a camera's device (/dev/video0), - for stdin, a file up to its end, "
             "@FILE for a URL in a file");
         options::add_picture_options(line, job_);
         options::add_events_to_option(line, options::Group::output, events_to_);

@@ -117,6 +117,10 @@ bool is_text(const Input& input) {
     return !begin.text().empty() && has_text && begin.format("") == nullptr;
 }
 
+[[noreturn]] void throw_text_file(const std::string& name) {
+    throw Error(ErrorCode::not_video, fmt::format("'{}' is not a video, but a text file; give a video file", name));
+}
+
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
     // libav also uses system error codes for other errors: EIO for a damaged Matroska file, EBUSY for a picture that is
@@ -128,9 +132,7 @@ bool is_text(const Input& input) {
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorCode::io, fmt::format("cannot read '{}': {}; check the disk", input.name, words));
     }
-    if (is_text(input))
-        throw Error(ErrorCode::not_video,
-                    fmt::format("'{}' is not a video, but a text file; give a video", input.name));
+    if (is_text(input)) throw_text_file(input.name);
     if (words.find("moov atom not found") != std::string::npos) {
         throw Error(ErrorCode::not_video,
                     fmt::format("'{}' is incomplete: it lacks the index that is written last (moov atom not found); "
@@ -308,10 +310,7 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
     stream_ = format_->streams[chosen];
 
     const auto& codec = *stream_->codecpar;
-    if (is_text_art(codec.codec_id)) {
-        throw Error(ErrorCode::not_video,
-                    fmt::format("'{}' is not a video, but a text file; give a video file", input.name));
-    }
+    if (is_text_art(codec.codec_id)) throw_text_file(input.name);
     if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
         throw Error(
             ErrorCode::picture_too_large,

@@ -9,7 +9,7 @@ inline constexpr Setting field_size{"field-size", "WxH",
                                     "size of the fields, or 'source' for the video's own size; default: long side 384"};
 inline constexpr Setting rate{.name = "rate",
                               .unit = "FPS",
-                              .help = "frames per second of inputs without timestamps: pictures, raw streams",
+                              .help = "frames per second of inputs that state none: pictures, some raw streams",
                               .range = {0.001, 100'000}};
 inline constexpr Setting decode{
     .name = "decode",
