@@ -132,17 +132,12 @@ std::vector<events::Stay> stationary_times(const events::Event& event) {
 
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock) {
     const std::string begin = labels::format_moment(event.first.seconds, clock);
-    std::vector<std::string> texts{fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)),
-                                   begin};
     // Whether it was fetched is what a reader asks first.
-    if (event.kind != events::EventKind::left || !event.open_ended) return texts;
-    if (event.last.seconds >= end) {
-        texts.insert(texts.begin(), begin + ", still there");
-    } else {  // after the gap that follows, nobody looked for it
-        texts = {fmt::format("{}, still there at {}", begin, labels::format_moment(event.last.seconds, clock)),
-                 "from " + begin, begin};
-    }
-    return texts;
+    if (event.kind != events::EventKind::left || !event.open_ended)
+        return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
+    // At a gap, with the time: after it, nobody looked for the thing.
+    const std::string at = event.last.seconds >= end ? "" : " at " + labels::format_moment(event.last.seconds, clock);
+    return {fmt::format("{}, still there{}", begin, at), "from " + begin, begin};
 }
 
 bool Trails::has(double seconds) const {

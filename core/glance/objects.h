@@ -53,9 +53,8 @@ std::string deed_of(const events::Event& event);
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
 std::vector<events::Stay> stationary_times(const events::Event& event);
 
-/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". A thing that was left behind, and was
-/// there at the end of the clip, has "0:06, still there" before these; one that was there when a gap began has "0:06,
-/// still there at 0:28" in place of the first.
+/// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". Of a thing that was left behind, and was there
+/// until the end of the clip: "0:06, still there", "from 0:06", "0:06"; until a gap: "0:06, still there at 0:28", ...
 /// \param end time of the clip's last frame, seconds
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock);
 

@@ -72,7 +72,8 @@ TEST(Words, SayWhatItDidAndWhen) {
     EXPECT_EQ(glance::time_texts(event, 60, {}).front(), "0:06–0:28");
     EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06–0:28") << "somebody fetched it";
     event.open_ended = true;
-    EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06, still there");
+    EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}),
+              (std::vector<std::string>{"0:06, still there", "from 0:06", "0:06"}));
     EXPECT_EQ(glance::time_texts(event, 60, {}),
               (std::vector<std::string>{"0:06, still there at 0:28", "from 0:06", "0:06"}))
         << "a gap follows";
