@@ -290,6 +290,21 @@ TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
     EXPECT_EQ(read_all(*source).front().index, 0);
 }
 
+TEST(Sample, SpreadsOverTheFootageOnBothSidesOfAGap) {
+    for (const char* group : {"1000", "5"}) {
+        const TempFolder folder;
+        const std::string codec = std::string("-c:v libx264 -qp 4 -sc_threshold 0 -g ") + group;
+        const std::string first = counting_clip(folder, "gate_20261121080000.mkv", codec);
+        const std::string second = counting_clip(folder, "gate_20261121120000.mkv", codec);
+        std::vector<std::string> warnings;
+        const auto source = video::open_sources({first, second}, {}, video::RecorderNames(), warnings);
+        const auto frames = source->sample(20);
+        const auto before = std::ranges::count_if(frames, [](const video::Frame& frame) { return frame.pts < 4; });
+        EXPECT_GE(before, 5) << group;
+        EXPECT_GE(std::ssize(frames) - before, 5) << group;
+    }
+}
+
 TEST(Sample, TakesFewerKeyFramesIfTheyAreEvenlySpread) {
     const TempFolder folder;
     const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -sc_threshold 0");
