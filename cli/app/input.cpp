@@ -18,7 +18,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/seeds.h"
-#include "core/store/extraction.h"
+#include "core/store/stored_fields.h"
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"

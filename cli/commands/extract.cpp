@@ -18,7 +18,7 @@
 #include "core/events/overlay.h"
 #include "core/fields/field_source.h"
 #include "core/fields/flow.h"
-#include "core/store/extraction.h"
+#include "core/store/data_folder.h"
 
 namespace vvr::commands {
 

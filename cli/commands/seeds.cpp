@@ -29,7 +29,7 @@
 #include "core/fields/options.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
-#include "core/store/extraction.h"
+#include "core/store/stored_fields.h"
 
 namespace vvr::commands {
 

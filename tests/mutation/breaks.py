@@ -120,7 +120,7 @@ BREAKS = [
     # core/store
     Break("core/store/manifest.cpp", "frame.pts < frames.back().pts", "frame.pts < frames.front().pts",
           "ManifestText.HasNoValueThatCannotBe"),
-    Break("core/store/extraction.cpp", "lock_.emplace(lock_folder(folder_));", "",
+    Break("core/store/data_folder.cpp", "lock_.emplace(lock_folder(folder_));", "",
           "Store.IsWrittenByOneAtATime"),
     # core/page
     Break("core/page/preview.cpp", "if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);", "",
