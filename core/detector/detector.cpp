@@ -20,7 +20,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/detector/formats.h"
-#include "core/detector/onnx.h"
+#include "core/detector/model_file.h"
 
 namespace vvr::detector {
 

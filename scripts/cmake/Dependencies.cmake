@@ -28,6 +28,17 @@ foreach(module core dnn imgproc video)
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
 endforeach()
 
+# The messages of ONNX files. Debian's CMake files of onnx ask for its optimizer as well.
+find_path(ONNX_INCLUDE onnx/onnx_pb.h REQUIRED)
+find_library(ONNX_PROTO onnx_proto REQUIRED)
+find_library(PROTOBUF protobuf REQUIRED)
+add_library(onnx::proto UNKNOWN IMPORTED)
+set_target_properties(onnx::proto PROPERTIES
+  IMPORTED_LOCATION ${ONNX_PROTO}
+  INTERFACE_LINK_LIBRARIES ${PROTOBUF}
+  INTERFACE_COMPILE_DEFINITIONS "ONNX_ML=1;ONNX_NAMESPACE=onnx"
+  INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${ONNX_INCLUDE})
+
 find_package(Fontconfig REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(TBB REQUIRED)

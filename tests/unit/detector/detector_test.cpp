@@ -136,6 +136,11 @@ TEST_F(DetectorTest, SaysWhatOpenCvCannotRun) {
     std::string model = TinyModel().onnx();
     model.replace(model.find("kernel_shape"), 12, "kernel_scape");
     expect_refused(model, "OpenCV");
+    for (const auto& [name, other] : {std::pair{"Transpose", "Transpos\n"}, {"Conv", "Loop"}}) {
+        model = TinyModel().onnx();
+        model.replace(model.find(name), std::string_view(name).size(), other);
+        expect_refused(model);
+    }
 }
 
 TEST_F(DetectorTest, SurvivesDamagedModels) {
