@@ -18,6 +18,18 @@
 
 namespace vvr::cli {
 
+namespace {
+
+/// Whether a text begins so, or would: a full disk may have cut its only line short.
+bool begins_as(std::string_view text, std::string_view beginning) {
+    const std::size_t both = std::min(text.size(), beginning.size());
+    return std::ranges::equal(text.substr(0, both), beginning.substr(0, both), [](char found, char expected) {
+        return expected == '0' ? found >= '0' && found <= '9' : found == expected;
+    });
+}
+
+}  // namespace
+
 AppendedFile::AppendedFile(std::filesystem::path path, const AppendedKind& kind) : path_(std::move(path)), kind_(kind) {
     if (kind_.streams && is_standard_output(path_)) return;
     const std::string failed = fmt::format("cannot write {} '{}'", kind_.what, path_.string());
@@ -42,9 +54,11 @@ int AppendedFile::open(std::string_view& fault) {
     const bool is_file = S_ISREG(status.st_mode);
     bool is_open_line = false;
     if (is_file && status.st_size > 0) {
-        std::array<char, 1024> begin{};
+        std::array<char, 64> begin{};
         const ssize_t bytes = ::pread(file.get(), begin.data(), begin.size(), 0);
-        fault = kind_.fault({begin.data(), static_cast<std::size_t>(std::max<ssize_t>(bytes, 0))});
+        const std::string_view text(begin.data(), static_cast<std::size_t>(std::max<ssize_t>(bytes, 0)));
+        if (std::ranges::none_of(kind_.beginnings, [&](std::string_view known) { return begins_as(text, known); }))
+            fault = "it exists, and does not begin as one that vvr wrote";
         char last = 0;
         is_open_line = ::pread(file.get(), &last, 1, status.st_size - 1) == 1 && last != '\n';
     } else if (!is_file && !kind_.streams) {

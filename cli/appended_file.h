@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "core/base/file.h"
@@ -11,8 +12,8 @@ namespace vvr::cli {
 struct AppendedKind {
     std::string_view what;  ///< for messages: "cannot write WHAT 'name'"
     bool streams;           ///< whether it may also be a named pipe or standard output (`-`)
-    /// What is wrong with a file that has content, by its first bytes: nothing is appended to it. Empty = nothing.
-    std::string_view (*fault)(std::string_view begin);
+    /// How its first line begins, each 0 being any digit. Nothing is appended to a file that begins otherwise.
+    std::span<const std::string_view> beginnings;
 };
 
 /// A file at whose end lines are written; several programs can share it. If it has been moved or deleted, as by

@@ -1,5 +1,6 @@
 #include "cli/event_file.h"
 
+#include <array>
 #include <cerrno>
 #include <string>
 #include <string_view>
@@ -22,9 +23,8 @@ std::string name_of(const fs::path& path) {
     return is_standard_output(path) ? "standard output" : fmt::format("'{}'", path.string());
 }
 
-constexpr AppendedKind kind{"events to", true, [](std::string_view begin) -> std::string_view {
-                                return begin.starts_with('{') ? "" : "it exists, and is no file of events";
-                            }};
+constexpr std::array<std::string_view, 1> first_event{R"({"camera":)"};
+constexpr AppendedKind kind{"events to", true, first_event};
 
 }  // namespace
 

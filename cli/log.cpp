@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -22,34 +23,46 @@ namespace vvr::cli {
 
 namespace {
 
-/// Whether the beginning of a file is text. It may have colours, whose sequences begin with ESC.
-bool is_text(std::string_view begin) {
-    constexpr std::string_view allowed = "\t\n\r\f\033";
-    return std::ranges::all_of(
-        begin, [&](unsigned char c) { return c >= ' ' || allowed.find(static_cast<char>(c)) != allowed.npos; });
-}
+constexpr std::size_t on_stderr = 0;  // index in sinks()
 
-constexpr AppendedKind log_kind{"the log", false, [](std::string_view begin) -> std::string_view {
-                                    return is_text(begin) ? "" : "it exists, and is no text";
-                                }};
+// Of both formats, and of the lines on stderr, which a shell may have put into the same file.
+constexpr std::array<std::string_view, 3> first_log_line{
+    "0000-00-00T00:00:00Z vvr: ", R"({"time":"0000-00-00T00:00:00)", "vvr: "};
+constexpr AppendedKind log_kind{"the log", false, first_log_line};
+
+/// Where a line keeps the name of its error's code: spdlog's source location, which we don't use otherwise.
+spdlog::source_loc source_of(ErrorCode code) {
+    return {"", 1, row_of(code).name};
+}
 
 /// Appends lines to a file.
 class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   public:
+    /// \param screen learns of the first line that is lost
     /// \throws Error io
-    explicit LogFile(const std::string& path) : file_(path, log_kind) {}
+    LogFile(const std::string& path, spdlog::sink_ptr screen)
+        : path_(path), file_(path, log_kind), screen_(std::move(screen)) {}
+
+    bool is_whole() const { return is_whole_; }
 
   protected:
     // A failed write loses the line; a log must not make a picture fail.
     void sink_it_(const spdlog::details::log_msg& message) override {
         spdlog::memory_buf_t line;
         formatter_->format(message, line);
-        file_.append({line.data(), line.size()});
+        const int error = file_.append({line.data(), line.size()});
+        if (error == 0 || !is_whole_.exchange(false)) return;
+        const std::string text =
+            fmt::format("cannot write the log '{}': {}; lines of it are lost", path_, text_of_system_error(error));
+        screen_->log({source_of(code_of_system_error(error)), "vvr", spdlog::level::err, text});
     }
     void flush_() override {}
 
   private:
+    std::string path_;
     AppendedFile file_;
+    spdlog::sink_ptr screen_;
+    std::atomic<bool> is_whole_ = true;
 };
 
 /// Marks warnings. Other lines have no mark.
@@ -66,8 +79,7 @@ std::string payload_of(const spdlog::details::log_msg& message) {
     return shown_text(redact_secrets({message.payload.data(), message.payload.size()}));
 }
 
-/// The name of an error's code; null for other lines. log_error stores it in spdlog's source location, which we don't
-/// use otherwise.
+/// The name of an error's code; null for other lines.
 const char* code_of(const spdlog::details::log_msg& message) {
     return message.source.funcname;
 }
@@ -136,8 +148,6 @@ class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
     std::vector<std::string> texts_;
 };
 
-constexpr std::size_t on_stderr = 0;  // index in sinks()
-
 }  // namespace
 
 std::shared_ptr<spdlog::logger> make_log() {
@@ -149,7 +159,7 @@ std::shared_ptr<spdlog::logger> make_log() {
 }
 
 void log_error(spdlog::logger& log, ErrorCode code, std::string_view text) {
-    log.log(spdlog::source_loc("", 1, row_of(code).name), spdlog::level::err, "{}", text);
+    log.log(source_of(code), spdlog::level::err, "{}", text);
 }
 
 void set_verbosity(spdlog::logger& log, Verbosity verbosity) {
@@ -169,11 +179,12 @@ void set_format(spdlog::logger& log, const LogFormat& format) {
     log.sinks()[on_stderr]->set_formatter(format.make(false));
 }
 
-void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format) {
-    auto file = std::make_shared<LogFile>(path);
+std::function<bool()> add_file(spdlog::logger& log, const std::string& path, const LogFormat& format) {
+    auto file = std::make_shared<LogFile>(path, log.sinks()[on_stderr]);
     file->set_formatter(format.make(true));
     file->set_level(std::min(spdlog::level::info, log.sinks()[on_stderr]->level()));
-    log.sinks().push_back(std::move(file));
+    log.sinks().push_back(file);
+    return [file] { return file->is_whole(); };
 }
 
 std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log, std::size_t most) {

@@ -42,8 +42,9 @@ void set_format(spdlog::logger& log, const LogFormat& format);
 
 /// Also appends to a file, at least at the normal level whatever the level of stderr. If the file is moved or deleted,
 /// as by logrotate, the next line creates it again.
-/// \throws Error io when the file can't be written, is no regular file or is no text
-void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format);
+/// \returns a function that tells whether the file has all lines; an error on stderr tells of the first one lost
+/// \throws Error io when the file can't be written, is no regular file or no log
+std::function<bool()> add_file(spdlog::logger& log, const std::string& path, const LogFormat& format);
 
 /// Collects the first `most` warnings from now on, whatever the level of stderr.
 /// \returns a function that returns them

@@ -26,6 +26,9 @@ class Command {
     /// Adds the command's own options; those that all commands share are added elsewhere.
     virtual void add_options(options::CommandLine& line) = 0;
 
+    /// What the command reads besides what its arguments and options name. The options have been parsed.
+    virtual std::vector<std::string> also_reads() { return {}; }
+
     /// Runs the command. The options have been parsed.
     virtual cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) = 0;
 };

@@ -2,6 +2,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -27,11 +28,13 @@ constexpr Setting log_file{"log-file", "FILE",
 constexpr Setting log_format{"log-format", "NAME", "format of the log"};
 }  // namespace log_text
 
-void apply(const LogOptions& options, spdlog::logger& log) {
+/// \returns as add_file
+std::function<bool()> apply(const LogOptions& options, spdlog::logger& log) {
     if (options.quiet) cli::set_verbosity(log, cli::Verbosity::quiet);
     if (options.verbose) cli::set_verbosity(log, cli::Verbosity::verbose);
     cli::set_format(log, *options.log_format);
-    if (!options.log_file.empty()) cli::add_file(log, options.log_file, *options.log_format);
+    if (options.log_file.empty()) return [] { return true; };
+    return cli::add_file(log, options.log_file, *options.log_format);
 }
 
 /// Whether the text looks like an input: people first try `vvr clip.avi`.
@@ -47,9 +50,13 @@ cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environm
     CommandAndLine all(row);
     if (!fill(all.line)) return cli::ExitStatus::done;
     options::check_outputs_differ(all.line);
-    options::check_no_input_overwritten(all.line);
-    apply(all.log, environment.log);
-    return all.command->run(all.line, {environment.log, environment.signals, all.log.quiet, environment.progress});
+    std::vector<std::string> inputs = options::inputs_of(all.line);
+    std::ranges::copy(all.command->also_reads(), std::back_inserter(inputs));
+    options::check_no_input_overwritten(all.line, inputs);
+    const auto is_logged = apply(all.log, environment.log);
+    const cli::ExitStatus status =
+        all.command->run(all.line, {environment.log, environment.signals, all.log.quiet, environment.progress});
+    return status == cli::ExitStatus::done && !is_logged() ? cli::ExitStatus::io : status;
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
@@ -99,7 +106,7 @@ const CommandRow& find_command(const std::string& name) {
 
 cli::ExitStatus run_plan(const workers::WorkerPlan& plan, const cli::Environment& environment) {
     return run_with(find_command(plan.command), environment, [&](options::CommandLine& line) {
-        line.take(plan.inputs, plan.settings);
+        line.take(plan.inputs, plan.settings, true);
         return true;
     });
 }

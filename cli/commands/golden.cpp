@@ -15,6 +15,7 @@
 #include "cli/commands/golden_results.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
+#include "core/archive/output_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -44,6 +45,11 @@ GoldenResult result_of(GoldenCase& one, const cli::Environment& environment) {
     };
     const auto begin = std::chrono::steady_clock::now();
     try {
+        if (one.fault) throw Error(*one.fault);
+        // Nobody has named these files, and a link in the folder may lead anywhere.
+        const app::GoldenOptions& golden = one.job.output.golden;
+        if (golden.bless) archive::check_own_place(golden.path);
+        archive::check_own_place(golden.comparison.diff);
         cli::Console console(environment);
         app::require_whole(app::render(one.job, console).info);
     } catch (const Error& error) {
@@ -81,15 +87,20 @@ class Golden final : public Command {
                        {"vvr golden tests/golden hall --diffs", "only hall.png, with a picture of the differences"}});
     }
 
-    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+    std::vector<std::string> also_reads() override {
         if (names_.empty())
             throw Error(ErrorCode::input_missing, "no folder given; name the folder of golden.toml: vvr golden DIR");
         run_.folder = names_.front();
-        const auto cases = read_golden_cases(run_, std::span(names_).subspan(1));
+        std::vector<std::string> reads;
+        cases_ = read_golden_cases(run_, std::span(names_).subspan(1), reads);
+        return reads;
+    }
+
+    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (!junit_.empty()) check_file_path(junit_);
         if (!report_.empty() && !is_standard_output(report_)) check_file_path(report_);
         std::vector<GoldenResult> results;
-        for (const auto& one : cases) {
+        for (const auto& one : cases_) {
             results.push_back(result_of(*one, environment));
             environment.log.info("{}: {}", one->name, name_of(results.back().verdict));
         }
@@ -119,6 +130,7 @@ class Golden final : public Command {
 
     std::vector<std::string> names_;
     GoldenRun run_;
+    std::vector<std::unique_ptr<GoldenCase>> cases_;
     std::filesystem::path junit_;
     std::filesystem::path report_;
 };

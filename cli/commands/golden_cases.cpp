@@ -1,6 +1,9 @@
 #include "cli/commands/golden_cases.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -66,6 +69,21 @@ void check_name(const std::string& name, const fs::path& list) {
     throw invalid(list, fmt::format("the section [{}] is not usable as the name of a file; rename it", name));
 }
 
+/// Two sections of one name would be joined to one picture.
+void check_sections_once(const fs::path& list) {
+    std::istringstream text(read_file(list.string(), most_bytes::text));
+    std::map<std::string, int> lines;
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+        line.erase(0, line.find_first_not_of(" \t"));
+        if (!line.starts_with('[')) continue;
+        const auto [first, is_new] = lines.emplace(line.substr(0, line.find(']')) + "]", number);
+        if (is_new) continue;
+        throw invalid(list, fmt::format("lines {} and {} both begin the section {}; rename one of them", first->second,
+                                        number, first->first));
+    }
+}
+
 std::unique_ptr<GoldenCase> make_case(const options::Section& general, const options::Section& own,
                                       const fs::path& list, const GoldenRun& run) {
     auto one = std::make_unique<GoldenCase>(own.name);
@@ -79,11 +97,12 @@ std::unique_ptr<GoldenCase> make_case(const options::Section& general, const opt
         if (run.bless) settings.emplace_back("bless", "true");
         if (run.diffs && !run.bless) settings.emplace_back("diff", (run.folder / (own.name + ".diff.png")).string());
         one->line.take(inputs, settings);
-        options::check_no_input_overwritten(one->line);
         prepare_render(one->line, one->job);
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::usage || error.code() == ErrorCode::config_invalid) throw;
-        throw Error(error.code(), fmt::format("'{}', [{}]: {}", list.string(), own.name, error.what()));
+        if (error.code() == ErrorCode::config_invalid) throw;
+        if (error.kind() == ErrorKind::usage)
+            throw Error(error.code(), fmt::format("'{}', [{}]: {}", list.string(), own.name, error.what()));
+        one->fault = error;
     }
     return one;
 }
@@ -94,9 +113,11 @@ GoldenCase::GoldenCase(std::string section) : name(std::move(section)), line("re
     add_render_options(line, job);
 }
 
-std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run, std::span<const std::string> wanted) {
+std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run, std::span<const std::string> wanted,
+                                                           std::vector<std::string>& reads) {
     const fs::path list = run.folder / golden_list;
     const std::vector<options::Section> sections = options::read_sections(list);
+    check_sections_once(list);
     std::vector<std::string> names;
     for (const options::Section& section : sections) {
         if (section.name.empty()) continue;
@@ -116,7 +137,10 @@ std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run,
         const bool is_wanted = wanted.empty() || std::ranges::find(wanted, section.name) != wanted.end();
         if (section.name.empty() || !is_wanted) continue;
         cases.push_back(make_case(general == sections.end() ? none : *general, section, list, run));
+        std::ranges::copy(options::inputs_of(cases.back()->line), std::back_inserter(reads));
     }
+    reads.push_back(list.string());
+    for (const auto& one : cases) options::check_no_input_overwritten(one->line, reads);
     return cases;
 }
 

@@ -61,7 +61,10 @@ vvr_event event_of(const vvr::Event& event) {
             event.box.height,
             event.from,
             event.into,
-            event.by};
+            event.by,
+            event.begin.c_str(),
+            event.end.c_str(),
+            event.open_ended ? 1 : 0};
 }
 
 /// Calls `action`, and keeps its error in the rendering.
@@ -94,6 +97,7 @@ vvr::Failure missing(const char* what) {
 
 vvr::Settings settings_of(const vvr_options& options) {
     vvr::Settings settings;
+    if (options.settings == nullptr && options.setting_count > 0) throw missing("array of settings");
     for (std::size_t i = 0; i < options.setting_count; ++i) {
         const vvr_setting& one = options.settings[i];
         if (one.name == nullptr || one.value == nullptr) throw missing("name or value of a setting");

@@ -164,6 +164,11 @@ std::vector<Event> events_of(const app::RenderSummary& summary) {
         event.last_frame = found.last.frame;
         event.first_seconds = found.first.seconds;
         event.last_seconds = found.last.seconds;
+        if (summary.clock) {
+            event.begin = summary.clock->iso(event.first_seconds);
+            event.end = summary.clock->iso(event.last_seconds);
+        }
+        event.open_ended = found.open_ended;
         event.still_seconds = events::stationary_seconds(found);
         event.direction = events::direction_of(found);
         event.box = {box.left, box.top, box.width(), box.height()};

@@ -351,12 +351,13 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     return true;
 }
 
-void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings) {
+void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings,
+                       bool of_worker) {
     CLI::App& app = impl_->app;
     std::vector<std::pair<std::string, std::string>> of_options;
     for (const auto& [name, value] : settings) {
         const auto of_plan = impl_->plan_settings.find(name);
-        if (of_plan != impl_->plan_settings.end()) {
+        if (of_worker && of_plan != impl_->plan_settings.end()) {
             of_plan->second(value);
         } else {
             of_options.emplace_back(name, value);

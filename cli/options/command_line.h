@@ -128,7 +128,7 @@ class CommandLine {
         return kept;
     }
 
-    /// A setting that only take() sets: no option.
+    /// A setting that only the plan of a worker sets: no option.
     void plan_setting(const std::string& name, std::function<void(const std::string&)> set);
 
     /// Makes it an error to give both options.
@@ -170,8 +170,10 @@ class CommandLine {
 
     /// Sets inputs and options from data. Reads no config file, and doesn't interpret values that look like options.
     /// \param settings long option names and values as text; the last of equal names wins
+    /// \param of_worker whether they may have what plan_setting() adds
     /// \throws Error usage
-    void take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings);
+    void take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings,
+              bool of_worker = false);
 
     /// The options of these groups, each with the given or else the default value, which may be empty.
     std::vector<OptionValue> values(std::span<const Group> groups) const;

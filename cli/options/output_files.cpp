@@ -15,6 +15,7 @@
 
 #include "cli/app/golden.h"
 #include "cli/app/settings.h"
+#include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/image/name_pattern.h"
@@ -39,19 +40,36 @@ std::string flag_of(const OptionValue& option) {
     return option.name == "output" ? "-o" : "--" + option.name;
 }
 
+/// The path without links and detours. It need not exist.
+fs::path whole_path(const fs::path& path) {
+    std::error_code none;
+    return fs::weakly_canonical(fs::absolute(path, none), none);
+}
+
 /// Whether both paths name the same file. It need not exist. A device or a pipe may have several writers.
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code none;
     if (fs::is_other(a, none)) return false;
     if (fs::equivalent(a, b, none)) return true;
-    const auto whole = [&](const auto& path) { return fs::weakly_canonical(fs::absolute(path), none); };
-    return !a.empty() && !b.empty() && whole(a) == whole(b);
+    return !a.empty() && !b.empty() && whole_path(a) == whole_path(b);
 }
 
-/// Whether a pattern may give a path, as 'out.{brick}.png' may give 'out.3.png'.
-bool may_name(const std::string& pattern, const fs::path& path) {
+/// Whether an archive gives its files such names, the pieces of its clips too.
+bool is_name_of_archive(const fs::path& file) {
+    const std::string extension = extension_of(file);
+    return !extension.empty() && (extension == ".js" || video::is_video_name(file.string()) ||
+                                  std::ranges::any_of(archive::output_rows, [&](const archive::OutputRow& row) {
+                                      return row.extension.ends_with(extension);
+                                  }));
+}
+
+/// Whether a file may be one of an output's: of a pattern, as 'out.3.png' of 'out.{brick}.png', or of a folder.
+bool may_have(const OptionValue& output, const fs::path& path) {
+    const fs::path below = whole_path(path).lexically_relative(whole_path(output.value));
+    if (!below.empty() && below != "." && *below.begin() != "..")
+        return output.use != FileUse::filled || is_name_of_archive(path);
     try {
-        const image::NamePattern names(pattern);
+        const image::NamePattern names(output.value);
         return names.has_field() && names.may_be(path.filename().string()) &&
                same_file(fs::absolute(names.path()).parent_path(), fs::absolute(path).parent_path());
     } catch (const Error&) {
@@ -123,7 +141,8 @@ void check_outputs_differ(const CommandLine& line) {
     std::vector<OptionValue> outputs = line.values(all_groups);
     std::error_code none;
     std::erase_if(outputs, [&](const OptionValue& option) {
-        if (option.value.empty() || option.use == FileUse::written) return option.value.empty();
+        if (option.value.empty()) return true;
+        if (option.use == FileUse::written || option.use == FileUse::filled) return false;
         // check_no_input_overwritten protects a golden picture that is there.
         return option.use != FileUse::compared || (!blessed && fs::exists(option.value, none));
     });
@@ -134,25 +153,32 @@ void check_outputs_differ(const CommandLine& line) {
                             fmt::format("{} and {} both write to standard output; name a file for one of them",
                                         flag_of(*a), flag_of(*b)));
             }
-            const bool is_of_series = may_name(a->value, b->value);
-            if (!is_of_series && !may_name(b->value, a->value) && !same_file(a->value, b->value)) continue;
+            const bool is_of_first = may_have(*a, b->value);
+            if (!is_of_first && !may_have(*b, a->value) && !same_file(a->value, b->value)) continue;
             throw Error(ErrorCode::options_conflict,
                         fmt::format("{} and {} both name '{}'; use another name for one of them", flag_of(*a),
-                                    flag_of(*b), is_of_series ? b->value : a->value));
+                                    flag_of(*b), is_of_first ? b->value : a->value));
         }
     }
 }
 
-void check_no_input_overwritten(const CommandLine& line) {
-    Outputs outputs;
-    const bool blessed = line.has(setting::bless);
+std::vector<std::string> inputs_of(const CommandLine& line) {
     std::vector<std::string> inputs = line.arguments();
     if (!line.config().file.empty()) inputs.push_back(line.config().file.string());
+    for (const OptionValue& option : line.values(all_groups)) {
+        const bool compared = option.use == FileUse::compared && !line.has(setting::bless);
+        if (!option.value.empty() && (option.use == FileUse::read || compared)) inputs.push_back(option.value);
+    }
+    return inputs;
+}
+
+void check_no_input_overwritten(const CommandLine& line, std::span<const std::string> inputs) {
+    Outputs outputs;
+    const bool blessed = line.has(setting::bless);
     for (const OptionValue& option : line.values(all_groups)) {
         if (option.value.empty()) continue;
         const bool compared = option.use == FileUse::compared;
         if (option.use == FileUse::written || (compared && blessed)) outputs.add(option, option.value);
-        if (option.use == FileUse::read || (compared && !blessed)) inputs.push_back(option.value);
         if (compared && !blessed) outputs.add(option, app::candidate_of(option.value));
     }
     if (outputs.empty()) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -91,7 +92,8 @@ std::unique_ptr<DecodedFrame> MemorySource::next() {
     if (!frames_.read(index_, frame)) return nullptr;
     const PixelOrderRow& row = row_of(frames_.order);
     const std::ptrdiff_t least = std::ptrdiff_t{frames_.size.width} * row.bytes;
-    if (frame.pixels == nullptr || std::abs(frame.stride) < least) {
+    const std::ptrdiff_t most = PTRDIFF_MAX / frames_.size.height;
+    if (frame.pixels == nullptr || frame.stride < -most || frame.stride > most || std::abs(frame.stride) < least) {
         throw Error(ErrorCode::input_unsuitable,
                     fmt::format("{}, frame {}: {} and a stride of {} bytes; a row of {} {} pixels has {} bytes",
                                 frames_.name, index_, frame.pixels == nullptr ? "no pixels" : "pixels", frame.stride,

@@ -144,12 +144,14 @@ def test_lines_that_can_not_be_written(t):
 def test_a_file_of_another_kind_stays(t):
     clips(t, "in/one.avi")
     before = t.path("in/one.avi").read_bytes()
-    t.write("notes.txt", "mine\n")
-    t.vvr("archive", "in", "-o", "out", "--events-to", "notes.txt").expect(
-        2, "'notes.txt': it exists, and is no file of events; use another name", code="file-invalid")
+    for mine in ("mine\n", '{\n  "name": "my project"\n}\n', '{"report":1}\n', "{}"):
+        t.write("notes.txt", mine)
+        t.vvr("archive", "in", "-o", "out", "--events-to", "notes.txt").expect(
+            2, "'notes.txt': it exists, and does not begin as one that vvr wrote; use another name", code="file-invalid")
+        check(t.path("notes.txt").read_text() == mine, "appended")
     t.vvr("watch", "in/one.avi", "-o", "out.png", "--events-to", "in/one.avi").expect(
         1, "would overwrite the input", code="output-replaces-input")
-    check(t.path("in/one.avi").read_bytes() == before and t.path("notes.txt").read_text() == "mine\n", "appended")
+    check(t.path("in/one.avi").read_bytes() == before, "appended")
     # After a crash, a line may lack its end. The next one begins a new line.
     t.write("events.jsonl", '{"cam')
     archive(t).expect(0)

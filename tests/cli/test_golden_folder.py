@@ -1,5 +1,6 @@
 """vvr golden: many golden pictures by one file, one status, and the results for CI systems."""
 
+import os
 import xml.etree.ElementTree as tree
 
 import pytest
@@ -72,6 +73,45 @@ def test_a_clip_that_can_not_be_drawn(t):
     check("bad<&" in suite[0][0].text and suite[0][0].get("type") == "not-video", suite[0][0].text)
 
 
+def test_what_it_reads_stays(t):
+    """The list, a clip elsewhere, and what the options of a section name."""
+    moving_clip(t)
+    t.write("golden/area.txt", "0,0 60,0 60,40\n")
+    t.write("golden/mask.png", "no picture")
+    folder(t, '[plain]\ninput = "../clip.mkv"\nmask = "area.txt"\n[dark]\ninput = "../clip.mkv"\nroi = "mask.png"\n')
+    before = {name: t.path(name).read_bytes() for name in ("golden/golden.toml", "clip.mkv", "golden/area.txt", "golden/mask.png")}
+    for name, bytes_ in before.items():
+        for option in ("--report", "--junit", "--log-file"):
+            t.vvr("golden", "golden", "--bless", option, name).expect(1, f"{option} '{name}'", code="output-replaces-input")
+            check(t.path(name).read_bytes() == bytes_, f"{option}: {name} has changed")
+    # The golden picture of one section, which another one reads.
+    folder(t, '[plain]\ninput = "../clip.mkv"\n[mask]\ninput = "../clip.mkv"\n[dark]\ninput = "../clip.mkv"\nroi = "mask.png"\n')
+    t.vvr("golden", "golden", "--bless").expect(1, "--golden 'golden/mask.png' would overwrite", code="output-replaces-input")
+    check(t.path("golden/mask.png").read_text() == "no picture", "the mask was blessed away")
+
+
+def test_links_in_the_folder_lead_nowhere(t):
+    """A checkout of somebody's branch may have any."""
+    two(t)
+    t.vvr("golden", "golden", "--bless").expect(0)
+    folder(t, '[plain]\ninput = "../clip.mkv"\nlayout = "box"\n[dark]\ninput = "../clip.mkv"\ntheme = "dark"\n')
+    t.write("precious", "mine")
+    for name in ("plain.candidate.png", "plain.diff.png"):
+        t.path(f"golden/{name}").symlink_to(t.path("precious"))
+    t.vvr("golden", "golden", "--diffs").expect(6, "'golden/plain.diff.png': it is a link; remove it", "dark: same", code="not-a-file")
+    t.vvr("golden", "golden").expect(7, "plain: the picture differs", code="picture-differs")
+    check(not t.path("golden/plain.candidate.png").is_symlink(), "the candidate is elsewhere")
+    # A pipe, a folder or a link in place of a golden picture fails only this one.
+    for make in (os.mkfifo, os.mkdir, lambda place: os.symlink(t.path("precious"), place)):
+        t.path("golden/plain.png").unlink()
+        make(t.path("golden/plain.png"))
+        t.vvr("golden", "golden", "--bless").expect(6, "plain: ", "'golden/plain.png'", "dark: blessed", code="not-a-file")
+        t.path("golden/plain.png").rename(t.path("golden/gone"))
+        t.write("golden/plain.png", "")
+        (t.path("golden/gone").rmdir if t.path("golden/gone").is_dir() else t.path("golden/gone").unlink)()
+    check(t.path("precious").read_text() == "mine", "written through a link")
+
+
 @pytest.mark.nightly
 def test_files_are_found_from_anywhere(t):
     two(t)
@@ -93,7 +133,9 @@ def test_mistakes_in_the_file(t):
             ("", "it has no pictures", "config-invalid"),
             ('[a]\ninput = "../clip.mkv"\nsizes = "8x8"\n', "there is no setting 'sizes' (did you mean 'size'?)", "option-unknown"),
             ("[a]\n", "[a]: no input given", "input-missing"),
+            ('[a]\ninput = "../clip.mkv"\n [a] # twice\ntheme = "dark"\n', "lines 4 and 6 both begin the section [a]", "config-invalid"),
             ('[a]\ninput = "../clip.mkv"\noutput = "x.png"\n', "it sets 'output', which `vvr golden` decides", "config-invalid"),
+            ('[a]\ninput = "../clip.mkv"\nthumbnail = "x.jpg"\n', "there is no setting 'thumbnail'", "option-unknown"),
             ('[a]\ninput = "../clip.mkv"\nbless = true\n', "it sets 'bless'", "config-invalid"),
             ('["a/b"]\ninput = "../clip.mkv"\n', "is not usable as the name of a file", "config-invalid"),
             ('[a]\ninput = "../clip.mkv"\nsize = "big"\n', "[a]: size", "option-value")):

@@ -1,6 +1,8 @@
 """What is read is never written: by each output, the log too, under whatever name."""
 
 import os
+import resource
+import signal
 
 import pytest
 from harness import check
@@ -39,15 +41,23 @@ def test_a_log_is_no_input(t):
     t.expect_files("clip.avi", "link.txt", "log.txt", "vvr.toml")
 
 
-def test_a_log_is_text(t):
-    """Footage that vvr reads otherwise, by a link or a pattern, and what is no file."""
+def test_a_log_is_a_log(t):
+    """Nothing else is added to: footage that vvr reads otherwise, by a link or a pattern, notes, and what is no file."""
     t.clip("clip.avi", seconds=1)
     t.copy("clip.avi", "footage/gate.dat")
     os.symlink("footage", t.path("linked"))
     before = t.path("footage/gate.dat").read_bytes()
     t.vvr("archive", "linked", "-o", "out", "--match", "*.dat", "--log-file", "linked/gate.dat").expect(
-        2, "cannot write the log 'linked/gate.dat': it exists, and is no text; use another name", code="file-invalid")
+        2, "cannot write the log 'linked/gate.dat': it exists, and does not begin as one that vvr wrote; use another name", code="file-invalid")
     check(t.path("footage/gate.dat").read_bytes() == before, "the footage has changed")
+    for notes in ("remember the milk\n", '{"time":"noon"}\n', '{\n  "vvr-archive": 1\n}\n', "2026-11-21T20:00:00Z else: a line\n"):
+        t.write("notes", notes)
+        t.vvr("info", "clip.avi", "--log-file", "notes").expect(2, "'notes'", code="file-invalid")
+        check(t.path("notes").read_text() == notes, "the notes have changed")
+    for begin in ("vvr: from stderr\n", '{"time":"2026-11-21T20:00:00Z","level":"info"}\n', "2026-11-21T20"):
+        t.write("begun", begin)
+        t.vvr("info", "missing.avi", "--log-file", "begun").expect(2, code="file-not-found")
+        check(t.path("begun").read_text().startswith(begin.rstrip() + "\n"), t.path("begun").read_text())
     os.mkfifo(t.path("pipe"))
     for strange in ("pipe", "/dev/null"):
         t.vvr("info", "clip.avi", "--log-file", strange, timeout=20).expect(
@@ -56,6 +66,35 @@ def test_a_log_is_text(t):
     t.write("log", "2026-11-21T20:00:00Z vvr: half a li")
     t.vvr("info", "missing.avi", "--log-file", "log").expect(2, code="file-not-found")
     check(len(t.path("log").read_text().splitlines()) == 2, t.path("log").read_text())
+
+
+def test_a_log_that_is_lost_is_said(t):
+    t.clip("clip.avi", seconds=1)
+    full = "2026-11-21T20:00:00Z vvr: a line\n" * 30000
+    t.write("log", full)
+
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (len(full), len(full)))
+
+    run = t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, "--log-file", "log", preexec_fn=limit)
+    run.expect(2, "cannot write the log 'log': File too large", code="disk-full")
+    check(run.err.count("\n") == 1 and t.path("log").read_text() == full, f"{run}")
+    t.expect_picture("out.png")
+
+
+def test_no_output_is_in_the_folder_of_another(t):
+    """An archive gives its files their names, and an extraction is replaced as a whole."""
+    t.clip("in/gate/a.avi", seconds=1)
+    t.age("in")
+    for name in ("out/gate/a.avi.json", "out/gate/a.avi.report.json", "out/gate/../index.html", "out/x.PNG", "out/a.avi.1.mp4"):
+        for option in ("--events-to", "--log-file"):
+            t.vvr("archive", "in", "-o", "out", option, name, *SMALL).expect(1, f"{option} both name '{name}'", code="options-conflict")
+    t.vvr("extract", "in/gate/a.avi", "-o", "data", "--log-file", "data/log").expect(1, "'data/log'", code="options-conflict")
+    t.expect_files("in", "in/gate", "in/gate/a.avi")
+    t.path("out").mkdir()
+    t.vvr("archive", "in", "-o", "out", "--events-to", "out/events.jsonl", "--log-file", "out/log", *SMALL).expect(0)
+    check("1 clip drawn" in t.path("out/log").read_text(), "no log")
 
 
 @pytest.mark.nightly

@@ -125,7 +125,7 @@ def test_settings_have_the_programs_names_and_checks(t, prefix):
             ("sise", "1x1", " 0 option-unknown: there is no setting 'sise' (did you mean 'size'?)"),
             ("slices", "-1", " 0 option-value-out-of-range: slices: '-1' is not a whole number from 0 to 16384"),
             ("help", "yes", " 0 option-unknown"), ("config", "/nowhere", " 0 option-unknown"),
-            ("config=/nowhere", "x", " 0 option-unknown"), ("output", "x.png", " 0 option-unknown")]:
+            ("config=/nowhere", "x", " 0 option-unknown"), ("input-problem", "x", " 0 option-unknown"), ("output", "x.png", " 0 option-unknown")]:
         done = t.run([main, name, value])
         check(done.status == 0 and done.out.startswith(text), str(done))
     check(not t.path("short.png").exists(), "a picture of an image that is none")
@@ -204,7 +204,7 @@ def test_what_callers_do_wrong_or_throw(t, prefix):
             if (fault != "reader") frames.read = [&](std::int64_t index, vvr::FrameView& frame) {
                 if (fault == "exception" && index == 5) throw 42;
                 frame.pixels = fault == "pixels" && index == 3 ? nullptr : pixels.data();
-                frame.stride = fault == "stride" ? 100 : 192;
+                frame.stride = fault == "stride" ? 100 : fault == "overflow" ? PTRDIFF_MAX / 2 : 192;
                 frame.seconds = fault == "time" ? 1 : index / 10.0;
                 return index < (fault == "empty" ? 0 : 30);
             };
@@ -225,6 +225,7 @@ def test_what_callers_do_wrong_or_throw(t, prefix):
                         ("format", "input-unsuitable: there is no pixel format 9"),
                         ("pixels", "input-unsuitable: frames in memory, frame 3: no pixels"),
                         ("stride", "input-unsuitable: frames in memory, frame 0: pixels and a stride of 100 bytes"),
+                        ("overflow", "input-unsuitable: frames in memory, frame 0: pixels and a stride of 4611686018427387903 bytes"),
                         ("time", "input-unsuitable: frames in memory, frame 1: it is at 1 s"), ("empty", "no-frame: ")]:
         done = t.run([main, fault])
         check(done.status == 0 and done.out.startswith(text), f"{fault}: {done}")
@@ -251,6 +252,31 @@ def test_threads_draw_at_the_same_time_what_they_draw_alone(t, prefix):
             std::printf("%d %d", here, same);
         }""")
     t.run([main]).expect(0, out="4 4")
+
+
+def test_c_gets_events_and_an_error_for_a_missing_array(t, prefix):
+    t.scene("walkers", "2026-11-21_20-00-00.y4m", "--size", "160x120", "--frames", "100")
+    t.write("main.c", """
+        #include <stdio.h>
+        #include <vvr/vvr_c.h>
+        int main(int count, char** words) {
+            const struct vvr_setting small = {"size", "160x100"};
+            struct vvr_options options = {count > 2 ? NULL : &small, 1, 1, 0, NULL, NULL};
+            struct vvr_rendering* const done = vvr_render_clip(words[1], &options);
+            printf("%d %s\\n", vvr_status_of(done), vvr_error_text(done));
+            const struct vvr_event* const event = vvr_event_at(done, 0);
+            if (event != NULL) printf("%s %s %d\\n", event->begin, event->end, event->open_ended);
+            vvr_free(done);
+            return 0;
+        }""")
+    t.run(["cc", "main.c", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr", f"-Wl,-rpath,{prefix}/lib"]).expect(0, out=None)
+    t.zone("UTC")
+    t.run([t.path("main"), "2026-11-21_20-00-00.y4m", "none"]).expect(0, out="1 no array of settings given: the pointer is NULL\n")
+    t.vvr("render", "2026-11-21_20-00-00.y4m", "--events-csv", "events.csv").expect(0, out=None)
+    heading, row, *_ = [line.split(",") for line in t.path("events.csv").read_text().splitlines()]
+    of = dict(zip(heading, row))
+    t.run([t.path("main"), "2026-11-21_20-00-00.y4m"]).expect(0, out=f"0 \n{of['begin']} {of['end']} {int(of['open_ended'] == 'true')}\n")
+    check(of["begin"].startswith("2026-11-21T20:00:0"), str(of))
 
 
 @pytest.mark.nightly

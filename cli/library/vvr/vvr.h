@@ -149,7 +149,7 @@ struct PathPoint {
     double y = 0;
 };
 
-/// An object of the clip, from its first to its last frame, as `vvr render --events-csv` lists it.
+/// An object of the clip, from its first to its last frame.
 struct Event {
     int number = 0;            ///< from 1; the picture shows it
     std::string kind;          ///< "moved", "stood", "left" or "taken"; later versions may add some
@@ -163,9 +163,12 @@ struct Event {
     std::string direction;     ///< such as "right"; empty where it isn't known
     Box box;                   ///< of all its places
     std::vector<PathPoint> path;
-    int from = 0;  ///< number of the event from which it split; 0 = none
-    int into = 0;  ///< number of the event in which it merged; 0 = none
-    int by = 0;    ///< number of the event that put it down or took it; 0 = none
+    int from = 0;             ///< number of the event from which it split; 0 = none
+    int into = 0;             ///< number of the event in which it merged; 0 = none
+    int by = 0;               ///< number of the event that put it down or took it; 0 = none
+    std::string begin;        ///< local time of the first frame, ISO 8601; empty if the recording time is unknown
+    std::string end;          ///< of the last frame
+    bool open_ended = false;  ///< it was there until a gap or the end of the clip: `last_frame` is not when it went
 };
 
 /// The result of a render.

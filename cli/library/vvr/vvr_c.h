@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* 0, or the category of an error, as FailureKind. */
+/* 0, or the category of an error, as FailureKind. These are not the exit statuses of the program. */
 enum vvr_status {
     VVR_OK = 0,
     VVR_USAGE = 1,
@@ -79,6 +79,9 @@ struct vvr_event {
     int from;
     int into;
     int by;
+    const char* begin; /* "" = unknown */
+    const char* end;
+    int open_ended; /* 0 or 1 */
 };
 
 /* The result of a render, or its error. */
