@@ -165,12 +165,8 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     writer.finish({plan, done.seen, done.composed, done.run}, took.count());
-    return {done.seen.info,
-            done.seen.summary.frames,
-            done.seen.summary.damaged,
-            std::move(done.seen.events).value_or(ShownEvents{}),
-            plan.clip.field_size,
-            plan.clock};
+    return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged,
+            std::move(done.seen.events).value_or(ShownEvents{}), plan.clip.field_size};
 }
 
 }  // namespace vvr::app

@@ -16,7 +16,6 @@ struct RenderSummary {
     std::int64_t damaged = 0;  ///< packets that could not be decoded
     ShownEvents events{};      ///< empty unless listed
     Size field_size{};         ///< the events' pixels are those of the field
-    WallClock clock{};         ///< of the events' times
 };
 
 /// Runs a whole job: plan, observe, compose, draw, write.

@@ -24,25 +24,12 @@ namespace {
 
 using vvr::FailureKind;
 
+/// The kinds follow VVR_OK in their own order.
 constexpr vvr_status status_of(FailureKind kind) {
-    switch (kind) {
-        case FailureKind::usage:
-            return VVR_USAGE;
-        case FailureKind::io:
-            return VVR_IO;
-        case FailureKind::not_video:
-            return VVR_NOT_VIDEO;
-        case FailureKind::backend:
-            return VVR_BACKEND;
-        case FailureKind::limit:
-            return VVR_LIMIT;
-        case FailureKind::cancelled:
-            return VVR_CANCELLED;
-        case FailureKind::bug:
-            break;
-    }
-    return VVR_BUG;
+    return static_cast<vvr_status>(static_cast<int>(kind) + 1);
 }
+static_assert(status_of(FailureKind::usage) == VVR_USAGE && status_of(FailureKind::limit) == VVR_LIMIT);
+static_assert(status_of(FailureKind::bug) == VVR_BUG && status_of(FailureKind::cancelled) == VVR_CANCELLED);
 
 vvr_event event_of(const vvr::Event& event) {
     return {event.number,
@@ -62,8 +49,6 @@ vvr_event event_of(const vvr::Event& event) {
             event.from,
             event.into,
             event.by,
-            event.begin.c_str(),
-            event.end.c_str(),
             event.open_ended ? 1 : 0};
 }
 

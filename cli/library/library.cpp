@@ -40,25 +40,14 @@ Failure::~Failure() = default;
 
 namespace {
 
+/// The first kinds are those of a FailureKind, in its order; the others are of commands that the library does not have.
 constexpr FailureKind failure_kind(ErrorKind kind) {
-    switch (kind) {
-        case ErrorKind::usage:
-            return FailureKind::usage;
-        case ErrorKind::io:
-            return FailureKind::io;
-        case ErrorKind::not_video:
-            return FailureKind::not_video;
-        case ErrorKind::backend:
-            return FailureKind::backend;
-        case ErrorKind::limit:
-            return FailureKind::limit;
-        case ErrorKind::bug:
-        case ErrorKind::partial:
-        case ErrorKind::differs:
-            break;  // only for commands that the library does not have
-    }
-    return FailureKind::bug;
+    return kind <= ErrorKind::limit ? static_cast<FailureKind>(kind) : FailureKind::bug;
 }
+static_assert(failure_kind(ErrorKind::usage) == FailureKind::usage && failure_kind(ErrorKind::io) == FailureKind::io);
+static_assert(failure_kind(ErrorKind::not_video) == FailureKind::not_video);
+static_assert(failure_kind(ErrorKind::backend) == FailureKind::backend);
+static_assert(failure_kind(ErrorKind::limit) == FailureKind::limit);
 
 /// What a callback of the caller threw.
 struct CallbackError {
@@ -164,10 +153,6 @@ std::vector<Event> events_of(const app::RenderSummary& summary) {
         event.last_frame = found.last.frame;
         event.first_seconds = found.first.seconds;
         event.last_seconds = found.last.seconds;
-        if (summary.clock) {
-            event.begin = summary.clock->iso(event.first_seconds);
-            event.end = summary.clock->iso(event.last_seconds);
-        }
         event.open_ended = found.open_ended;
         event.still_seconds = events::stationary_seconds(found);
         event.direction = events::direction_of(found);

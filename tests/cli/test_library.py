@@ -255,7 +255,7 @@ def test_threads_draw_at_the_same_time_what_they_draw_alone(t, prefix):
 
 
 def test_c_gets_events_and_an_error_for_a_missing_array(t, prefix):
-    t.scene("walkers", "2026-11-21_20-00-00.y4m", "--size", "160x120", "--frames", "100")
+    t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "100")
     t.write("main.c", """
         #include <stdio.h>
         #include <vvr/vvr_c.h>
@@ -265,18 +265,16 @@ def test_c_gets_events_and_an_error_for_a_missing_array(t, prefix):
             struct vvr_rendering* const done = vvr_render_clip(words[1], &options);
             printf("%d %s\\n", vvr_status_of(done), vvr_error_text(done));
             const struct vvr_event* const event = vvr_event_at(done, 0);
-            if (event != NULL) printf("%s %s %d\\n", event->begin, event->end, event->open_ended);
+            if (event != NULL) printf("%.3f %.3f %d\\n", event->first_seconds, event->last_seconds, event->open_ended);
             vvr_free(done);
             return 0;
         }""")
     t.run(["cc", "main.c", "-o", "main", f"-I{prefix}/include", f"-L{prefix}/lib", "-lvvr", f"-Wl,-rpath,{prefix}/lib"]).expect(0, out=None)
-    t.zone("UTC")
-    t.run([t.path("main"), "2026-11-21_20-00-00.y4m", "none"]).expect(0, out="1 no array of settings given: the pointer is NULL\n")
-    t.vvr("render", "2026-11-21_20-00-00.y4m", "--events-csv", "events.csv").expect(0, out=None)
+    t.run([t.path("main"), "walkers.y4m", "none"]).expect(0, out="1 no array of settings given: the pointer is NULL\n")
+    t.vvr("render", "walkers.y4m", "--events-csv", "events.csv").expect(0, out=None)
     heading, row, *_ = [line.split(",") for line in t.path("events.csv").read_text().splitlines()]
     of = dict(zip(heading, row))
-    t.run([t.path("main"), "2026-11-21_20-00-00.y4m"]).expect(0, out=f"0 \n{of['begin']} {of['end']} {int(of['open_ended'] == 'true')}\n")
-    check(of["begin"].startswith("2026-11-21T20:00:0"), str(of))
+    t.run([t.path("main"), "walkers.y4m"]).expect(0, out=f"0 \n{of['first']} {of['last']} {int(of['open_ended'] == 'true')}\n")
 
 
 @pytest.mark.nightly

@@ -166,8 +166,6 @@ struct Event {
     int from = 0;             ///< number of the event from which it split; 0 = none
     int into = 0;             ///< number of the event in which it merged; 0 = none
     int by = 0;               ///< number of the event that put it down or took it; 0 = none
-    std::string begin;        ///< local time of the first frame, ISO 8601; empty if the recording time is unknown
-    std::string end;          ///< of the last frame
     bool open_ended = false;  ///< it was there until a gap or the end of the clip: `last_frame` is not when it went
 };
 

@@ -79,8 +79,6 @@ struct vvr_event {
     int from;
     int into;
     int by;
-    const char* begin; /* "" = unknown */
-    const char* end;
     int open_ended; /* 0 or 1 */
 };
 
