@@ -248,7 +248,7 @@ std::string CommandLine::camera_of_input(const std::vector<std::string>& pattern
     if (files.empty()) files.push_back(std::filesystem::is_directory(input, none) ? input + "/clip" : input);
     for (std::string& file : files) file = std::filesystem::absolute(file, none).lexically_normal().string();
     video::RecorderNames names(patterns);
-    names.find_numbered_cameras(files);
+    names.compare(files);
     for (const std::string& section : impl_->cameras.names) names.describe_camera(section, {});
     const std::string camera = names.camera_of(files.front());
     const bool is_one = std::ranges::all_of(files, [&](const auto& file) { return names.camera_of(file) == camera; });

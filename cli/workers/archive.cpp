@@ -204,7 +204,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     std::vector<std::string> paths;
     for (const archive::Clip& clip : scan.clips) paths.push_back(clip.path);
-    job.names.find_numbered_cameras(paths);
+    job.names.compare(paths);
     Survey survey;
     survey.clips = scan.clips.size();
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};

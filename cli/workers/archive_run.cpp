@@ -313,7 +313,7 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
         if (!sidecar.day) clips.push_back(sidecar.clip.path);
     }
     video::RecorderNames names = job.names;
-    names.find_numbered_cameras(clips);
+    names.compare(clips);
     const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
     for (const auto& [name, text] : days) {
         try {

@@ -32,6 +32,12 @@ bool is_part_of_date(std::string_view folder) {
     return folder.size() <= 2 && std::ranges::all_of(folder, is_digit);
 }
 
+/// Whether a folder is one of a card (DCF): "100EK113" and the next, "101EK113".
+bool is_of_card(std::string_view folder) {
+    static const re2::RE2 form("DCIM|[1-9][0-9]{2}(?:[0-9A-Z_]{4}[A-Z_]|[A-Z_][0-9A-Z_]{4})");
+    return re2::RE2::FullMatch(re2::StringPiece(folder.data(), folder.size()), form);
+}
+
 // Sorted. Prefixes that cameras, phones and programs use before a time, and common names of video folders.
 constexpr std::array<std::string_view, 39> common_words{
     "alarm",   "archive", "capture", "cctv",   "clip",      "clips",      "continuous", "dav",
@@ -68,7 +74,7 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped) {
             dated = true;
             continue;
         }
-        if (!counts) continue;
+        if (!counts || is_of_card(folder)) continue;
         if (dated) return std::string(folder);
         if (!camera.empty()) camera += '/';
         camera += folder;

@@ -2,110 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
-#include <mutex>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <re2/re2.h>
+
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/video/camera_names.h"
-#include "core/video/pattern_set.h"
 
 namespace vvr::video {
 
 namespace {
-
-enum class Zone { local, utc };
-
-struct KnownRow {
-    std::string_view recorder;
-    std::string_view pattern;
-    Zone zone = Zone::local;
-    NamedCamera camera = NamedCamera::whole;
-    Ambiguity doubt = Ambiguity::none;
-};
-
-constexpr std::string_view any_name = "a date and a time";
-constexpr std::string_view any_folder = "a folder of a date";
-constexpr std::string_view any_epoch = "seconds since 1970";
-constexpr auto local = Zone::local;
-constexpr auto below = NamedCamera::below;
-constexpr auto folder = NamedCamera::folder;
-
-// The fields in braces are defined in core/video/recorder_pattern.cpp. Specific rows come first, because the last ones
-// match many names.
-constexpr std::array known{
-    KnownRow{"Frigate", "%Y-%m-%d/%H/{camera}/%M.%S", Zone::utc},
-    KnownRow{"Frigate", "%Y-%m/%d/%H/{camera}/%M.%S"},  // before version 0.12
-    KnownRow{"Frigate", "{camera}-{epoch}.{number}-*"},
-    KnownRow{"Dahua", "%Y-%m-%d/001/dav/%H/%H.%M.%S-*"},
-    KnownRow{"Dahua", "%Y-%m-%d/{camera}/dav/%H/%H.%M.%S-*", local, folder},
-    KnownRow{"Dahua", "{dated}/%H.%M.%S-{number}.{number}.{number}[*"},
-    KnownRow{"Dahua", "{camera}_main_%Y%m%d%H%M%S_*"},
-    KnownRow{"Dahua", "{camera}_sub_%Y%m%d%H%M%S_*"},
-    KnownRow{"Hikvision", "{camera}_hiknvr_%Y%m%d%H%M%S_*"},
-    KnownRow{"Reolink", "{camera}_00_%Y%m%d%H%M%S"},
-    KnownRow{"Reolink", "Rec*%Y%m%d_%H%M%S_*"},  // on the camera's SD card
-    KnownRow{"Hikvision", "{camera}_%Y%m%d%H%M%S{number}"},
-    KnownRow{"Synology", "{camera}-%Y%m%d-%H%M%S-{number}*"},
-    KnownRow{"Blue Iris", "{camera}.%Y%m%d_%H%M%S*"},
-    KnownRow{"UniFi", "{camera} %-m-%-d-%Y, %-H.%M.%S GMT%z*"},
-    KnownRow{"UniFi", "{camera} %-m-%-d-%Y, %-H.%M.%S*", local, NamedCamera::whole, Ambiguity::day_or_month},
-    KnownRow{"ZoneMinder", "{camera}/%y/%m/%d/%H/%M/%S/{number}-video"},
-    KnownRow{"ZoneMinder", "{camera}/%Y-%m-%d/{number}/{number}-video"},
-    KnownRow{"Xiaomi", "%Y%m%d%H/%MM%SS_{epoch}"},
-    KnownRow{"Xiaomi", "%YY%mM%dD%HH/%MM%SS*"},
-    KnownRow{"motion", "{number}-%Y%m%d%H%M%S"},
-    KnownRow{"motion", "%Y-%m-%d/%H-%M-%S"},  // motionEye
-    // The time is that of sending, and day and month may be swapped.
-    KnownRow{"", "WhatsApp *", local, NamedCamera::whole, Ambiguity::always},
-    KnownRow{"", "{unsure date}", local, NamedCamera::whole, Ambiguity::always},
-    // Date and time in the name, with the camera before them, after them, or without it.
-    KnownRow{any_name, "{date}{join}{clock}{fraction}{zone}"},
-    KnownRow{any_name, "{date}T{clock}%z"},
-    KnownRow{any_name, "{moment}{gap}{side}", local, below},
-    KnownRow{any_name, "{moment}{more}"},
-    KnownRow{any_name, "{date}{join}{minute}{until}"},
-    KnownRow{any_name, "%Y%m%d%H%M"},
-    KnownRow{any_name, "{camera}{gap}{date}{join}{clock}{fraction}{zone}", local, below},
-    KnownRow{any_name, "{camera}{gap}{date}T{clock}%z", local, below},
-    KnownRow{any_name, "{camera}{gap}{moment}{more}", local, below},
-    KnownRow{any_name, "{camera}{gap}{date}{join}{minute}{until}", local, below},
-    KnownRow{any_name, "{camera}{gap}%Y%m%d%H%M", local, below},
-    KnownRow{any_name, "{before}{date}{join}{clock}{fraction}{zone}"},
-    KnownRow{any_name, "{before}{moment}{more}"},
-    // The date in folders, the time in the name.
-    KnownRow{any_folder, "{dated}/{hour}/{clock}{set off}"},
-    KnownRow{any_folder, "{dated}/{hour}/{camera}/{clock}{set off}", local, folder},
-    KnownRow{any_folder, "{dated}/{named}/{hour}/{clock}{set off}", local, folder},
-    KnownRow{any_folder, "{dated}/{hour}/%M"},
-    KnownRow{any_folder, "{dated}/{hour}/%Mm"},
-    KnownRow{any_folder, "{dated}/{hour}h/%M"},
-    KnownRow{any_folder, "{dated}/{hour}/{named}/%M", local, folder},
-    KnownRow{any_folder, "{dated}/{named}/{hour}/%M", local, folder},
-    KnownRow{any_folder, "{dated}/{hour}/%M?%S", local, NamedCamera::whole, Ambiguity::repeated_hour},
-    KnownRow{any_folder, "{dated}/{hour}/%Mm%Ss"},
-    KnownRow{any_folder, "{dated}/{hour}/{named}/%M?%S", local, folder, Ambiguity::repeated_hour},
-    KnownRow{any_folder, "{dated}/{named}/{hour}/%M?%S", local, folder, Ambiguity::repeated_hour},
-    KnownRow{any_folder, "{dated}/{hour}/{minute}{until}"},
-    KnownRow{any_folder, "{date}{join}{hour}/%M"},
-    KnownRow{any_folder, "{date}{join}{hour}/%M?%S", local, NamedCamera::whole, Ambiguity::repeated_hour},
-    KnownRow{any_folder, "{dated}/{clock}{gap}{side}", local, below},
-    KnownRow{any_folder, "{dated}/{clock}{set off}"},
-    KnownRow{any_folder, "{dated}/{minute}{until}"},
-    KnownRow{any_folder, "{dated}/{camera}/{clock}{set off}", local, folder},
-    KnownRow{any_folder, "{dated}/{named}/{minute}{until}", local, folder},
-    KnownRow{any_folder, "{dated}/{camera}{gap}{time}{set off}", local, below},
-    KnownRow{any_epoch, "{epoch}{until epoch}"},
-    KnownRow{any_epoch, "{epoch ms}{until epoch}"},
-    KnownRow{any_epoch, "{camera}{gap}{epoch}{until epoch}", local, below},
-    KnownRow{any_epoch, "{camera}{gap}{epoch ms}{until epoch}", local, below},
-};
 
 /// A file with a number before the time.
 struct NumberedFile {
@@ -143,18 +56,43 @@ std::string_view without_extension(std::string_view path) {
     return number ? path : path.substr(0, dot);
 }
 
-bool is_ambiguous(const NameFields& name, Ambiguity doubt) {
-    switch (doubt) {
-        case Ambiguity::none:
-            return false;
-        case Ambiguity::day_or_month:
-            return name[NameField::day] <= 12 && name[NameField::day] != name[NameField::month];
-        case Ambiguity::repeated_hour:
-            return name[NameField::hour] == name[NameField::minute];
-        case Ambiguity::always:
-            return true;
+bool all_digits(std::string_view text) {
+    return std::ranges::all_of(text, is_digit);
+}
+
+/// The folder of a path, with its '/'.
+std::string_view with_folder(std::string_view path) {
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// Whether a text before the time has another date and time: of two, the first is when the recording begins.
+bool has_moment(const std::string& camera) {
+    static const re2::RE2 moment(
+        R"((?:19|20)\d\d[-_.]?(?:0[1-9]|1[0-2])[-_.]?[0-3]\d(?:[-_. T@]| - |__)?[0-2]\d[-_.:h]?[0-5]\d)",
+        re2::RE2::Latin1);
+    return re2::RE2::PartialMatch(camera, moment);
+}
+
+std::vector<NamingScheme> schemes_of(std::span<const std::string> patterns) {
+    std::vector<NamingScheme> schemes;
+    for (const std::string& pattern : patterns) {
+        RecorderRow row{given_by_user, expression_of(pattern)};
+        NameExpression expression(row.expression);
+        schemes.push_back({std::move(row), std::move(expression)});
     }
-    return true;
+    return schemes;
+}
+
+const std::vector<NamingScheme>& known_schemes() {
+    static const std::vector<NamingScheme> known = [] {
+        std::vector<NamingScheme> schemes;
+        for (RecorderRow& row : recorder_rows()) {
+            NameExpression expression(row.expression);
+            schemes.push_back({std::move(row), std::move(expression)});
+        }
+        return schemes;
+    }();
+    return known;
 }
 
 }  // namespace
@@ -163,95 +101,37 @@ std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near) {
     return time.ahead ? time.clock - *time.ahead : utc_of_local(time.clock, near);
 }
 
-NamingScheme::NamingScheme(std::string_view name, std::string_view pattern, bool utc)
-    : name_(name), pattern_(pattern), utc_(utc) {}
-
-NamingScheme::NamingScheme(std::string_view name, RecorderPattern pattern, bool utc, Ambiguity doubt,
-                           NamedCamera camera)
-    : name_(name), pattern_(std::move(pattern)), utc_(utc), ambiguity_(doubt), camera_(camera) {}
-
-std::optional<RecorderName> NamingScheme::read(std::string_view path) const {
+std::optional<RecorderName> RecorderNames::read_as(const NamingScheme& scheme, std::string_view path) const {
+    const RecorderRow& row = scheme.row;
     const std::string_view stem = without_extension(path);
-    auto name = read_stem(stem);
-    return name || stem.size() == path.size() ? name : read_stem(path);
-}
-
-std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const {
-    std::optional<NameFields> fields = pattern_.read(stem);
+    std::optional<NameFields> fields = scheme.expression.read(stem);
+    if (!fields && stem.size() < path.size()) fields = scheme.expression.read(path);
     if (!fields) return std::nullopt;
-    const bool own = name_ != given_by_user;
-    if (own && fields->contradicts) return std::nullopt;
-    RecorderName name{name_, std::move(fields->camera), camera_ != NamedCamera::whole};
-    const bool counts = camera_ == NamedCamera::folder && std::ranges::all_of(name.camera, is_digit);
+    const bool own = row.recorder == given_by_user;
+    RecorderName name{std::string(row.recorder), (*fields)["camera"], row.camera != NamedCamera::whole};
+    if (!own && has_moment(name.camera)) return std::nullopt;
+    name.sub = fields->contains("sub");
+    const bool counts = row.camera == NamedCamera::folder && all_digits(name.camera);
     if (name.below && !counts && is_generic_name(name.camera)) {
         if (std::ranges::any_of(name.camera, is_digit)) name.numbered = name.camera;
         name.camera.clear();
     }
-    if (is_ambiguous(*fields, ambiguity_)) {
-        name.ambiguous = true;
-        return name;
-    }
-    name.begin = fields->time(utc_);
-    const bool timed = (*fields)[NameField::hour] || (*fields)[NameField::epoch] || (*fields)[NameField::epoch_ms];
+    const bool swapped = row.doubt == Ambiguity::day_or_month && number_of(*fields, "d") <= 12 &&
+                         number_of(*fields, "d") != number_of(*fields, "m") &&
+                         !month_first_.contains(with_folder(path));
+    const bool repeated = row.doubt == Ambiguity::repeated_hour && number_of(*fields, "H") == number_of(*fields, "M");
+    name.ambiguous = swapped || repeated || row.doubt == Ambiguity::always || (!own && fields->contains("unread"));
+    if (name.ambiguous) return name;
+    name.shows_month = row.doubt == Ambiguity::day_or_month && number_of(*fields, "d") > 12;
+    name.begin = time_of(*fields, row.zone == NamedZone::utc);
+    const bool timed = std::ranges::any_of(std::array{"H", "I", "s", "ms"},
+                                           [&](const char* field) { return fields->contains(field); });
     if (timed && !name.begin) return std::nullopt;  // such as February 31
     return name;
 }
 
-/// The schemes of the known recorders. Most match no name, so all are tried in one pass.
-class KnownSchemes {
-  public:
-    static const KnownSchemes& get() {
-        static const KnownSchemes schemes;
-        return schemes;
-    }
-
-    /// Adds those that may match a path, in the order of the table.
-    void add_candidates(std::string_view path, std::vector<const NamingScheme*>& to) const {
-        std::set<std::size_t> candidates;
-        for (const std::string_view text : {path, without_extension(path)}) {
-            const std::vector<std::size_t> found = set_.matching(text);
-            candidates.insert(found.begin(), found.end());
-        }
-        for (const std::size_t candidate : candidates) to.push_back(&scheme(candidate));
-    }
-
-  private:
-    KnownSchemes() : set_(loose_expressions()) {}
-
-    static std::vector<std::string> loose_expressions() {
-        std::vector<std::string> expressions;
-        for (const KnownRow& row : known) expressions.push_back(RecorderPattern::loose_expression(row.pattern));
-        return expressions;
-    }
-
-    /// Compiled when a name may match it. Compiling all of them would cost each run about 15 ms.
-    const NamingScheme& scheme(std::size_t index) const {
-        std::call_once(compiled_[index], [&] {
-            const KnownRow& row = known[index];
-            schemes_[index] =
-                NamingScheme(row.recorder, RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
-                             row.zone == Zone::utc, row.doubt, row.camera);
-        });
-        return *schemes_[index];
-    }
-
-    mutable std::array<std::once_flag, known.size()> compiled_;
-    mutable std::array<std::optional<NamingScheme>, known.size()> schemes_;
-    PatternSet set_;
-};
-
-namespace {
-
-std::vector<const NamingScheme*> pointers_to(const std::vector<NamingScheme>& schemes) {
-    std::vector<const NamingScheme*> pointers;
-    for (const NamingScheme& scheme : schemes) pointers.push_back(&scheme);
-    return pointers;
-}
-
-}  // namespace
-
-RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
-    for (const std::string& pattern : patterns) own_.emplace_back(given_by_user, pattern);
+RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base)
+    : own_(schemes_of(patterns)) {
     if (base.empty()) return;
     std::error_code none;
     folder_ = std::filesystem::absolute(base, none).lexically_normal().string();
@@ -263,8 +143,7 @@ std::string RecorderNames::whole(std::string_view path) const {
 }
 
 void RecorderNames::describe_camera(const std::string& camera, std::span<const std::string> patterns) {
-    std::vector<NamingScheme>& schemes = of_cameras_[camera];
-    for (const std::string& pattern : patterns) schemes.emplace_back(given_by_user, pattern);
+    std::ranges::move(schemes_of(patterns), std::back_inserter(of_cameras_[camera]));
 }
 
 RecorderName RecorderNames::read(std::string_view path) const {
@@ -275,7 +154,7 @@ RecorderName RecorderNames::read(std::string_view path) const {
     for (const auto& [camera, schemes] : of_cameras_) cameras.push_back(camera);
     const auto own = of_cameras_.find(name_of_camera(camera_of(name, all, 0), cameras));
     if (own == of_cameras_.end()) return name;
-    RecorderName described = read_with(all, pointers_to(own->second));
+    RecorderName described = read_with(all, own->second, {});
     if (!described.begin) return name;
     described.camera = std::move(name.camera);
     described.below = name.below;
@@ -284,15 +163,14 @@ RecorderName RecorderNames::read(std::string_view path) const {
 
 /// The user's schemes come before those of known recorders.
 RecorderName RecorderNames::read_whole(std::string_view whole_path) const {
-    std::vector<const NamingScheme*> schemes = pointers_to(own_);
-    KnownSchemes::get().add_candidates(whole_path, schemes);
-    return read_with(whole_path, schemes);
+    return read_with(whole_path, own_, known_schemes());
 }
 
-RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<const NamingScheme* const> schemes) const {
+RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<const NamingScheme> first,
+                                      std::span<const NamingScheme> second) const {
     RecorderName name;
-    for (const NamingScheme* const scheme : schemes) {
-        std::optional<RecorderName> read = scheme->read(whole_path);
+    for (std::size_t i = 0; i < first.size() + second.size(); ++i) {
+        std::optional<RecorderName> read = read_as(i < first.size() ? first[i] : second[i - first.size()], whole_path);
         if (!read) continue;
         if (name.layout.empty()) name.layout = std::move(read->layout);
         if (name.camera.empty()) {
@@ -302,6 +180,8 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
         }
         name.begin = read->begin;
         name.ambiguous = read->ambiguous;
+        name.sub = name.sub || read->sub;
+        name.shows_month = read->shows_month;
         // A pattern without a time leaves the time to later patterns.
         if (name.begin || name.ambiguous) break;
     }
@@ -311,11 +191,12 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
     return name;
 }
 
-void RecorderNames::find_numbered_cameras(std::span<const std::string> paths) {
+void RecorderNames::compare(std::span<const std::string> paths) {
     std::map<std::string, std::vector<NumberedFile>> files_by_key;
     for (const std::string& path : paths) {
         const std::string all = whole(path);
         RecorderName name = read_whole(all);
+        if (name.shows_month) month_first_.insert(std::string(with_folder(all)));
         if (name.numbered.empty() || !name.begin) continue;
         files_by_key[numbered_with(all, name.numbered)].push_back({name.begin->clock, std::move(name.numbered)});
     }
@@ -348,8 +229,9 @@ std::string name_of_camera(std::string_view camera, std::span<const std::string>
 
 std::vector<std::string> known_recorders() {
     std::vector<std::string> names;
-    for (const KnownRow& row : known) {
-        if (!row.recorder.empty() && std::ranges::count(names, row.recorder) == 0) names.emplace_back(row.recorder);
+    for (const NamingScheme& scheme : known_schemes()) {
+        const std::string_view name = scheme.row.recorder;
+        if (!name.empty() && std::ranges::count(names, name) == 0) names.emplace_back(name);
     }
     return names;
 }

@@ -360,7 +360,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     RecorderNames schemes = layouts;
     Files paths;
     for (const std::string& file : files) paths.push_back(whole_path(file));
-    schemes.find_numbered_cameras(paths);
+    schemes.compare(paths);
     for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, schemes));
     recording.camera = find_camera(recording.name, recording.segments, schemes, join);
     const std::vector<SegmentHeader> headers = headers_of(recording.segments);

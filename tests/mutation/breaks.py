@@ -46,7 +46,7 @@ BREAKS = [
           "Pictures.ThoseThatDoNotDecodeAreCounted"),
     Break("core/video/packet_range.cpp", "if (packets[k].key && packets[k].stamp <= wanted) first = k;", "if (packets[k].key) first = k;",
           "cli/test_cut.py::test_cut_of_groups_that_lean_on_the_one_before"),
-    Break("core/video/recorder_pattern.cpp", "return west ? -ahead : ahead;", "return west ? ahead : -ahead;",
+    Break("core/video/name_expression.cpp", "return west ? -ahead : ahead;", "return west ? ahead : -ahead;",
           "RecorderNames.OfKnownRecordersTellCameraAndTime"),
     # core/fields
     Break("core/fields/seeds.cpp", "std::min(then + 1, most)", "then + 1 + 0 * most",

@@ -114,7 +114,7 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
              Tree{"2026-11-21_20-00-00.000.mp4", ""},
              Tree{"2026-11-21 20.00.00", ""},
              Tree{"2026-11-21_20-00-00-1.mp4", ""},
-             Tree{"2026-11-21T20:00:00+05:30_gate.mp4", "", evening},
+             Tree{"2026-11-21T20:00:00+05:30_gate.mp4", "", evening, 19800},
              Tree{"gate_2026-11-21T20-00-00Z.mp4", "gate", evening, 0},
              Tree{"2026-11-21_20-00-00-left_repeater.mp4", "left_repeater"},
              Tree{"20261121_200000_cam2.mp4", "cam2"},
@@ -147,10 +147,84 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
     }
 }
 
+TEST(RecorderNames, OfTwelveHoursAndOfZonesAreRead) {
+    const video::RecorderNames names;
+    constexpr std::int64_t day = 1795219200;  // 2026-11-21
+    constexpr std::int64_t evening = day + 72000;
+    struct Clock {
+        const char* path;
+        const char* camera;
+        std::int64_t clock;
+        std::optional<std::int64_t> ahead{};
+    };
+    for (const Clock& each : {
+             Clock{"Front Door - 11-21-2026, 8.00.07pm.mp4", "Front Door", evening + 7},
+             Clock{"Front Door - 11-21-2026, 12.05.40am.mp4", "Front Door", day + 340},
+             Clock{"Front Door 11-21-2026, 12.05.40pm.mp4", "Front Door", day + 43200 + 340},
+             Clock{"Front Door 11-21-2026, 8.00.07 PM GMT+1.mp4", "Front Door", evening + 7, 3600},
+             Clock{"gate_2026-11-21_08-00-07PM.mp4", "gate", evening + 7},
+             Clock{"gate_2026-11-21_08-00-07AM.mp4", "gate", morning},
+             Clock{"2026-11-21 08-00-07 pm.mp4", "", evening + 7},
+             Clock{"2026-11-21 8.00.07 p.m..mp4", "", evening + 7},
+             Clock{"20261121_080007PM.mp4", "", evening + 7},
+             Clock{"gate/2026-11-21/08-00-07 PM.mp4", "gate", evening + 7},
+             Clock{"Cam1.20261121_080007PM.mp4", "Cam1", evening + 7},
+             Clock{"2026-11-21 08-00-07 America.mp4", "", morning},
+             Clock{"gate_2026-11-21_08-00-07_UTC.mp4", "gate", morning, 0},
+             Clock{"gate_2026-11-21_08-00-07 GMT+1.mp4", "gate", morning, 3600},
+             Clock{"gate_2026-11-21_08-00-07PM_UTC.mp4", "gate", evening + 7, 0},
+             Clock{"2026-11-21T08_00_07+00_00.mp4", "", morning, 0},
+             Clock{"2026-11-21T08_00_07-05_00.mp4", "", morning, -18000},
+             Clock{"2026-11-21T08-00-07Z.mp4", "", morning, 0},
+             Clock{"gate/2026-11-21/08-00-07Z.mp4", "gate", morning, 0},
+             Clock{"2026-11-21_08_00_07-09_00_00.mp4", "", morning},
+             // Of two times the first is the begin.
+             Clock{"cam(20261121200000-20261121210000).mp4", "cam", evening},
+             Clock{"cam20261121200000-20261121210000.mp4", "", evening},
+             Clock{"gate [2026-11-21 20-00-00]-[2026-11-21 21-00-00].mp4", "gate", evening},
+             Clock{"gate (2026-11-21 20-00-00 to 2026-11-21 21-00-00).mp4", "gate", evening},
+             Clock{"in_progress.front_door@2026_11_21_20_00__2026_11_21_21_00.mp4", "front_door", evening},
+             Clock{"front_door@2026_11_21_20_00__2026_11_21_21_00.mp4", "front_door", evening},
+             // Two cameras of a car, and the folders of a card.
+             Clock{"dash/20261121_080007F.MP4", "dash/F", morning},
+             Clock{"dash/20261121_080007R.MP4", "dash/R", morning},
+             Clock{"20261121_080007_NF.mp4", "F", morning},
+             Clock{"20261121_080007_ER.mp4", "R", morning},
+             Clock{"cards/A01/101EK113/20261121_080007.MP4", "cards/A01", morning},
+         }) {
+        const video::RecorderName name = names.read(each.path);
+        EXPECT_EQ(names.camera_of(each.path), each.camera) << each.path;
+        ASSERT_TRUE(name.begin) << each.path << " by " << name.layout;
+        EXPECT_EQ(name.begin->clock, each.clock) << each.path << " by " << name.layout;
+        EXPECT_EQ(name.begin->ahead, each.ahead) << each.path << " by " << name.layout;
+    }
+    for (const char* path :
+         {"gate_2026-11-21_08-00-07_EST.mp4", "2026-11-21 08.00.07 CEST.mp4", "gate/2026-11-21/08-00-07 MSK.mp4",
+          "gate_00_20261121080007 EST.mp4", "Rec01_20261121_080007_EST_1.mp4", "gate-20261121-080007-EST-7.mp4"}) {
+        EXPECT_FALSE(names.read(path).begin) << path;
+    }
+    EXPECT_EQ(names.camera_of("cards/A01/100EK113/IMAG0001.MP4"), "cards/A01");
+    EXPECT_EQ(names.camera_of("DCIM/100MEDIA/IMAG0001.MP4"), "");
+    EXPECT_TRUE(names.read("yard/RecS02_20261121_080007_080107_0.mp4").sub);
+    EXPECT_FALSE(names.read("yard/RecM02_20261121_080007_080107_0.mp4").sub);
+}
+
+TEST(RecorderNames, OfAFolderTellWhichIsTheMonth) {
+    const std::vector<std::string> files{"unifi/Front Door - 2-9-2026, 11.21.12pm.mp4",
+                                         "unifi/Front Door - 2-19-2026, 1.05.40pm.mp4",
+                                         "other/Front Door - 2-9-2026, 11.21.12pm.mp4"};
+    video::RecorderNames names;
+    EXPECT_TRUE(names.read(files[0]).ambiguous);
+    names.compare(files);
+    EXPECT_EQ(names.read(files[0]).begin, (video::NamedTime{1770679272, {}}));
+    EXPECT_TRUE(names.read(files[1]).begin);
+    EXPECT_TRUE(names.read(files[2]).ambiguous) << "nothing in its folder tells";
+}
+
 TEST(RecorderNames, NumbersAreCamerasWhereFilesShowIt) {
     const auto cameras_of = [](const std::vector<std::string>& paths) {
         video::RecorderNames names;
-        names.find_numbered_cameras(paths);
+        names.compare(paths);
         std::vector<std::string> cameras;
         for (const std::string& path : paths) cameras.push_back(names.camera_of(path));
         return cameras;
@@ -228,6 +302,8 @@ TEST(RecorderNames, AreThoseOfTheUserFirst) {
     EXPECT_EQ(local.begin, (video::NamedTime{morning, {}})) << "not in UTC, unlike Frigate's";
     EXPECT_EQ(names.read("hall at 1795248007.mp4").begin, (video::NamedTime{morning, 0}));
     EXPECT_EQ(names.camera_of("x/cam 7.mp4"), "7");
+    const video::RecorderNames noon(std::vector<std::string>{"{camera} %b %-d %Y %-I.%M%p%z"});
+    EXPECT_EQ(noon.read("hall Nov 21 2026 9.00pmGMT+1.mp4").begin, (video::NamedTime{1795294800, 3600}));
     // The camera by one pattern, the time by a known one.
     const video::RecorderName both = names.read("cam 20261121_080007.mp4");
     EXPECT_EQ(both.camera, "20261121_080007");
@@ -236,13 +312,14 @@ TEST(RecorderNames, AreThoseOfTheUserFirst) {
 
 TEST(RecorderNames, RefuseWrongPatterns) {
     const std::pair<std::string, const char*> patterns[] = {
-        {"%Y-%q", "'%q'"},  {"{cam}_%s", "'{cam}'"}, {"{cam", "'{cam'"}, {"%", "'%'"},
-        {"%Y-%m-%d", "%H"}, {"clip*", "{camera}"},   {"", "0 bytes"},    {std::string(300, '*'), "300 bytes"}};
+        {"%Y-%q", "'%q'"},     {"{cam}_%s", "'{cam}'"}, {"{cam", "'{cam'"},
+        {"%", "'%'"},          {"%Y-%m-%d", "%H"},      {"%Y-%m-%d %I", "%p"},
+        {"clip*", "{camera}"}, {"", "0 bytes"},         {std::string(300, '*'), "300 bytes"}};
     for (const auto& [pattern, fact] : patterns) {
         test::expect_error(ErrorCode::name_pattern_invalid,
-                           [&pattern = pattern] { video::NamingScheme("--names", pattern); }, {fact});
+                           [&pattern = pattern] { video::RecorderNames(std::vector<std::string>{pattern}); }, {fact});
     }
-    EXPECT_NO_THROW(video::NamingScheme("--names", "100%% {camera}"));
+    EXPECT_NO_THROW(video::RecorderNames(std::vector<std::string>{"100%% {camera}"}));
 }
 
 TEST(RecorderNames, OfAnyBytesAreReadSoon) {
