@@ -1,8 +1,8 @@
 #ifndef VVR_VVR_C_H
 #define VVR_VVR_C_H
 
-/* The library for C, and for languages that call C. vvr.h describes what the functions do; this header says what
-   differs. Text is UTF-8. Pointers that a rendering returns are valid until vvr_free. No function throws. */
+/* The library: its functions for C, and for languages that call C. vvr.h is made of them, and describes what they do;
+   this header says what differs. Text is UTF-8. No function throws, and no callback may. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -60,7 +60,26 @@ struct vvr_options {
     void* user;                                                          /* passed to progress */
 };
 
-/* As Event. Its path is left out. */
+/* As ClipInfo. */
+struct vvr_clip_info {
+    const char* container;
+    const char* codec;
+    int width;
+    int height;
+    double frames_per_second;
+    double seconds;
+    int64_t frames;
+};
+
+/* As PathPoint. */
+struct vvr_path_point {
+    int64_t frame;
+    double seconds;
+    double x;
+    double y;
+};
+
+/* As Event. */
 struct vvr_event {
     int number;
     const char* kind;
@@ -80,46 +99,47 @@ struct vvr_event {
     int into;
     int by;
     int open_ended; /* 0 or 1 */
+    const struct vvr_path_point* path;
+    size_t path_length;
 };
 
-/* The result of a render, or its error. */
-struct vvr_rendering;
+/* What a function has made, or its error. Zero where nothing was asked for or made. Names are as in Rendering. */
+struct vvr_rendering {
+    int status;       /* enum vvr_status */
+    const char* code; /* of the error; "" = none */
+    const char* text; /* of the error */
+    int width;
+    int height;
+    const float* rgba;
+    const struct vvr_setting* settings;
+    size_t setting_count;
+    int64_t frames;
+    int64_t damaged;
+    const char* const* warnings;
+    size_t warning_count;
+    const struct vvr_event* events;
+    size_t event_count;
+    const float* depth; /* as the members of PixelData */
+    const float* time;
+    const float* frame;
+    const float* object;
+    struct vvr_clip_info clip; /* of vvr_read_clip_info */
+};
 
-/* As render_image. The options may be NULL.
-   Return a rendering in any case, to be freed with vvr_free; NULL only if there is no memory for it. */
+/* Each returns a rendering, which has the error and is to be freed with vvr_free; NULL only if there is no memory for
+   it. The options may be NULL. */
 __attribute__((visibility("default"))) struct vvr_rendering* vvr_render_clip(const char* clip,
                                                                              const struct vvr_options* options);
 __attribute__((visibility("default"))) struct vvr_rendering* vvr_render_frames(const struct vvr_frames* frames,
                                                                                const struct vvr_options* options);
+__attribute__((visibility("default"))) struct vvr_rendering* vvr_read_clip_info(const char* clip);
+
+/* Writes the image of a rendering with its settings. The caller may have filled it. */
+__attribute__((visibility("default"))) struct vvr_rendering* vvr_write_image(const char* file,
+                                                                             const struct vvr_rendering* image);
 
 /* The argument may be NULL. */
 __attribute__((visibility("default"))) void vvr_free(struct vvr_rendering* rendering);
-
-/* The error of the last function that got this rendering: enum vvr_status, its code, and a text. "" without an error.
-   NULL counts as a rendering for which there was no memory; the functions below need another one. */
-__attribute__((visibility("default"))) int vvr_status_of(const struct vvr_rendering* rendering);
-__attribute__((visibility("default"))) const char* vvr_error_code(const struct vvr_rendering* rendering);
-__attribute__((visibility("default"))) const char* vvr_error_text(const struct vvr_rendering* rendering);
-
-/* As Image::rgba; NULL after an error. */
-__attribute__((visibility("default"))) const float* vvr_image(const struct vvr_rendering* rendering, int* width,
-                                                              int* height);
-
-/* As the member of PixelData with this name: "depth", "time", "frame" or "object". NULL if there is none. */
-__attribute__((visibility("default"))) const float* vvr_pixel_data(const struct vvr_rendering* rendering,
-                                                                   const char* name);
-
-__attribute__((visibility("default"))) int64_t vvr_frame_count(const struct vvr_rendering* rendering);
-
-/* An index that is too large gives NULL. */
-__attribute__((visibility("default"))) size_t vvr_warning_count(const struct vvr_rendering* rendering);
-__attribute__((visibility("default"))) const char* vvr_warning(const struct vvr_rendering* rendering, size_t index);
-__attribute__((visibility("default"))) size_t vvr_event_count(const struct vvr_rendering* rendering);
-__attribute__((visibility("default"))) const struct vvr_event* vvr_event_at(const struct vvr_rendering* rendering,
-                                                                            size_t index);
-
-/* As write_image. Returns enum vvr_status; the rendering then has the error. */
-__attribute__((visibility("default"))) int vvr_write_image(struct vvr_rendering* rendering, const char* file);
 
 /* As library_version. */
 __attribute__((visibility("default"))) const char* vvr_version(void);

@@ -19,6 +19,12 @@ class Frames(ctypes.Structure):  # struct vvr_frames
                 ("user", ctypes.c_void_p)]
 
 
+class Rendering(ctypes.Structure):  # the first members of struct vvr_rendering
+    _fields_ = [("status", ctypes.c_int), ("code", ctypes.c_char_p), ("text", ctypes.c_char_p), ("width", ctypes.c_int),
+                ("height", ctypes.c_int), ("rgba", ctypes.c_void_p), ("settings", ctypes.c_void_p),
+                ("setting_count", ctypes.c_size_t), ("frames", ctypes.c_int64)]
+
+
 def picture(index):
     """A grey room, through which a white box moves to the right. With numpy: array.tobytes()."""
     left = index * (WIDTH - 20) // FRAMES
@@ -38,17 +44,15 @@ def read(_user, index, frame):
 
 
 vvr = ctypes.CDLL(sys.argv[1])  # such as libvvr.so.0.1
-vvr.vvr_render_frames.restype = ctypes.c_void_p
-for name in ("vvr_error_text", "vvr_version"):
-    getattr(vvr, name).restype = ctypes.c_char_p
-vvr.vvr_frame_count.restype = ctypes.c_int64
+for function in (vvr.vvr_render_frames, vvr.vvr_write_image):
+    function.restype = ctypes.POINTER(Rendering)
 
 GRAY = 0
-rendering = ctypes.c_void_p(vvr.vvr_render_frames(ctypes.byref(Frames(WIDTH, HEIGHT, GRAY, RATE, FRAMES, READ(read), None)), None))
-status = vvr.vvr_status_of(rendering) or vvr.vvr_write_image(rendering, sys.argv[2].encode())
+rendering = vvr.vvr_render_frames(ctypes.byref(Frames(WIDTH, HEIGHT, GRAY, RATE, FRAMES, READ(read), None)), None)
+written = rendering if rendering.contents.status else vvr.vvr_write_image(sys.argv[2].encode(), rendering)
+status = written.contents.status
 if status:
-    print(vvr.vvr_error_text(rendering).decode(), file=sys.stderr)
+    print(written.contents.text.decode(), file=sys.stderr)
 else:
-    print(f"{vvr.vvr_frame_count(rendering)} frames in {sys.argv[2]}")
-vvr.vvr_free(rendering)
+    print(f"{rendering.contents.frames} frames in {sys.argv[2]}")
 sys.exit(status)

@@ -15,17 +15,23 @@ int main(int argc, char** argv) {
     options.events = 1;
     struct vvr_rendering* rendering = vvr_render_clip(argv[1], &options);
     if (!rendering) return 2;
-    for (size_t i = 0; i < vvr_warning_count(rendering); ++i) fprintf(stderr, "warning: %s\n", vvr_warning(rendering, i));
-    for (size_t i = 0; i < vvr_event_count(rendering); ++i) {
-        const struct vvr_event* event = vvr_event_at(rendering, i);
+    for (size_t i = 0; i < rendering->warning_count; ++i) fprintf(stderr, "warning: %s\n", rendering->warnings[i]);
+    for (size_t i = 0; i < rendering->event_count; ++i) {
+        const struct vvr_event* event = &rendering->events[i];
         printf("%d: %s, %.1f s to %.1f s\n", event->number, event->kind, event->first_seconds, event->last_seconds);
     }
-    if (vvr_status_of(rendering) == VVR_OK) vvr_write_image(rendering, argv[2]);
-    const int status = vvr_status_of(rendering);
+    const long long frames = rendering->frames;
+    if (rendering->status == VVR_OK) {
+        struct vvr_rendering* written = vvr_write_image(argv[2], rendering);
+        vvr_free(rendering);
+        if (!written) return 2;
+        rendering = written;
+    }
+    const int status = rendering->status;
     if (status != VVR_OK) {
-        fprintf(stderr, "%s [%s]\n", vvr_error_text(rendering), vvr_error_code(rendering));
+        fprintf(stderr, "%s [%s]\n", rendering->text, rendering->code);
     } else {
-        printf("%lld frames in %s\n", (long long)vvr_frame_count(rendering), argv[2]);
+        printf("%lld frames in %s\n", frames, argv[2]);
     }
     vvr_free(rendering);
     return status == VVR_OK ? 0 : 2 + status;
