@@ -1,13 +1,14 @@
 """What `vvr COMMAND --help` says is so: width, options, values and examples."""
 
-import json
 import os
 import pathlib
 import re
 import shlex
 
+import jsonschema
 import pytest
 from harness import check, nightly_except
+from schemas import closed, follows, schema_of
 
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cli" / "commands" / "command.h"
 COMMANDS = re.findall(r'CommandRow\{"(\w+)"', TABLE.read_text(encoding="utf-8"))
@@ -23,11 +24,9 @@ def test_help_lists_every_command(t):
 
 
 def test_help_as_json_follows_its_schema(t):
-    jsonschema = pytest.importorskip("jsonschema")
-    schema = json.loads((t.source / "docs" / "help.schema.json").read_text())
+    schema = closed(schema_of(t, "help"))
     found = t.vvr("help", "--json").expect(0, out=None).json()
-    jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.validate(found, schema)
+    follows(found, schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({**found, "commands": []}, schema)
     check(f"vvr {found['vvr']}" == t.vvr("--version").out.splitlines()[0], found["vvr"])
