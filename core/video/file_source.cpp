@@ -62,6 +62,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
+    is_hdr_ = first.image->color_trc == AVCOL_TRC_SMPTE2084 || first.image->color_trc == AVCOL_TRC_ARIB_STD_B67;
     if (!reader_.fell_back()) info_.hwaccel = options.hwaccel;
     implausible_length_ = header_of(demuxer).implausible_length;
     if (options.begin) {
@@ -102,6 +103,9 @@ std::vector<std::string> FileSource::problems() const {
             fmt::format("'{}': timestamps jump by {:.0f} years between two frames; later times are unreliable",
                         info_.name, years(jump_)));
     }
+    if (is_hdr_)
+        problems.push_back(
+            fmt::format("'{}' is HDR; vvr does not convert its brightness, so stills are dull", info_.name));
     if (unread_ > damaged()) problems.push_back(text_of_unread(info_.name));
     if (reader_.fell_back()) problems.push_back(text_of_fallback(*options_.hwaccel, info_.codec));
     return problems;

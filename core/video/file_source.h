@@ -45,6 +45,7 @@ class FileSource final : public FrameSource {
     double tick_ = 0;                ///< one unit of the container's time base, seconds
     double from_ = 0;                ///< seconds; earlier frames are skipped
     double implausible_length_ = 0;  ///< duration in the header if no clip is that long, seconds
+    bool is_hdr_ = false;            ///< PQ or HLG
     double last_time_ = 0;           ///< time of the last returned frame, seconds
     double last_in_file_ = 0;        ///< time of the last frame, decoded or not, seconds
     double jump_ = 0;                ///< longest implausible jump between two timestamps, seconds

@@ -142,3 +142,11 @@ def test_decode_leaves_frames_out_and_says_so(t):
     # The share of one file is not that of a recording.
     t.copy("clip.mp4", "day/1.mp4", "day/2.mp4")
     t.render("day", "--decode", "key", "--report", "r.json", output=None).expect(0, "8 frames (decoded: key) in")
+
+
+def test_hdr_is_said(t):
+    """Stills of PQ and HLG are dull, as nothing converts their brightness."""
+    for transfer, hdr in (("smpte2084", True), ("arib-std-b67", True), ("bt709", False)):
+        t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=0.5", "-vf", f"setparams=color_trc={transfer}", "-c:v", "ffv1", f"{transfer}.mkv")
+        run = t.render(f"{transfer}.mkv").expect(0)
+        check(("is HDR" in run.err) == hdr, f"{run}")
