@@ -55,34 +55,20 @@ void remove_candidate(const fs::path& golden) {
         {"bless"});
 }
 
-/// The settings that both pictures record with different values, as text; empty = none.
-std::string settings_that_differ(const image::Metadata& before, const image::Metadata& now) {
+/// Logs other possible causes of a difference: the renderer, the font, and settings that both pictures record.
+void show_other_differences(const fs::path& golden, const image::Metadata& before, const image::Metadata& now,
+                            Observer& observer) {
     constexpr std::size_t most = 5;
     std::vector<std::string> differ;
     for (const auto& [name, value] : now) {
         const std::string was = image::value_of(before, name);
-        if (was.empty() || was == value || name == "renderer" || name == "font") continue;
-        differ.push_back(fmt::format("{} was {}, now {}", name, was, value));
+        if (!was.empty() && was != value) differ.push_back(fmt::format("{} was {}, now {}", name, was, value));
     }
+    if (differ.empty()) return;
     const std::size_t shown = std::min(most, differ.size());
-    std::string text = fmt::format("{}", fmt::join(std::span(differ).first(shown), "; "));
-    if (differ.size() > shown) text += fmt::format("; and {} more", differ.size() - shown);
-    return text;
-}
-
-/// Logs other possible causes of a difference: the renderer, the font, or a setting.
-void show_other_differences(const fs::path& golden, const image::Metadata& golden_settings,
-                            const image::Metadata& metadata, Observer& observer) {
-    for (const std::string_view name : {"renderer", "font"}) {
-        const std::string before = image::value_of(golden_settings, name);
-        const std::string now = image::value_of(metadata, name);
-        if (before.empty() || before == now) continue;
-        observer.info(fmt::format("'{}' has the {} {}, the new picture {}", golden.string(), name, before,
-                                  now.empty() ? "has none" : now));
-    }
-    const std::string settings = settings_that_differ(golden_settings, metadata);
-    if (!settings.empty())
-        observer.info(fmt::format("'{}' was drawn with other settings: {}", golden.string(), settings));
+    observer.info(fmt::format("'{}' was drawn with other settings: {}{}", golden.string(),
+                              fmt::join(std::span(differ).first(shown), "; "),
+                              differ.size() > shown ? fmt::format("; and {} more", differ.size() - shown) : ""));
 }
 
 }  // namespace

@@ -122,8 +122,7 @@ class Walk {
         list("");
         if (!scan_.problems.empty() && scan_.problems.back().path.empty()) {
             throw Error(ErrorCode::permission_denied,
-                        fmt::format("cannot read the archive '{}': {}; check its permissions", in_.string(),
-                                    scan_.problems.back().reason));
+                        fmt::format("the archive '{}': {}", in_.string(), scan_.problems.back().reason));
         }
         for (; !folders_.empty() || !links_.empty();) {
             const bool link = folders_.empty();
@@ -139,7 +138,9 @@ class Walk {
   private:
     /// The recorder may delete what a folder has just listed. But a link to nothing may lead to an unmounted disk.
     void add_unread(const std::string& path, int error, bool link) {
-        if (error != ENOENT || link) scan_.problems.push_back({path, text_of_system_error(error), true});
+        if (error == ENOENT && !link) return;
+        scan_.problems.push_back(
+            {path, fmt::format("it cannot be read: {}; fix that, or exclude it", text_of_system_error(error)), true});
     }
 
     void enter(const std::string& folder, bool link) {

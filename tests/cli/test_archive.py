@@ -92,7 +92,7 @@ def test_archive_of_ten_kinds_of_clips(t):
     # Nobody can read a link to itself, not even root.
     t.path("in/loop.avi").symlink_to("loop.avi")
     t.age("in")
-    first = archive(t).expect(6, f"{len(good)} clips drawn, {len(bad)} failed", "loop.avi': Too many levels")
+    first = archive(t).expect(6, f"{len(good)} clips drawn, {len(bad)} failed", "loop.avi': it cannot be read: Too many levels")
     found = sidecars(t)
     for clip in good:
         check(found[clip]["state"] == "done" and found[clip]["frames"] > 0, f"{clip}: {found[clip]}")
@@ -259,7 +259,7 @@ def test_archive_goes_on_past_what_it_cannot_read(t):
         t.path("in/shut").chmod(0)
     result = archive(t)
     t.path("in/shut").chmod(0o755)
-    result.expect(6, "'in/gone.avi'", "No such file or directory")
+    result.expect(6, "'in/gone.avi': it cannot be read: No such file or directory; fix that, or exclude it")
     if os.geteuid() != 0:
         result.expect(6, "'in/shut'", "Permission denied")
     check({"a.avi.png", "open/c.avi.png"} <= set(outputs(t)), "others are left out")
@@ -284,7 +284,7 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "'/proc/out'", "-o", code="file-not-found")
     t.vvr("archive", "in", "-o", "out", "--write", "index", "--prune").expect(1, "--write index", "--prune", code="options-conflict")
     t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(
-        1, "'%Y-%m-%d'", "%Y, %m, %d and %H", "--names", code="name-pattern-invalid")
+        1, "'%Y-%m-%d'", "%Y, %m (or %b), %d and %H", "--names", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "'{cam}'", "{camera}", code="name-pattern-invalid")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end", code="span-empty")
     archive(t, "--margin", "5s").expect(1, "--margin", "--keep-events", code="option-needs-another")

@@ -242,7 +242,7 @@ def test_recording_is_ordered_by_what_tells_the_time(t):
         t.stamp(name, 1795300000)
     report = report_of(t, "plain", *LOOK, says=["vvr orders them by their names", "400 frames in 400 layers"])
     check([segment["file"] for segment in report["segments"]] == names, "not in order")
-    t.render("plain", *LOOK, "--names", "%d-%H.%M.%S").expect(1, "%Y, %m, %d and %H", code="name-pattern-invalid")
+    t.render("plain", *LOOK, "--names", "%d-%H.%M.%S").expect(1, "%Y, %m (or %b), %d and %H", code="name-pattern-invalid")
     # What containers tell comes before when they were written.
     for number, name in enumerate(reversed(names)):
         t.ffmpeg("-i", name, "-c", "copy", "-metadata", f"creation_time=2026-11-21T08:00:{number}0Z", "stamped.mkv")
