@@ -6,16 +6,16 @@
 #include "cli/commands/command.h"
 #include "cli/exit_status.h"
 #include "cli/log.h"
+#include "cli/shader_cache.h"
 #include "cli/signals.h"
 #include "cli/workers/worker_message.h"
 #include "core/base/memory.h"
-#include "gl/context.h"
 
 int main(int argc, char** argv) {
     const auto parent = vvr::workers::begin_worker();
     vvr::cli::install_terminate_handler();
     vvr::tune_malloc();
-    vvr::gl::choose_shader_cache();
+    vvr::cli::choose_shader_cache();
     const auto log = vvr::cli::make_log();
     const auto warnings = parent ? vvr::cli::keep_warnings(*log, vvr::workers::most_warnings) : nullptr;
     const vvr::cli::Outcome outcome = vvr::cli::report_errors(*log, [&] {

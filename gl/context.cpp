@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include <dlfcn.h>
-#include <pwd.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -182,38 +177,6 @@ void* Library::symbol(const char* name) const {
     if (address == nullptr)
         throw Error(ErrorCode::opengl_unavailable, fmt::format("{} has no function {}", name_, name));
     return address;
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The parent folder of Mesa's shader cache.
-std::optional<fs::path> cache_folder() {
-    for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"}) {
-        if (const char* const folder = std::getenv(name)) return folder;
-    }
-    if (const char* const home = std::getenv("HOME")) return fs::path(home) / ".cache";
-    const passwd* const user = ::getpwuid(::getuid());
-    return user == nullptr || user->pw_dir == nullptr ? std::nullopt : std::optional(fs::path(user->pw_dir) / ".cache");
-}
-
-/// Mesa creates the folder itself, but not its parents.
-bool can_be_written(const fs::path& folder) {
-    std::error_code none;
-    const fs::path existing = fs::exists(folder, none) ? folder : folder.parent_path();
-    return fs::is_directory(existing, none) && ::access(existing.c_str(), W_OK) == 0;
-}
-
-}  // namespace
-
-void choose_shader_cache() {
-    const std::optional<fs::path> folder = cache_folder();
-    if (folder && can_be_written(*folder)) {
-        ::setenv("MESA_SHADER_CACHE_DIR", folder->c_str(), 0);
-    } else {
-        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-    }
 }
 
 const Backend& row_of(Name<Backend> name) {

@@ -10,7 +10,6 @@
 #include "cli/console.h"
 #include "cli/options/help.h"
 #include "cli/options/presets.h"
-#include "cli/options/unknown_option.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
@@ -402,7 +401,8 @@ void CommandLine::refuse_leftovers() const {
         if (name != fmt::format("--{}", setting.name)) continue;
         throw Error(ErrorCode::option_unknown, fmt::format("{}: {}", name, setting.not_live_reason));
     }
-    throw unknown_option(name, option_names(app), app.get_name());
+    throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
+                                                       did_you_mean(name, option_names(app)), app.get_name()));
 }
 
 std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {

@@ -97,9 +97,8 @@ bool is_out_of_memory(const std::exception& error) {
     if (const auto* const opencv = dynamic_cast<const cv::Exception*>(&error)) {
         return opencv->code == cv::Error::StsNoMem;
     }
-    // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their
-    // own.
-    return typeid(error) == typeid(std::runtime_error);
+    // oneTBB throws a plain runtime_error if it can't start a thread: "pthread_create has failed: ...".
+    return typeid(error) == typeid(std::runtime_error) && std::string_view(error.what()).starts_with("pthread_");
 }
 
 void check_threads(unsigned count) {

@@ -49,9 +49,6 @@ def test_unknown_option(t):
     t.vvr("render", "--szie", "3x3").expect(1, "'--szie'", "'--size'", "`vvr render --help`", code="option-unknown")
     t.vvr("render", "--xyzzy=1", "a.avi").expect(1, "'--xyzzy'", "`vvr render --help`", code="option-unknown")
     t.vvr("doctor", "-z").expect(1, "'-z'", "`vvr doctor --help`", code="option-unknown")
-    for option, text in (("-i", "vvr COMMAND FILE"), ("-ss", "--start TIME"), ("-y", "replace"), ("-to", "--end TIME"),
-                         ("--add-region", "--roi AREA"), ("--resolution", "--size WxH")):
-        t.vvr("render", option, "clip.avi", "-o", "out.png").expect(1, f"'{option}'", text, code="option-unknown")
 
 
 def test_two_dashes_end_the_options(t):

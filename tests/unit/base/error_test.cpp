@@ -42,6 +42,8 @@ TEST(OutOfMemory, IsTheSameFromEachLibrary) {
     EXPECT_TRUE(is_out_of_memory(cv::Exception(cv::Error::StsNoMem, "no memory", "fastMalloc", "alloc.cpp", 73)));
     EXPECT_FALSE(is_out_of_memory(cv::Exception(cv::Error::StsBadArg, "wrong", "resize", "resize.cpp", 1)));
     EXPECT_FALSE(is_out_of_memory(std::logic_error("wrong")));
+    EXPECT_TRUE(is_out_of_memory(std::runtime_error("pthread_create has failed: Resource temporarily unavailable")));
+    EXPECT_FALSE(is_out_of_memory(std::runtime_error("a library's own error")));
 }
 
 }  // namespace
