@@ -1,5 +1,6 @@
 """The index answers "who crossed this line, which way, show me", and leads from hit to hit, in a real browser."""
 
+import random
 import time
 
 import pytest
@@ -101,6 +102,35 @@ def test_index_who_crossed_this_line_on_tuesday_after_eight(t):
         page.press("#clear")
         expect_unseen(page, len(GATE) + 8)
         check(page.complaints() == [], str(page.complaints()))
+
+
+def test_index_page_and_address_have_the_same_line(t):
+    """However a line is drawn: its hits are those of its address, and each one's page shows the event that was found."""
+    chance = random.Random(3)
+    three_cameras(t)
+    with opened(t) as page:
+        page.window(1213, 907)
+        page.press("#askline")
+        draw_on_gate(page)
+        page.wait("hits", f"return answer !== null && document.querySelectorAll('#found a').length === {len(GATE)}")
+        for _ in range(6):
+            across = [0.5 + chance.uniform(-0.4, 0.4) for _ in range(2)]
+            page.run("set({answer: null})")
+            page.drag("#drawing", (across[0], 0.04), (across[1], 0.96))
+            page.wait("an answer", "return answer !== null")
+            check(page.run("return [...place.from, ...place.to].every(Number.isInteger)"), f"{page.run('return place')}")
+            told = [page.texts("#found a"), page.run("return [place, location.hash]")]
+            page.driver.refresh()
+            page.wait("an answer", "return window.vvr && vvr.state.answer !== null && document.getElementById('foundheading').textContent.includes(' of ')")
+            check([page.texts("#found a"), page.run("return [place, location.hash]")] == told, "a reload answers something else")
+            page.press("#found a")
+            page.wait("the page is ready", READY)
+            check(page.text("heading") == "1 event", f"the page of a hit says {page.text('heading')}")
+            answer = page.text_of("#events .row small")
+            check(answer.split(" ")[0] in ("crossed", "touched"), answer)
+            page.driver.back()
+            page.wait("an answer", "return window.vvr && vvr.state.answer !== null && document.querySelectorAll('#found a').length > 0")
+            page.press("#askline")
 
 
 def test_index_searches_by_keyboard(t):

@@ -130,12 +130,15 @@ def test_index_card_shows_each_event(t):
             left, top, right, bottom = page.box(".card")
             page.move(left + share * (right - left), (top + bottom) / 2)
 
+        tiles = "return [...document.querySelectorAll('.card .tile')].map(e => { const b = e.getBoundingClientRect(); return [b.x, b.y, b.width, b.height].join(); })"
         hrefs = []
         for place in range(count):
             hover((place + 0.5) / count)
             page.wait(f"event {place + 1}", shown.replace("arguments[0]", f"'{place + 1} of {count} · 08:00:'"))
             check(page.run("return [...document.querySelectorAll('.card .ticks i')].findIndex(i => i.className === 'now')") == place, "another mark")
             check(page.count(".card .tile .spot") == 1, "nothing shows where it is")
+            page.wait("its pictures", "return [...document.querySelectorAll('.card .tile img')].every(i => i.naturalWidth > 0)")
+            check(len(page.run(tiles)) == 2 and len(set(page.run(tiles))) == 1, f"the card is torn: {page.run(tiles)}")
             hrefs.append(page.run("return document.querySelector('.card').hash"))
         # The numbers of the events of the only clip, in the order of the index.
         [day] = [path.read_text() for path in t.path("out").glob("index.????-??-??.js")]
@@ -157,6 +160,7 @@ def test_index_card_shows_each_event(t):
         page.wait("the first event", f"return document.querySelector('.card .of').textContent.startsWith('1 of {count}')")
         page.key("\ue012")
         check(page.text_of(".card .of").startswith(f"1 of {count}"), "before the first there is another one")
+        check(len(page.run(tiles)) == 2 and len(set(page.run(tiles))) == 1, f"the card is torn: {page.run(tiles)}")
         page.key("\ue014")
         check(page.text_of(".card .of").startswith(f"2 of {count}"), page.text_of(".card .of"))
         described = page.run("return document.querySelector('.card').getAttribute('aria-description')")

@@ -122,6 +122,26 @@ def test_live_page_follows_now_unless_one_looks_back(t):
         check(page.run("return [now === time.lastFrame, isPlaying()]") == [True, False], "it does not go to now")
 
 
+def test_live_page_changes_picture_and_veil_together(t):
+    page_of(t, "live.html", 6)
+    page_of(t, "later.html", 12)
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        page.run("""choose(0);
+            window.seen = [];
+            const [old, first] = [picture.src, time.firstFrame];
+            const look = () => {
+                window.seen.push([picture.src !== old, vvr.state.time.firstFrame !== first, vvr.state.pixels !== null]);
+                requestAnimationFrame(look);
+            };
+            requestAnimationFrame(look);""")
+        os.replace(t.path("later.html"), t.path("live.html"))
+        page.wait("the news", "return window.seen.filter(([picture, time]) => picture && time).length > 5")
+        seen = page.run("return window.seen")
+        check(all(pixels for *_, pixels in seen), "a veil without pixels")
+        apart = sum(picture != time for picture, time, _ in seen)
+        check(apart <= 2, f"{apart} of {len(seen)} times the picture was of another time than its veil")
+
+
 def test_live_page_does_not_talk_each_second(t):
     """A screen reader reads what changes in a status; the age changes each second, and is none."""
     page_of(t, "live.html", 4)

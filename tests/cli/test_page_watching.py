@@ -155,10 +155,90 @@ def test_page_player_is_as_large_as_one_wants(t):
             const r = document.getElementById('reel').getBoundingClientRect();
             return [(b.left + 0.25 * b.width - r.left) / r.width, (b.top + 0.5 * b.height - r.top) / r.height];""")
         check(page.run("return filmScale") > 2 and abs(x - 0.25) < 0.01 and abs(y - 0.5) < 0.01, f"zoomed about {x}, {y}")
+
+
+@pytest.mark.parametrize("has_full_screen", [True, False])
+def test_page_full_screen_has_film_strip_and_buttons_that_can_be_read(t, has_full_screen):
+    with Page(t, bag(t)) as page:
+        if not has_full_screen:  # as on a phone
+            page.run("document.documentElement.requestFullscreen = undefined")
+        page.run("choose(1); show(events[1].first, false); zoomStrip(0.5, 1)")
+        for scheme in ("light", "dark"):
+            page.media(scheme=scheme)
+            page.key("f")
+            page.wait("full screen", f"return fills && (document.fullscreenElement !== null) === {str(has_full_screen).lower()}", 5)
+            faint, count = page.faint()
+            check(faint == [] and count > 5, f"{scheme}: {faint} of {count}")
+            signs = page.run("""return [...document.querySelectorAll('#transport button')].filter(e => e.checkVisibility())
+                .map(e => [getComputedStyle(e).color, getComputedStyle(e).backgroundColor])""")
+            check(len(signs) == 7 and all(sign != ground for sign, ground in signs), f"{scheme}: blank buttons: {signs}")
+            shown = page.run("return ['screen', 'strip', 'stripwhole', 'larger', 'view', 'side'].filter(id => document.getElementById(id).checkVisibility())")
+            check(shown == ["screen", "strip", "stripwhole"], f"{shown}")
+            width, height = page.run("return [innerWidth, innerHeight]")
+            for part in ("#screen", "#transport", "#strip"):
+                left, top, right, bottom = page.box(part)
+                check(0 <= left < right <= width and 0 <= top < bottom <= height, f"{part} is not within the window: {page.box(part)}")
+            check(page.box("#transport")[3] <= page.box("#strip")[1], "the strip covers the buttons")
+            left, top, right, bottom = page.box("#screen")
+            check(abs((right - left) / (bottom - top) - page.run("return data.size[0] / data.size[1]")) < 0.01, "the film is stretched")
+            names = page.run("return ['previous', 'next'].map(id => [document.getElementById(id).ariaLabel, document.querySelector(`#${id} .number`).textContent])")
+            check(names == [["Previous event: 1", "1"], ["Next event: 3", "3"]], f"{names}")
+            page.key("x")
+            check(page.run("return large") == "picture", "a key moves what nobody sees")
+            page.key("f")
+            page.wait("no full screen", "return !fills && document.fullscreenElement === null", 5)
+            check(page.run("return document.getElementById('view').clientWidth > 300 && Number.isFinite(middle[0] + stageWidth)"), "no picture after it")
+        page.window(390, 844)  # upright
         page.key("f")
-        page.wait("full screen", "return document.fullscreenElement?.id === 'player'", 5)
-        page.key("f")
-        page.wait("no full screen", "return document.fullscreenElement === null", 5)
+        page.wait("full screen", "return fills && innerWidth === 390")
+        left, top, right, bottom = page.box("#screen")
+        check(abs((right - left) / (bottom - top) - page.run("return data.size[0] / data.size[1]")) < 0.01, "the film is stretched")
+        page.key("f", "\ue014")
+        check(page.run("return [chosen, document.getElementById('next').ariaLabel]") == [2, "Last event again: 3"], "the last leads on")
+
+
+def test_page_lets_a_finger_choose_among_what_is_near(t):
+    with Page(t, bag(t)) as page:
+        page.window(390, 844, mobile=True)
+        page.wait("the window", "return innerWidth === 390")
+        check(page.texts("#legend span") == ["it stood", "other changes", "way it went"], f"{page.texts('#legend span')}")
+        left, top, right, bottom = page.box("#legend")
+        zoom = page.box(".zoom")
+        check(right <= zoom[0] and top > page.box("#map")[1] and bottom < page.box("#view")[3], f"the legend at {page.box('#legend')}, buttons at {zoom}")
+        # Maps of two events: 1 and 2 are at two columns with 20 pixels of the screen between them, and what is none is all between.
+        page.run("""const {width, height} = pixels;
+            const gap = 20 * width / stageWidth;
+            const at = (k, column) => Math.abs(k % width - column) < 1;
+            const objects = pixels.objects.map((_, k) => at(k, width / 2 - gap / 2) ? 0 : at(k, width / 2 + gap / 2) ? 1 : -1);
+            set({pixels: {...pixels, objects, frames: objects.map((_, k) => Math.abs(k % width - width / 2) < gap ? 50 + objects[k] : -1)}});
+            for (const e of document.querySelectorAll('#letters > *')) e.remove();""")
+
+        def tap(by):
+            page.run("setPlaying(false); choose(null); scrollTo(0, 0)")
+            x, y = page.run("const b = picture.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]")
+            page.touch("touchStart", (x + by, y))
+            page.touch("touchEnd")
+            time.sleep(0.3)
+            return page.run("return [chosen, which === null ? null : which.candidates.map(({event}) => event)]")
+
+        check(tap(-18) == [0, None], "the nearest is another")
+        check(tap(18) == [1, None], "the nearest is another")
+        check(page.run("return isPlaying() && now >= 50"), "it does not play")
+        check(tap(1) == [None, [1, 0]], "it is not asked which")
+        page.wait("portraits", "return [...document.querySelectorAll('#which img')].filter(i => i.naturalWidth > 0).length === 2")
+        left, top, right, bottom = page.box("#which")
+        check(0 <= left < right <= 390 and 0 <= top < bottom <= 844, f"outside: {page.box('#which')}")
+        page.press("#which button:nth-child(2)")
+        page.wait("the other one plays", "return chosen === 0 && which === null && isPlaying()")
+        check(tap(-1) == [None, [0, 1]], "it is not asked which")
+        page.key("\ue00c")
+        check(page.run("return [which, chosen]") == [None, None], "Escape does not end it")
+        check(tap(60) == [None, None], "there is nothing")
+        # A mouse means the pixel that it is on.
+        x, y = page.run("const b = picture.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]")
+        page.move(x, y)
+        page.wait("what is there", "return pointed !== null")
+        check(page.run("return lightened") is None, "a mouse is a finger")
 
 
 def test_page_keeps_stars_notes_and_what_is_nothing(t):

@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {firstShape, meets, movedShape, partInBox, scaled, shapeOfText, shapeText, sidesOf} from '../../core/web/shared/shapes.js';
-import {arrowAcross, boundsOf, crossingWords, crossingsOf, pointOnWay, stayOf} from '../../core/web/shared/ways.js';
+import {firstShape, inThousandths, meets, movedShape, partInBox, scaled, shapeOfText, shapeText, sidesOf} from '../../core/web/shared/shapes.js';
+import {arrowAcross, boundsOf, crossingWords, crossingsOf, meetingsOf, pointOnWay, stayOf} from '../../core/web/shared/ways.js';
 
 /** Numbers that look random, the same each time. */
 function chance(seed) {
@@ -157,6 +157,19 @@ test('crossings in words', () => {
     assert.equal(crossingWords(often, line, [768, 576], clock), 'crossed 5 times (← 2, → 3): → 0:01, ← 0:03, → 0:05, ← 0:07, and 1 more');
 });
 
+test('who is back within a second has touched a line, and not crossed it', () => {
+    const clock = seconds => seconds.toFixed(1);
+    const words = way => crossingWords(meetingsOf(way, top, bottom), {from: top, to: bottom}, [768, 576], clock);
+    const sides = way => meetingsOf(way, top, bottom).map(({side}) => side);
+    assert.equal(words([0, 490, 500, 4, 510, 500, 8, 490, 500]), 'touched 0.2');
+    assert.deepEqual(sides([0, 490, 500, 12, 510, 500, 24, 490, 500]), [1, -1].map(side => side * meetingsOf([0, 490, 500, 9, 510, 500], top, bottom)[0].side));
+    // Whoever trembles on the line and goes on has crossed it once.
+    const [across] = sides([0, 400, 500, 9, 600, 500]);
+    assert.deepEqual(sides([0, 490, 500, 2, 510, 500, 4, 490, 500, 6, 510, 500, 99, 900, 500]), [0, across]);
+    assert.equal(words([0, 490, 500, 2, 510, 500, 4, 490, 500, 6, 510, 500, 99, 900, 500]), 'crossed → 0.5');
+    assert.deepEqual(sides([0, 400, 500, 9, 600, 500]), [across]);
+});
+
 test('an arrow across a line is that of the way that is seen', () => {
     // A line at 45 degrees of the picture's shares is not at 45 degrees of a wide picture.
     assert.equal(arrowAcross({from: [0, 0], to: [1, 0]}, 1, [100, 100]), '↓');
@@ -186,9 +199,16 @@ test('shapes that keys move stay in the picture', () => {
 });
 
 test('shapes in addresses', () => {
-    const line = {kind: 'line', from: [499.6, 0], to: [500, 1000]};
+    const line = {kind: 'line', from: [500, 0], to: [500, 1000]};
     assert.equal(shapeText(line), 'line.500.0.500.1000');
-    assert.deepEqual(shapeOfText(shapeText(line)), {...line, from: [500, 0]});
+    assert.deepEqual(inThousandths({kind: 'line', from: [0.4996, 0], to: [0.5, 1]}, 1), line);
+    // What is drawn is what its address says, in the units of page and index, and both compare ways with the same.
+    for (let k = 0; k <= 1000; ++k) {
+        const drawn = {kind: 'box', from: [k / 1000 + 0.0004, 0], to: [1, 1 - k / 1000]};
+        const read = shapeOfText(shapeText(inThousandths(drawn, 1)));
+        assert.deepEqual(read, inThousandths(scaled(drawn, 1000), 1000));
+        assert.deepEqual(inThousandths(scaled(read, 1 / 1000), 1), read);
+    }
     for (const text of [null, '', 'line', 'line.1.2.3', 'line.1.2.3.x', 'line.1.2.3.1001', 'oval.1.2.3.4', 'box.1.2.3.4.5', 'box.-1.2.3.4']) {
         assert.equal(shapeOfText(text), null, text);
     }

@@ -7,7 +7,8 @@ import {cutCommand, filesOf, maskOption, quoted, roiOption, stillCommand, stillN
 import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, nameOf, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
         sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
 import {pageAction, stripAction} from '../../core/web/page/key_table.js';
-import {contentsOf, numbersIn, othersThan, pixelNear, shownAt} from '../../core/web/page/pixels.js';
+import {entriesOf} from '../../core/web/page/legend.js';
+import {contentsOf, meantByFinger, numbersIn, othersThan, shownNear} from '../../core/web/page/pixels.js';
 import {inSentence, Timeline} from '../../core/web/page/timeline.js';
 import {placed, zoomedAbout} from '../../core/web/page/zoom.js';
 
@@ -210,20 +211,28 @@ test('what a point of the picture shows', () => {
     rows[5][7] = 60;
     const objects = rows.map(row => row.map(frame => frame === 60 ? 1 : -1));
     const picture = pixels(rows, objects);
-    assert.equal(pixelNear(picture, 5.9, 5.1), 5 * 12 + 5);
-    assert.equal(pixelNear(picture, 7.2, 8.5), 5 * 12 + 7);
-    assert.equal(pixelNear(picture, 0, 0), null);
-    assert.equal(pixelNear(picture, 5, 9), 5 * 12 + 5);  // 4 pixels away
-    assert.equal(pixelNear(picture, 5, 10), null);
+    const [none, one] = [{frame: 40, event: null}, {frame: 60, event: 1}];
+    const near = (x, y, reach, of = picture) => shownNear(of, x, y, reach);
+    assert.deepEqual(near(5.9, 5.1, 4), [{...none, distance: 0}, {...one, distance: 2}]);
+    assert.deepEqual(near(7.2, 8.5, 4), [{...one, distance: 3}, {...none, distance: Math.hypot(2, 3)}]);
+    assert.deepEqual(near(7.2, 5.5, 0.3), [{...one, distance: 0}]);  // where a pixel of the picture is many of the screen
+    assert.deepEqual(near(0, 0, 4), []);
+    assert.deepEqual(near(5, 9, 4), [{...none, distance: 4}]);
+    assert.deepEqual(near(5, 10, 4), []);
+    assert.equal(near(5, 10, 5.2).length, 1);
+    assert.deepEqual(near(7, 5, 4, null), []);
+    // A finger means events before what is none, and those that are wanted before others.
+    const two = {event: 2};
+    assert.deepEqual(meantByFinger([none, one, two], [1, 2]), [one, two]);
+    assert.deepEqual(meantByFinger([none, one, two], [2]), [two]);
+    assert.deepEqual(meantByFinger([none, one], []), [one]);
+    assert.deepEqual(meantByFinger([none], [1]), [none]);
+    assert.deepEqual(meantByFinger([], [1]), []);
     // In each corner of the picture.
     for (const [column, row] of [[0, 0], [11, 0], [0, 11], [11, 11]]) {
         const corner = pixels(rows.map((_, y) => rows.map((__, x) => x === column && y === row ? 3 : -1)));
-        for (const [x, y] of [[column, row], [column ? 9 : 2, row ? 9 : 2]]) assert.equal(pixelNear(corner, x, y), row * 12 + column);
+        for (const [x, y] of [[column, row], [column ? 9 : 2, row ? 9 : 2]]) assert.equal(near(x, y, 4, corner)[0].frame, 3);
     }
-    assert.deepEqual(shownAt(picture, 5, 5), {frame: 40, event: null});
-    assert.deepEqual(shownAt(picture, 7, 5), {frame: 60, event: 1});
-    assert.deepEqual(shownAt(picture, 0, 0), {frame: null, event: null});
-    assert.deepEqual(shownAt(null, 7, 5), {frame: null, event: null});
 });
 
 test('what is veiled', () => {
@@ -356,4 +365,17 @@ test('a box as --mask, with a border', () => {
 
 test('a still that has not come', () => {
     assert.equal(stillNear([], 5), undefined);
+});
+
+test('the legend says what the picture has, and no more', () => {
+    const words = (settings, events, live = null) => entriesOf({settings, live}, events).map(entry => entry.words);
+    const all = {color: 'object', show: 'volume,directions,legend'};
+    assert.deepEqual(words(all, [{stays: []}, {stays: [[3, 9]]}]), ['it stood', 'other changes', 'way it went']);
+    assert.deepEqual(words(all, [{stays: []}]), ['other changes', 'way it went']);
+    assert.deepEqual(words(all, []), ['other changes']);
+    assert.deepEqual(words({...all, show: 'volume'}, [{stays: [[3, 9]]}]), ['it stood', 'other changes']);
+    assert.deepEqual(words(all, [{stays: [[3, 9]]}], {state: 'watching'}), ['other changes', 'way it went']);
+    assert.deepEqual(words({...all, color: 'time'}, [{stays: [[3, 9]]}]), []);
+    assert.deepEqual(words({color: 'object', show: 'map'}, [{stays: [[3, 9]]}]), []);
+    assert.deepEqual(words({}, []), []);
 });

@@ -4,7 +4,7 @@ import {shortSpanOf} from '../shared/durations.js';
 import {meets, sidesOf} from '../shared/shapes.js';
 import {clamp} from '../shared/text.js';
 import {daysBefore} from '../shared/wall_clock.js';
-import {boundsOf, crossingWords, crossingsOf, missingWords, stayOf, stayWords, staysOf} from '../shared/ways.js';
+import {boundsOf, crossingWords, meetingsOf, missingWords, stayOf, stayWords, staysOf} from '../shared/ways.js';
 
 /**
  * @typedef {import('../shared/shapes.js').Shape} Shape
@@ -59,11 +59,11 @@ export function answerOf(event, place, way, size, clock) {
     const {isOfScene} = event.kind;
     if (place?.kind === 'line') {
         if (isOfScene) return null;  // what is not there crosses nothing
-        const crossings = crossingsOf(event.way, place.from, place.to).filter(({at}) => clock.has(event, at / 10));
-        const wanted = crossings.find(({side}) => way === 0 || side === way);
-        if (!crossings.length) return null;
-        return {at: (wanted ?? crossings[0]).at / 10, ways: [1, -1].filter(side => crossings.some(crossing => crossing.side === side)),
-                words: () => crossingWords(crossings, place, size, seconds => clock.text(event, seconds))};
+        const meetings = meetingsOf(event.way, place.from, place.to).filter(({at}) => clock.has(event, at / 10));
+        const wanted = meetings.find(({side}) => way === 0 ? side !== 0 : side === way);
+        if (!meetings.length) return null;
+        return {at: (wanted ?? meetings[0]).at / 10, ways: [1, -1].filter(one => meetings.some(({side}) => side === one)),
+                words: () => crossingWords(meetings, place, size, seconds => clock.text(event, seconds))};
     }
     const box = place ? sidesOf(place) : null;
     const spans = box ? staysOf(event.way, box) : [[event.way[0], event.way[event.way.length - 3]]];

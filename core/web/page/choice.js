@@ -5,6 +5,7 @@ import {addressWith, readAddress} from './address.js';
 import {endOfHit} from './around.js';
 import {deedOf, factsOf, nameOf, numberOf, placeBeside, placeOfNumber} from './events.js';
 import {answerOf, listedEvents, wantedEvents} from './filters.js';
+import {ofEvent} from './looks.js';
 import {say, tell} from './messages.js';
 import {bringIntoSight, isPlaying, show} from './player.js';
 import {kindOf, set, state} from './state.js';
@@ -58,13 +59,36 @@ export function playEvent(place) {
 }
 
 /**
- * Goes to the next event that is wanted, or the one before, and shows its first moment.
+ * The next event that is wanted, or the one before; null = there is none.
+ * @param {number} by 1 or -1
+ */
+export function besideNow(by) {
+    const isListed = state.chosen !== null && wantedEvents().includes(state.chosen);
+    return placeBeside(state.events, isListed ? listedEvents() : wantedEvents(), state.chosen, state.now, by);
+}
+
+/** The buttons say where they lead; at an end, to its event again. */
+export function drawBeside() {
+    for (const [id, by, words, end, key] of /** @type {[string, number, string, string, string][]} */ ([
+        ['previous', -1, 'Previous event', 'First event again', '←'], ['next', 1, 'Next event', 'Last event again', '→']])) {
+        const place = besideNow(by);
+        const number = place === null ? '' : String(numberOf(state.events, place));
+        const name = (place !== null && place === state.chosen ? end : words) + (number && `: ${number}`);
+        Object.assign(at(id), {ariaLabel: name, title: `${name} (${key})`});
+        const badge = /** @type {HTMLElement} */ (at(id).querySelector('.number'));
+        badge.hidden = place === null;
+        badge.textContent = number;
+        if (place !== null) ofEvent(badge, place);
+    }
+}
+
+/**
+ * Goes there, and shows its first moment.
  * @param {number} by 1 or -1
  */
 export function step(by) {
     const {events, time} = state;
-    const isListed = state.chosen !== null && wantedEvents().includes(state.chosen);
-    const place = placeBeside(events, isListed ? listedEvents() : wantedEvents(), state.chosen, state.now, by);
+    const place = besideNow(by);
     if (place === null) return;
     const plays = isPlaying();
     const {touring} = state;

@@ -1,9 +1,9 @@
 // The events that are wanted: those that pass the filters and have to do with the place that is asked for.
 
 import {spanOf} from '../shared/durations.js';
-import {scaled, sidesOf} from '../shared/shapes.js';
+import {inThousandths, sidesOf} from '../shared/shapes.js';
 import {derived} from '../shared/state.js';
-import {crossingWords, crossingsOf, missingWords, stayOf, stayWords} from '../shared/ways.js';
+import {crossingWords, meetingsOf, missingWords, stayOf, stayWords} from '../shared/ways.js';
 import {isSet, sortedPlaces, wantedPlaces} from './events.js';
 import {keyOf} from './marks.js';
 import {kindOf, state} from './state.js';
@@ -15,15 +15,15 @@ import {kindOf, state} from './state.js';
 export function answerOf(event) {
     const {asked, data, time} = state;
     if (!asked) return '';
-    const place = scaled(asked, 1000);
+    const place = inThousandths(asked, 1);
     if (asked.kind === 'box') {
         const stay = stayOf(event.way, sidesOf(place));
         if (!stay) return null;
         return kindOf(event.kind).isOfScene ? missingWords(time.clockOf(event.begin, false)) : stayWords(stay, spanOf);
     }
     // What is not there crosses nothing.
-    const crossings = kindOf(event.kind).isOfScene ? [] : crossingsOf(event.way, place.from, place.to);
-    return crossings.length ? crossingWords(crossings, asked, data.size, seconds => time.clockOf(seconds, false)) : null;
+    const meetings = kindOf(event.kind).isOfScene ? [] : meetingsOf(event.way, place.from, place.to);
+    return meetings.length ? crossingWords(meetings, asked, data.size, seconds => time.clockOf(seconds, false)) : null;
 }
 
 /** @param {import('./data.js').PageEvent} event */

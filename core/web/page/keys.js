@@ -8,12 +8,13 @@ import {endFilling, swapPlaces, toggleFullScreen} from './layout.js';
 import {at} from '../shared/dom.js';
 import {state} from './state.js';
 import {pan, showWhole, zoom} from './view.js';
+import {endWhich} from './which.js';
 
 /** Ends what was begun last. */
 function leave() {
     const open = document.querySelector('details.menu[open]');
     if (open) open.removeAttribute('open');
-    else if (endFilling()) return;
+    else if (endWhich() || endFilling()) return;
     else if (state.asking) askBy(state.asking);
     else if (state.chosen !== null) choose(null);
     else askPlace(null);

@@ -7,29 +7,33 @@ import {set, state} from './state.js';
 
 const main = /** @type {HTMLElement} */ (document.querySelector('main'));
 const screen = at('screen');
-const player = at('player');
 const divider = at('divider');
 const kept = 'vvr-side';  // the name under which the browser keeps the width
 
-export const swapPlaces = () => set({large: state.large === 'film' ? 'picture' : 'film'});
-
-/** On a phone that has no full screen for pages, the player fills the window. */
-export async function toggleFullScreen() {
-    if (document.fullscreenElement) return document.exitFullscreen();
-    if (player.classList.contains('filling')) return void player.classList.remove('filling');
-    try {
-        await player.requestFullscreen();
-    } catch {
-        player.classList.add('filling');
-    }
+export function swapPlaces() {
+    if (!state.fills) set({large: state.large === 'film' ? 'picture' : 'film'});
 }
+
+/**
+ * Film and strip fill the window, and that the screen; a phone that has no full screen for pages shows at least the first.
+ * @param {boolean} fills
+ */
+function fill(fills) {
+    set({fills});
+    if (fills) document.documentElement.requestFullscreen?.().catch(() => {});
+    else if (document.fullscreenElement) document.exitFullscreen();
+}
+
+export const toggleFullScreen = () => fill(!state.fills);
 
 /** @returns {boolean} whether there was anything to end */
 export function endFilling() {
-    const fills = player.classList.contains('filling');
-    player.classList.remove('filling');
-    return fills;
+    if (!state.fills) return false;
+    fill(false);
+    return true;
 }
+
+export const drawFilling = () => document.documentElement.toggleAttribute('data-filling', state.fills);
 
 /** @param {number} wide pixels */
 function setSide(wide) {
@@ -122,6 +126,7 @@ export function listenToLayout() {
     }
     at('larger').addEventListener('click', swapPlaces);
     at('fullscreen').addEventListener('click', toggleFullScreen);
+    document.addEventListener('fullscreenchange', () => { if (!document.fullscreenElement) set({fills: false}); });
     divider.addEventListener('pointerdown', event => {
         divider.setPointerCapture(event.pointerId);
         event.preventDefault();

@@ -5,6 +5,7 @@ import {appendShape, at, element} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {overlap, pointIn, roomFor, sectionAt, trailOf} from './arc.js';
 import {numberOf, pointAt} from './events.js';
+import {entriesOf} from './legend.js';
 import {litEvents} from './picture.js';
 import {pictureSize, state} from './state.js';
 import {ofEvent} from './looks.js';
@@ -206,4 +207,20 @@ export function drawRib() {
     if (!place || chosen === null) return;
     const [cx, cy] = pointIn(corners, place[0], place[1]);
     ofEvent(appendShape('circle', {cx, cy, r: clamp(6 / scaleNow(), 4, 40), class: 'here'}, lit), chosen);
+}
+
+export function drawLegend() {
+    const {data, events} = state;
+    const stood = events.findIndex(({stays}) => stays?.length);
+    at('legend').replaceChildren(...entriesOf(data, events).map(({sign, words}) => {
+        const entry = element('span', '', words);
+        const swatch = element('i', sign);
+        if (sign === 'stripes') ofEvent(swatch, stood);
+        if (sign === 'arrow') {
+            const svg = appendShape('svg', {viewBox: '0 0 24 10', 'aria-hidden': true}, swatch);
+            appendShape('path', {d: 'M0 4h13V1l11 4-11 4V6H0z'}, svg);
+        }
+        entry.prepend(swatch);
+        return entry;
+    }));
 }

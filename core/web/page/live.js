@@ -7,7 +7,7 @@ import {within} from '../shared/time_axis.js';
 import {numberOf, placeOfNumber} from './events.js';
 import {withTwins} from './marks.js';
 import {withPortraits} from './parts.js';
-import {readPicture} from './picture.js';
+import {picture, readLooks, readPixels} from './picture.js';
 import {isPlaying} from './player.js';
 import {set, state} from './state.js';
 import {Timeline} from './timeline.js';
@@ -39,7 +39,7 @@ async function lookForNews() {
         const isFirst = stamp === '';
         stamp = found;
         if (isFirst) return;  // it is what the browser has just opened
-        takeOver(await (await fetch(location.href, {cache: 'no-store'})).text());
+        await takeOver(await (await fetch(location.href, {cache: 'no-store'})).text());
     } catch {
         // The server does not answer: the page says how old the picture is.
     }
@@ -56,25 +56,32 @@ function stripIn(time) {
     return {stripFrom: from, stripLasts: lasts};
 }
 
-/** @param {string} text a newer page */
-function takeOver(text) {
+/**
+ * Takes over what is new. The picture is read before it is shown, so that it never lies below the veil of the one before.
+ * @param {string} text a newer page
+ */
+async function takeOver(text) {
     const fresh = new DOMParser().parseFromString(text, 'text/html');
-    const picture = fresh.getElementById('picture');
+    const image = fresh.getElementById('picture');
     const json = (/** @type {string} */ id) => JSON.parse(fresh.getElementById(id)?.textContent ?? 'null');
     const [data, pixels, stills] = ['data', 'pixeldata', 'stilldata'].map(json);
-    if (!data || !(picture instanceof HTMLImageElement)) return;
+    if (!data || !(image instanceof HTMLImageElement)) return;
     const time = new Timeline(data.times, data.clock, data.gaps);
     const parts = {...state.parts, ...pixels, ...stills};
     const events = withPortraits(withTwins(data.events ?? []), parts.portraits);
+    const read = Object.assign(new Image(), {src: image.src});
+    await read.decode();
+    const looks = readLooks(read, data.overlay);
+    const numbers = await readPixels(parts).catch(() => null);  // the list and the strip can do without
+    picture.src = image.src;
+    await picture.decode();
     const number = state.chosen === null ? null : numberOf(state.events, state.chosen);
-    at('picture', HTMLImageElement).src = picture.src;
     document.title = fresh.title;
     const heading = document.querySelector('h1');
     if (heading) heading.textContent = fresh.querySelector('h1')?.textContent ?? '';
     const now = state.follows && !isPlaying() ? time.lastFrame : time.clamped(state.now);
-    set({data, parts, time, events, pixels: null, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
+    set({data, parts, time, events, ...looks, pixels: numbers, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
          now, stillClock: Math.max(state.stillClock, time.secondsOf(now)), ...stripIn(time)});
-    readPicture().catch(() => {});  // the next page brings another picture
 }
 
 /** Before the page opens itself again. */
@@ -125,6 +132,9 @@ export function followStream() {
     if (!live) return;
     at('tonow').addEventListener('click', () => set({follows: true, now: state.time.lastFrame, wantsPlay: false, until: null}));
     setInterval(drawAge, 1000);
-    if (!isFile) lookForNews();
-    setInterval(lookForNews, isFile ? Math.max(2, live.brick) * 1000 : clamp(live.brick / 2, 1, 30) * 1000);
+    const pause = isFile ? Math.max(2, live.brick) : clamp(live.brick / 2, 1, 30);  // seconds
+    const wait = () => setTimeout(look, pause * 1000);  // one look after the other, however long it takes
+    const look = () => lookForNews().then(wait);
+    if (isFile) wait();
+    else look();
 }

@@ -5,12 +5,12 @@ import {spanOf} from '../shared/durations.js';
 import {upright} from '../shared/text.js';
 import {linkIndex, listenToNeighbours, playOn, takeArrival} from './around.js';
 import {askPlace, drawAsked, drawTools, listenToTools} from './asking.js';
-import {choose, followAddress, leaveUnfound} from './choice.js';
+import {besideNow, choose, drawBeside, followAddress, leaveUnfound} from './choice.js';
 import {drawCommands, listenToExport} from './export.js';
 import {wantedEvents} from './filters.js';
 import {listenToKeys} from './keys.js';
-import {drawPlaces, drawReel, drawSide, listenToLayout} from './layout.js';
-import {drawLetters, drawLit, drawRib} from './letters.js';
+import {drawFilling, drawPlaces, drawReel, drawSide, listenToLayout} from './layout.js';
+import {drawLegend, drawLetters, drawLit, drawRib} from './letters.js';
 import {drawChips, drawChosen, drawClasses, drawFilters, drawList, drawLitRow, listenToList} from './list.js';
 import {drawAge, drawFollowing, followStream, takeKeptState} from './live.js';
 import {takeArrived} from './parts.js';
@@ -21,7 +21,8 @@ import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
 import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {inSentence} from './timeline.js';
-import {drawStage, listenToView, roomOf} from './view.js';
+import {drawStage, listenToView, playCandidate, roomOf} from './view.js';
+import {drawWhich, listenToWhich} from './which.js';
 
 /** Characters that change the direction of writing are shown as code points. */
 function drawNames() {
@@ -55,7 +56,9 @@ const parts = [
     {draw: drawShapes, from: () => [...state.data.size]},
     {draw: drawAge, from: () => [state.data]},
     {draw: drawFollowing, from: () => [state.data, state.follows]},
+    {draw: drawFilling, from: () => [state.fills]},
     {draw: drawPlaces, from: () => [state.large]},
+    {draw: drawLegend, from: () => [state.data, state.events]},
     {draw: drawSide, from: () => [state.side]},
     {draw: leaveUnfound, from: () => [wantedEvents()]},
     {draw: drawChips, from: () => [state.events, state.kind]},
@@ -63,6 +66,7 @@ const parts = [
     {draw: drawFilters, from: () => [state.leastSeconds, state.onlyStarred, state.showsHidden]},
     {draw: drawList, from: () => [state.data, state.events, wantedEvents(), state.order, state.marks]},
     {draw: drawChosen, from: () => [state.chosen]},
+    {draw: drawBeside, from: () => [state.events, state.chosen, besideNow(-1), besideNow(1)]},
     {draw: drawLitRow, from: () => [state.lightened]},
     {draw: drawTools, from: () => [state.asking, state.asked, state.drawn]},
     {draw: drawAsked, from: () => [state.asked, state.drawn]},
@@ -93,6 +97,7 @@ const parts = [
     {draw: openPeeker, from: () => [state.film]},
     {draw: drawPeek, from: () => [state.pointed?.frame]},
     {draw: drawTip, from: () => [state.pointed, state.lightened]},
+    {draw: drawWhich(playCandidate), from: () => [state.which]},
     {draw: playOn, from: () => [isPlaying()]},
 ];
 
@@ -118,7 +123,7 @@ document.documentElement.dataset.script = '';
 state.room = roomOf();
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
-for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
+for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToWhich, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
 linkIndex();
 takeArrival();
 addEventListener('hashchange', followAddress);

@@ -35,27 +35,41 @@ async function readNumbers(source) {
     return numbersIn(bytesOfImage(image, width, height), source.sum);
 }
 
-/** @returns {Promise<void>} */
+/**
+ * What an image is like: the colour behind everything, which is that of the corner, or the page's own; and where its contents are.
+ * @param {HTMLImageElement} image that is decoded
+ * @param {import('./data.js').Overlay} overlay
+ */
+export function readLooks(image, overlay) {
+    const bytes = bytesOfImage(image, width, height);
+    const [red, green, blue, alpha] = bytes;
+    return {ground: alpha > 0 ? [red, green, blue] : null, contents: joined(contentsOf(new Uint32Array(bytes.buffer), width, height), overlay)};
+}
+
+/**
+ * @param {import('./data.js').Parts} parts
+ * @returns {Promise<import('./pixels.js').Pixels | null>} null = they have not come
+ */
+export async function readPixels({pixels, objects}) {
+    if (!pixels) return null;
+    const frames = (await readNumbers(pixels)).map(value => value < 0 ? -1 : value + pixels.first);
+    return {width, height, frames, objects: objects ? await readNumbers(objects) : null};
+}
+
 export async function readPicture() {
     const {data, parts} = state;
     await picture.decode();
-    const bytes = bytesOfImage(picture, width, height);
-    // The colour behind everything is that of the corner, or the page's own.
-    const [red, green, blue, alpha] = bytes;
-    set({ground: alpha > 0 ? [red, green, blue] : null, contents: joined(contentsOf(new Uint32Array(bytes.buffer), width, height))});
-    if (!parts.pixels) return;
-    const first = parts.pixels.first;
-    const frames = (await readNumbers(parts.pixels)).map(value => value < 0 ? -1 : value + first);
-    const objects = parts.objects ? await readNumbers(parts.objects) : null;
-    if (data === state.data) set({pixels: {width, height, frames, objects}});
+    set(readLooks(picture, data.overlay));
+    const pixels = await readPixels(parts);
+    if (data === state.data && pixels) set({pixels});
 }
 
 /**
  * The part of the picture that has anything, with what lies over it.
  * @param {number[]} contents
+ * @param {import('./data.js').Overlay} overlay
  */
-function joined([left, top, right, bottom]) {
-    const {portraits, captions, map, notes} = state.data.overlay;
+function joined([left, top, right, bottom], {portraits, captions, map, notes}) {
     const boxes = [...portraits.map(({box}) => [box[0], box[1] - captions, box[2], box[3]]), ...map ? [map.box] : [],
                    ...notes.map(({at: [x, y]}) => [x - 40, y - 16, x + 40, y + 16])];
     for (const box of boxes) {
@@ -93,7 +107,7 @@ export function litEvents() {
 /** Pales what is not of the chosen event or the place that is asked for, lines and shadows too. */
 export function drawVeil() {
     const {pixels, events} = state;
-    if (!pixels) return;
+    if (!pixels) return veil.clearRect(0, 0, width, height);
     const lit = litEvents();
     const isOther = othersThan(pixels, lit, events);
     const pale = paleOf();

@@ -48,39 +48,43 @@ export function contentsOf(words, width, height) {
     return [Math.max(0, left - edge), Math.max(0, top - edge), Math.min(width, right + edge), Math.min(height, bottom + edge)];
 }
 
-/**
- * The pixel nearest to a point that shows a frame, at most 4 pixels away; null = none.
- * @param {Pixels} pixels
- * @param {number} x
- * @param {number} y
- */
-export function pixelNear({width, height, frames}, x, y) {
-    const reach = 4;
-    let nearest = null;
-    let least = reach * reach + 1;
-    for (let j = Math.max(0, Math.floor(y) - reach); j <= Math.min(height - 1, Math.floor(y) + reach); ++j) {
-        for (let i = Math.max(0, Math.floor(x) - reach); i <= Math.min(width - 1, Math.floor(x) + reach); ++i) {
-            const distance = (i - Math.floor(x)) ** 2 + (j - Math.floor(y)) ** 2;
-            if (frames[j * width + i] < 0 || distance >= least) continue;
-            nearest = j * width + i;
-            least = distance;
-        }
-    }
-    return nearest;
-}
+/** @typedef {{frame: number, event: number | null, distance: number}} Near what is near a point: an event, or null = something else */
 
 /**
- * What a point of the picture shows; null where there is none.
+ * What is within reach of a point: of each event, and of all that is none, the nearest pixel; the nearest of these first.
  * @param {Pixels | null} pixels
  * @param {number} x
  * @param {number} y
- * @returns {{frame: number | null, event: number | null}}
+ * @param {number} reach pixels of the picture
  */
-export function shownAt(pixels, x, y) {
-    const pixel = pixels && pixelNear(pixels, x, y);
-    if (!pixels || pixel === null) return {frame: null, event: null};
-    const event = pixels.objects ? pixels.objects[pixel] : -1;
-    return {frame: pixels.frames[pixel], event: event >= 0 ? event : null};
+export function shownNear(pixels, x, y, reach) {
+    /** @type {Map<number, Near>} */
+    const nearest = new Map();
+    if (!pixels) return [];
+    const {width, height, frames, objects} = pixels;
+    const [column, row, far] = [x, y, reach].map(Math.floor);
+    for (let j = Math.max(0, row - far); j <= Math.min(height - 1, row + far); ++j) {
+        for (let i = Math.max(0, column - far); i <= Math.min(width - 1, column + far); ++i) {
+            const [pixel, distance] = [j * width + i, Math.hypot(i - column, j - row)];
+            if (frames[pixel] < 0 || distance > reach) continue;
+            const event = objects ? objects[pixel] : -1;
+            const other = nearest.get(event);
+            if (!other || distance < other.distance) nearest.set(event, {frame: frames[pixel], event: event < 0 ? null : event, distance});
+        }
+    }
+    return [...nearest.values()].sort((a, b) => a.distance - b.distance);
+}
+
+/**
+ * What a finger may mean of what is near it: events rather than what is none, and those that are wanted rather than pale ones.
+ * @template {{event: number | null}} N
+ * @param {N[]} near the nearest first
+ * @param {number[]} wanted places of events
+ */
+export function meantByFinger(near, wanted) {
+    const events = near.filter(({event}) => event !== null);
+    const lit = events.filter(({event}) => event !== null && wanted.includes(event));
+    return lit.length ? lit : events.length ? events : near.slice(0, 1);
 }
 
 /**

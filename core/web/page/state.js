@@ -39,6 +39,7 @@ export const {state, set, render, drawAll} = store({
     jumping: false,        // whether a time is to be typed
     filmScale: 1,          // 1 = the whole film
     filmMiddle: [0.5, 0.5],
+    fills: false,          // whether film and strip fill the window or the screen
     large: /** @type {'picture' | 'film'} */ ('picture'),
     side: /** @type {number | null} */ (null),  // width of the player in pixels; null = by the window
     follows: data.live !== null,  // whether a stream's page shows the newest frame
@@ -75,5 +76,6 @@ export const {state, set, render, drawAll} = store({
     stripWidth: 0,
 
     // what the pointer is on
+    which: /** @type {{candidates: import('./which.js').Candidate[], x: number, y: number} | null} */ (null),  // a finger's choice
     pointed: /** @type {{frame: number, x: number, y: number, note: string} | null} */ (null),
 });

@@ -3,12 +3,14 @@
 import {at, sharesWithin} from '../shared/dom.js';
 import {choose} from './choice.js';
 import {numberOf} from './events.js';
+import {wantedEvents} from './filters.js';
 import {picture} from './picture.js';
-import {shownAt} from './pixels.js';
+import {meantByFinger, shownNear} from './pixels.js';
 import {bringIntoSight, show} from './player.js';
 import {point} from './pointing.js';
 import {say} from './messages.js';
 import {pictureSize, set, state} from './state.js';
+import {askWhich} from './which.js';
 import {placed, wheelZooms, zoomedAbout} from './zoom.js';
 
 export const view = at('view');
@@ -51,25 +53,42 @@ export function pan(x, y) {
 export const showWhole = () => set({scale: 1});
 
 /**
- * The event whose portrait or number is there; the last drawn is on top.
+ * The portrait or the number that is there; the last drawn is on top.
  * @param {MouseEvent} event
+ * @returns {{event: number, isPortrait: boolean} | null}
  */
 function overlaidAt({clientX, clientY}) {
     for (const element of [...at('letters').querySelectorAll(':scope > [data-event]')].reverse()) {
         for (const part of [element, element.querySelector('.caption')]) {
             const box = part?.getBoundingClientRect();
-            if (box && clientX >= box.left && clientX < box.right && clientY >= box.top && clientY < box.bottom) return Number(element.getAttribute('data-event'));
+            if (box && clientX >= box.left && clientX < box.right && clientY >= box.top && clientY < box.bottom) {
+                return {event: Number(element.getAttribute('data-event')), isPortrait: element.classList.contains('portrait')};
+            }
         }
     }
     return null;
 }
 
-/** @param {MouseEvent} event */
-function shownUnder(event) {
-    const place = overlaidAt(event);
-    if (place !== null) return {frame: state.events[place].first, event: place};
+/** How far it may be from what is meant, in pixels of the screen. */
+const reaches = {mouse: 4, finger: 12};
+
+/** @typedef {{frame: number | null, event: number | null}} Shown null = none */
+
+/**
+ * What may be meant at a point, the first most of all; never nothing. A mouse means what is nearest.
+ * @param {MouseEvent} event
+ * @param {boolean} byFinger
+ * @returns {Shown[]}
+ */
+export function meantAt(event, byFinger) {
+    const over = overlaidAt(event);
+    const numbered = over ? [{frame: state.events[over.event].first, event: over.event}] : [];
+    if (over && (over.isPortrait || !byFinger)) return numbered;
     const [x, y] = sharesWithin(picture, event).map((share, k) => share * pictureSize[k]);
-    return shownAt(state.pixels, x, y);
+    const scale = state.stageWidth / pictureSize[0];
+    const near = shownNear(state.pixels, x, y, (byFinger ? reaches.finger : reaches.mouse) / scale);
+    const meant = byFinger ? meantByFinger([...numbered, ...near.filter(one => one.event !== over?.event)], wantedEvents()) : near.slice(0, 1);
+    return meant.length ? meant : [{frame: null, event: null}];
 }
 
 /**
@@ -79,7 +98,7 @@ function shownUnder(event) {
 const fingers = new Map();
 /**
  * Where the first went down.
- * @type {{x: number, y: number, drag: boolean} | null}
+ * @type {{x: number, y: number, drag: boolean, byFinger: boolean} | null}
  */
 let press = null;
 
@@ -113,7 +132,7 @@ function move(event) {
             return point(null);
         }
     }
-    const shown = isOnButton(event) ? {frame: null, event: null} : shownUnder(event);
+    const [shown] = isOnButton(event) ? [{frame: null, event: null}] : meantAt(event, event.pointerType === 'touch');
     point(shown.frame, event.clientX, event.clientY, shown.event);
 }
 
@@ -125,21 +144,30 @@ function lift(event) {
 }
 
 /**
- * A click comes last, after all that a finger sends for a mouse: the page may scroll now.
- * @param {MouseEvent} event
+ * Plays from a moment of an event, to its end.
+ * @param {{frame: number, event: number | null}} shown
  */
-function playUnder(event) {
-    const {frame, event: place} = shownUnder(event);
-    if (frame === null) {
-        choose(null);  // a tap on nothing shows all again
-        return;
-    }
+export function playCandidate({frame, event: place}) {
     set({touring: false});
     choose(place);
     show(frame, true, {until: place === null ? null : state.events[place].last});
     bringIntoSight();
     point(null);  // what follows in the picture is to be seen
     say('Plays from ' + state.time.clockOf(state.time.secondsOf(frame)) + (place === null ? '' : `, event ${numberOf(state.events, place)}`));
+}
+
+/**
+ * A click comes last, after all that a finger sends for a mouse: the page may scroll now.
+ * @param {MouseEvent} event
+ * @param {boolean} byFinger
+ */
+function playUnder(event, byFinger) {
+    const meant = meantAt(event, byFinger);
+    const [{frame, event: place}] = meant;
+    if (frame === null) return choose(null);  // a tap on nothing shows all again
+    if (meant.length === 1) return playCandidate({frame, event: place});
+    point(null);
+    askWhich(/** @type {import('./which.js').Candidate[]} */ (meant), event);
 }
 
 /** The buttons of a narrow window have a row of their own. */
@@ -149,14 +177,14 @@ export function listenToView() {
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;
         fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-        press = {x: event.clientX, y: event.clientY, drag: fingers.size > 1};
+        press = {x: event.clientX, y: event.clientY, drag: fingers.size > 1, byFinger: event.pointerType === 'touch'};
         view.setPointerCapture(event.pointerId);
     });
     view.addEventListener('pointermove', move);
     view.addEventListener('pointerup', lift);
     view.addEventListener('pointercancel', lift);
     view.addEventListener('click', event => {
-        if (press && !press.drag && !isOnButton(event)) playUnder(event);
+        if (press && !press.drag && !isOnButton(event)) playUnder(event, press.byFinger);
         press = null;
     });
     view.addEventListener('pointerleave', () => point(null));
@@ -168,5 +196,5 @@ export function listenToView() {
     at('closer').addEventListener('click', () => zoom(1.5));
     at('farther').addEventListener('click', () => zoom(1 / 1.5));
     at('whole').addEventListener('click', showWhole);
-    new ResizeObserver(() => set({room: roomOf()})).observe(view);
+    new ResizeObserver(() => { if (view.clientWidth > 0) set({room: roomOf()}); }).observe(view);  // a full screen hides it
 }

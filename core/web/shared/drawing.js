@@ -1,7 +1,7 @@
 // Drawing a rectangle or a line over a picture, with the pointer or with keys.
 
 import {appendShape, sharesWithin} from './dom.js';
-import {firstShape, movedShape} from './shapes.js';
+import {firstShape, inThousandths, movedShape, scaled} from './shapes.js';
 import {clamp} from './text.js';
 
 /** @typedef {import('./shapes.js').Shape} Shape */
@@ -112,14 +112,15 @@ function drawByKeys(surface, whole, {shape, shows, asks}) {
 }
 
 /**
- * Lets people draw on a surface.
+ * Lets people draw on a surface. What is asked is what addresses can say, so that a link and a reload answer the same.
  * @param {SVGElement} surface
  * @param {number} whole the picture's width and height in the unit of shapes
  * @param {Drawing} how
  */
 export function letDraw(surface, whole, how) {
-    drawByPointer(surface, whole, how);
-    drawByKeys(surface, whole, how);
+    const asks = (/** @type {Shape | null} */ shape) => how.asks(shape && scaled(inThousandths(shape, whole), whole / 1000));
+    drawByPointer(surface, whole, {...how, asks});
+    drawByKeys(surface, whole, {...how, asks});
 }
 
 /**

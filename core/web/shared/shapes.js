@@ -38,10 +38,21 @@ export function partInBox(x, y, toX, toY, [left, top, right, bottom]) {
 }
 
 /**
- * For addresses, in thousandths of the picture: "line.500.0.500.1000".
+ * The shape in whole thousandths of the picture, as addresses have it and ways are compared with it.
  * @param {Shape} shape
+ * @param {number} whole the picture's width and height in the unit of the shape
+ * @returns {Shape}
  */
-export const shapeText = ({kind, from, to}) => [kind, ...[...from, ...to].map(Math.round)].join('.');
+export function inThousandths({kind, from, to}, whole) {
+    const rounded = (/** @type {Point} */ point) => point.map(value => Math.round(value / whole * 1000));
+    return {kind, from: rounded(from), to: rounded(to)};
+}
+
+/**
+ * For addresses: "line.500.0.500.1000".
+ * @param {Shape} shape in whole thousandths of the picture
+ */
+export const shapeText = ({kind, from, to}) => [kind, ...from, ...to].join('.');
 
 /**
  * @param {string | null} text

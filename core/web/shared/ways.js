@@ -6,7 +6,8 @@ import {partInBox} from './shapes.js';
 /**
  * @typedef {import('./shapes.js').Point} Point
  * @typedef {import('./shapes.js').Sides} Sides
- * @typedef {{at: number, side: number}} Crossing tenths of a second, and the side to which it goes, 1 or -1
+ * @typedef {{at: number, side: number}} Crossing tenths of a second, and the side to which it goes, 1 or -1; 0 = it only
+ *     touched the line
  */
 
 /**
@@ -51,6 +52,26 @@ export function crossingsOf(way, a, b) {
         from = side;
     }
     return crossings;
+}
+
+const touch = 10;  // tenths of a second
+
+/**
+ * What a way has to do with the line from a to b: each crossing, but one that is taken back within a second is a touch of the
+ * line, as the path of an object's centre trembles by as much.
+ * @param {number[]} way
+ * @param {Point} a
+ * @param {Point} b
+ */
+export function meetingsOf(way, a, b) {
+    /** @type {Crossing[]} */
+    const meetings = [];
+    for (const crossing of crossingsOf(way, a, b)) {
+        const before = meetings[meetings.length - 1];
+        if (before?.side === -crossing.side && crossing.at - before.at <= touch) before.side = 0;
+        else meetings.push(crossing);
+    }
+    return meetings;
 }
 
 /**
@@ -139,13 +160,15 @@ export function arrowAcross({from, to}, side, [width, height]) {
 const mostCrossings = 4;  // that are told one by one
 
 /**
- * "crossed ← 0:06, → 0:10"
- * @param {Crossing[]} crossings
+ * "crossed ← 0:06, → 0:10"; if it never did, "touched 0:06".
+ * @param {Crossing[]} meetings
  * @param {{from: Point, to: Point}} line
  * @param {number[]} size of the picture in pixels
  * @param {(seconds: number) => string} clock
  */
-export function crossingWords(crossings, line, size, clock) {
+export function crossingWords(meetings, line, size, clock) {
+    const crossings = meetings.filter(({side}) => side !== 0);
+    if (!crossings.length) return 'touched ' + clock(meetings[0].at / 10);
     const told = crossings.slice(0, mostCrossings).map(({at, side}) => `${arrowAcross(line, side, size)} ${clock(at / 10)}`).join(', ');
     const more = crossings.length - mostCrossings;
     if (more <= 0) return 'crossed ' + told;
