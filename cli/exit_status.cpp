@@ -35,7 +35,7 @@ constexpr std::array table{
 
 std::span<const StatusHelp> exit_statuses() {
     static constexpr std::array all{
-        StatusHelp{0, "success"},
+        StatusHelp{0, "success, also if nothing was found: a clip without events, an archive without clips"},
         StatusHelp{1, "an error in the command line or the config file"},
         StatusHelp{2, "a file can't be read or written"},
         StatusHelp{3, "the input is not usable video"},
@@ -46,7 +46,8 @@ std::span<const StatusHelp> exit_statuses() {
         StatusHelp{5, "out of memory, or over a given limit"},
         StatusHelp{
             6,
-            "`archive`: some clips failed, or some events could not be kept; the others are done. `golden`: a picture "
+            "`archive`: some clips failed, some files of a day could not be read, or some events could not be kept; the "
+            "others are done. `golden`: a picture "
             "could not be drawn or compared. A recording: some files were skipped completely, because others show the "
             "same time"},
         StatusHelp{7, "a picture differs from its golden image, or there is no golden image to compare with"},

@@ -31,8 +31,9 @@ constexpr std::array<std::string_view, 3> first_log_line{
 constexpr AppendedKind log_kind{"the log", false, first_log_line};
 
 /// Where a line keeps the name of its error's code: spdlog's source location, which we don't use otherwise.
-spdlog::source_loc source_of(ErrorCode code) {
-    return {"", 1, row_of(code).name};
+/// Its file's name is a JSON object: further members of a JSON line.
+spdlog::source_loc source_of(ErrorCode code, const char* members = "{}") {
+    return {members, 1, row_of(code).name};
 }
 
 /// Appends lines to a file.
@@ -105,7 +106,10 @@ class JsonLines : public spdlog::formatter {
             {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
             {"level", std::string(level.data(), level.size())},
             {"message", payload_of(message)}};
-        if (const char* const code = code_of(message)) line["code"] = code;
+        if (const char* const code = code_of(message)) {
+            line["code"] = code;
+            line.update(parse_json(message.source.filename));
+        }
         const std::string text = json_text(line) + "\n";
         out.append(text.data(), text.data() + text.size());
     }
@@ -158,8 +162,8 @@ std::shared_ptr<spdlog::logger> make_log() {
     return log;
 }
 
-void log_error(spdlog::logger& log, ErrorCode code, std::string_view text) {
-    log.log(source_of(code), spdlog::level::err, "{}", text);
+void log_error(spdlog::logger& log, ErrorCode code, std::string_view text, const std::string& members) {
+    log.log(source_of(code, members.c_str()), spdlog::level::err, "{}", text);
 }
 
 void set_verbosity(spdlog::logger& log, Verbosity verbosity) {

@@ -19,7 +19,8 @@ std::shared_ptr<spdlog::logger> make_log();
 
 /// Logs an error. A plain line ends with the code's name in square brackets, as a compiler's warnings do; a JSON line
 /// has it as the member `code`.
-void log_error(spdlog::logger& log, ErrorCode code, std::string_view text);
+/// \param members further members of a JSON line, as a JSON object
+void log_error(spdlog::logger& log, ErrorCode code, std::string_view text, const std::string& members = "{}");
 
 /// How much the logger writes to stderr.
 enum class Verbosity { quiet, normal, verbose };

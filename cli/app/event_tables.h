@@ -4,11 +4,8 @@
 
 #include "cli/app/report.h"
 
-// The events of a clip as tables, for spreadsheets and for tools that evaluate trackers.
+// The events of a clip as a table, for tools that evaluate trackers.
 namespace vvr::app {
-
-/// The text of an `--events-csv` file: a heading, and one line per event. Places are in pixels of the video.
-std::string events_table(const RunContext& context);
 
 /// The text of a `--tracks` file in the format of MOT Challenge: frame, number of the event, left, top, width, height,
 /// 1, -1, -1, -1. Frames and places count from 1; places are in pixels of the video.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/app/event_tables.h"
 #include "cli/app/golden.h"
@@ -15,8 +16,10 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/json_text.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
+#include "core/events/event_table.h"
 #include "core/image/picture.h"
 #include "core/page/html.h"
 #include "core/video/container.h"
@@ -40,6 +43,16 @@ void write_text(const std::filesystem::path& file, const std::string& text, Obse
     } else {
         replace_file(file, bytes);
     }
+}
+
+/// The text of an `--events-csv` file.
+std::string table_of(const nlohmann::ordered_json& report) {
+    const nlohmann::ordered_json& input = report.at("input");
+    const auto& camera = input.at("camera");
+    std::string text = events::events_table_heading();
+    if (report.at("events").is_null()) return text;
+    return text + events::events_table_lines(report, {camera.is_null() ? "" : camera.get<std::string>(),
+                                                      input.at("name").get<std::string>()});
 }
 
 }  // namespace
@@ -126,8 +139,11 @@ std::string page_camera_of(const RenderJob& job, const video::VideoInfo& info) {
 }
 
 /// The file name to show in small print; empty if the page already shows it.
-std::string file_name_of(const RenderJob& job, const page::PageContent& content) {
-    if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
+std::string file_name_of(const RenderJob& job, const video::VideoInfo& info, const page::PageContent& content) {
+    if (job.input.names.size() > 1) {
+        const std::string files = counted(std::ssize(job.input.names), "file");
+        return info.unread > 0 ? fmt::format("{}, {} could not be read", files, info.unread) : files;
+    }
     const std::string file = shown_name(job.input.names.front());
     return content.camera.empty() && content.name == file ? "" : file;
 }
@@ -157,7 +173,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.name = plan.title;
     content.camera = page_camera_of(job, seen.info);
     content.heading = job.output.page_heading;
-    content.file = file_name_of(job, content);
+    content.file = file_name_of(job, seen.info, content);
     for (const video::SegmentPlace& segment : seen.info.segments) {
         if (segment.end <= segment.begin) continue;  // entirely overlapped by another file
         content.segments.push_back(
@@ -247,10 +263,11 @@ void Writer::finish(const RunContext& context, double seconds) {
     observer_.info(fmt::format("{}, {:.1f} s", result_text(context), seconds));
     if (context.plan.products.events && context.seen.events)
         observer_.info(events_summary(context.seen.events->events, context.seen.not_chosen.size(), context.plan.clock));
-    if (!output.report.empty())
-        write_text(output.report, format_report(context, advice, seconds, {tiles_, kept_.problem, kept_.code}),
-                   observer_);
-    if (!output.events_csv.empty()) write_text(output.events_csv, events_table(context), observer_);
+    if (!output.report.empty() || !output.events_csv.empty()) {
+        const std::string report = format_report(context, advice, seconds, {tiles_, kept_.problem, kept_.code});
+        if (!output.report.empty()) write_text(output.report, report, observer_);
+        if (!output.events_csv.empty()) write_text(output.events_csv, table_of(parse_json(report)), observer_);
+    }
     if (!output.tracks.empty()) write_text(output.tracks, tracks_table(context), observer_);
     if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(context), observer_);
 }

@@ -43,7 +43,6 @@ constexpr Setting day_begins{
     "when days begin; days that begin at 12:00 or later are nights, with the date of their evening",
     {},
     "00:00; night: 12:00"};
-constexpr Setting redraw{"redraw", "TIME", "minimum new footage, or idle time, before a day is redrawn"};
 constexpr Setting part{"part", "I/N", "draw only part I of N of the clips, 1/N to N/N"};
 constexpr Setting dry_run{"dry-run", "", "print what a run would do, and why; draw nothing"};
 constexpr Setting prune{"prune", "", "remove the pictures of deleted clips"};
@@ -59,6 +58,9 @@ constexpr Setting keep_events{
     "also copy each event to a piece of video beside its page, which plays it when the clip is gone"};
 constexpr Setting margin{"margin", "TIME", "with --keep-events: additional time before and after an event", {0, 3600}};
 constexpr Setting write{"write", "LIST", "what a run writes"};
+constexpr Setting events_csv{
+    "events-csv", "FILE",
+    "the events of all clips as a table with commas, one line per event, and one for a clip without events"};
 constexpr Setting jobs{"jobs",
                        "COUNT",
                        "number of clips drawn at the same time, each in its own process",
@@ -81,7 +83,6 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(archive_text::exclude, archive.exclude);
     add(archive_text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
     add(archive_text::day_begins, archive.day);
-    add(archive_text::redraw, archive.redraw);
     add(archive_text::part, part);
     add(archive_text::dry_run, archive.dry_run);
     add(archive_text::prune, archive.prune);
@@ -90,6 +91,7 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
     add(archive_text::margin, archive.margin);
     add(archive_text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
     options::add_events_to_option(line, options::Group::archive, archive.events_to);
+    add(archive_text::events_csv, archive.events_csv, {.use = options::FileUse::written});
     const options::AddOptions add_worker(line, options::Group::workers);
     add_worker(archive_text::jobs, archive.jobs);
     add_worker(archive_text::timeout, archive.timeout);
@@ -124,7 +126,7 @@ void check(const workers::ArchiveOptions& options) {
     }
     if (options.day && !options.grouping().days) {
         throw Error(ErrorCode::options_conflict,
-                    "--per clip has no days; drop --day-begins, or choose --per day, night or both",
+                    "--per clip has no days; drop --day-begins, or choose --per day or night",
                     {archive_text::day_begins.name});
     }
     if (options.per == workers::Grouping::night && !options.day_rule().is_night()) {

@@ -60,6 +60,12 @@ cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environm
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
+    // An error in the command line comes before its options are known.
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string next = i + 1 < arguments.size() ? arguments[i + 1] : "";
+        if (arguments[i] == "--log-format=json" || (arguments[i] == "--log-format" && next == "json"))
+            cli::set_format(environment.log, cli::row_of(Name<cli::LogFormat>{"json"}));
+    }
     return run_with(row, environment, [&](options::CommandLine& line) {
         if (!line.parse(arguments)) return false;
         check_time_zone();

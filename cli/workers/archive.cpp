@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/settings.h"
 #include "cli/console.h"
 #include "cli/log.h"
 #include "cli/workers/archive_run.h"
@@ -35,14 +36,15 @@ namespace fs = std::filesystem;
 /// The camera and start time of a clip and their source, for people: "camera gate, 2026-11-21 20:00:00 by file name
 /// (Frigate)".
 /// \param clip path relative to the archive
-std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
-    const video::RecorderName name = names.read(clip);
-    const std::string camera = names.camera_of(clip);
+std::string describe_name(const std::string& clip, const ArchiveJob& job) {
+    const video::RecorderName name = job.names.read(clip);
+    const std::string camera = job.names.camera_of(clip);
     std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
-    if (!name.begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
-    const std::int64_t utc = video::utc_of(*name.begin);
-    return fmt::format("{}, {} {} ({})", text, labels::format_clock(utc + local_offset(utc)),
-                       row_of(ClockSource::file_name).words, name.layout);
+    const auto begin = name.begin ? video::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
+    if (!begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
+    text += ", " + labels::format_clock(*begin + local_offset(*begin));
+    if (!name.begin) return fmt::format("{} {}", text, row_of(ClockSource::container).words);
+    return fmt::format("{} {} ({})", text, row_of(ClockSource::file_name).words, name.layout);
 }
 
 // Far more than the largest picture and page need. A worker that a malicious clip has taken over can't fill the disk.
@@ -68,7 +70,7 @@ Shares split_for_threads(const ArchiveOptions& options, std::size_t clips) {
     int workers = options.jobs.value_or(std::max(1, std::min(by_memory, cores / std::max(1, threads))));
     workers = static_cast<int>(std::clamp<std::size_t>(clips, 1, static_cast<std::size_t>(workers)));
     return {workers, threads > 0 ? threads : std::max(1, cores / workers),
-            options.max_memory.value_or(std::max(memory / workers, least_limit))};
+            std::min(own_memory_limit(), options.max_memory.value_or(std::max(memory / workers, least_limit)))};
 }
 
 ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& names) {
@@ -82,11 +84,12 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     }
     job.rules.version = version();
     job.rules.settle = settling_time;
-    job.rules.redraw = options.redraw;
     // With fewer clips a worker's share of the memory is larger.
     constexpr std::size_t many = std::numeric_limits<int>::max();
     job.rules.limits = {options.timeout.count(), split_for_threads(options, many).memory};
     job.rules.day = options.day_rule();
+    job.rules.day.by_container =
+        std::ranges::count(options.pictures.settings, std::pair<std::string, std::string>(setting::start_time.name, "container")) > 0;
     job.rules.keep = options.keep;
     if (options.keep_events) job.pieces_margin = options.margin;
     job.pictures = options.pictures;
@@ -114,11 +117,11 @@ void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job) 
         const auto day = job.days.find(clip.path);
         cli::print(fmt::format("{:<15} {}{}{}\n", archive::name_of(need), shown_text(archive::text_of_path(clip.path)),
                                failed ? ": " + reason : "",
-                               day == job.days.end() ? "  " + describe_name(clip.path, job.names) : ""));
+                               day == job.days.end() ? "  " + describe_name(clip.path, job) : ""));
         if (day == job.days.end()) continue;
         for (const std::string& file : day->second.files) {
             cli::print(fmt::format("{:<15}   {}  {}\n", "", shown_text(archive::text_of_path(file)),
-                                   describe_name(file, job.names)));
+                                   describe_name(file, job)));
         }
     }
 }
@@ -147,7 +150,9 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
         {count(planned, archive::Need::nothing), "done before"},
         {count(planned, archive::Need::given_up), "failed three times"},
         {count(planned, archive::Need::still_written) + found.waiting, "still being written"},
-        {count(planned, archive::Need::later), "waiting to be redrawn with more clips (--redraw)"},
+        {count(planned, archive::Need::later), "waiting to be redrawn with more clips"},
+        {count(planned, archive::Need::outside) + outcome.outside, "without a frame in the given span"},
+        {count(planned, archive::Need::unread), "lacking files that can't be read"},
         {count(planned, archive::Need::expired), "older than --keep"},
         {outcome.elsewhere, "drawn by another run or deleted"}};
     const char* separator = "; ";
@@ -171,14 +176,15 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
         all == 1 ? "1 clip has" : fmt::format("{} clips have", all), (job.in / first->path).string());
 }
 
-void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
-    const auto undated = [&](const archive::Clip& clip) { return !job.names.read(clip.path).begin; };
-    const auto first = std::ranges::find_if(clips, undated);
-    if (first == clips.end()) return;
+void warn_of_undated(const ArchiveJob& job, spdlog::logger& log) {
+    std::vector<std::string> undated;
+    for (const auto& [path, day] : job.days) undated.insert(undated.end(), day.undated.begin(), day.undated.end());
+    if (undated.empty()) return;
     log.warn(
-        "'{}': no recording time in the names of {}, for example '{}'; each is assigned to the day of its last "
-        "modification, which may be wrong; describe the names with --names",
-        job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
+        "'{}': {} {}, for example '{}'; each is assigned to the day of its last modification, which may be wrong; "
+        "describe the names with --names",
+        job.in.string(), lacks_time(job.rules.day), counted(std::ssize(undated), "clip"),
+        archive::text_of_path(*std::ranges::min_element(undated)));
 }
 
 /// A section of a camera that has no clips may have a wrong name.
@@ -210,26 +216,37 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     warn_of_unused_cameras(scan.clips, job, log);
-    std::vector<PlannedClip> days;
+    std::vector<archive::Clip> wanted;
     if (options.grouping().days) {
-        archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling, job.rules.day);
+        archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling, job.rules.day, job.in);
         for (archive::CameraDay& day : grouped.days) {
-            if (!options.shard.contains(day.clip.path)) continue;
-            std::string path = day.clip.path;
-            job.days.emplace(std::move(path), std::move(day));
+            wanted.push_back(day.clip);
+            job.days.emplace(day.clip.path, std::move(day));
         }
-        days = plan_days(job);
         scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
-        if (!options.grouping().clips) survey.waiting = grouped.waiting;
+        survey.waiting = grouped.waiting;
+        warn_of_undated(job, log);
+    } else {
+        wanted = std::move(scan.clips);
     }
-    if (options.grouping().days) warn_of_undated(scan.clips, job, log);
     for (const archive::ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
+    if (scan.skipped > 0) {
+        log.info(
+            "'{}': at least {} in folders of deleted files or snapshots left out: '{}'; to draw them, give such a "
+            "folder as CLIPS",
+            job.in.string(), counted(static_cast<std::int64_t>(scan.skipped), "clip"),
+            fmt::join(scan.system_folders, "', '"));
+    }
     survey.unreadable = scan.problems.size();
-    std::erase_if(scan.clips, [&](const archive::Clip& clip) { return !options.shard.contains(clip.path); });
-    if (options.grouping().clips) survey.planned = plan_archive(scan.clips, job);
-    survey.planned.insert(survey.planned.end(), days.begin(), days.end());
+    std::erase_if(wanted, [&](const archive::Clip& clip) { return !options.shard.contains(clip.path); });
+    survey.planned = plan_archive(wanted, job);
+    for (const PlannedClip& planned : survey.planned) {
+        if (planned.need != archive::Need::unread) continue;
+        ++survey.unreadable;
+        log_failure(log, job, planned.clip.path, ErrorCode::partial, planned.reason);
+    }
     return survey;
 }
 
@@ -254,13 +271,17 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     if (!options.draws()) {
         make_folder(options.out);
         write_index(job, clips, environment);
+        if (!options.events_csv.empty() &&
+            !write_events_table(job, options.grouping().days, options.events_csv, environment))
+            return cli::ExitStatus::io;
         environment.log.info("'{}' is up to date", (options.out / archive::index_name).string());
         return cli::ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
     const Survey found = survey(options, clips, job, environment.log);
     if (found.clips == 0) {
-        environment.log.warn("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
+        // Not a warning: a monitor that reads what --quiet prints must learn of a disk that is not mounted.
+        environment.log.error("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
     }
     if (options.dry_run) {
         print_plan(found.planned, job);
@@ -269,12 +290,12 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         return cli::ExitStatus::done;
     }
     make_folder(options.out);
+    if (!options.events_csv.empty()) check_file_path(options.events_csv);
     if (options.writes(Written::index)) archive::check_own_index(options.out);  // before hours of drawing
     std::vector<PlannedClip> work = found.planned;
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     cli::EventFile events(options.events_to, environment.log);
-    job.reports_clips = !options.events_to.empty();
-    job.reports_days = job.reports_clips && !options.grouping().clips;  // else each event would be reported twice
+    job.reports_events = !options.events_to.empty();
     ArchiveOutcome outcome;
     if (!work.empty()) {
         const Shares shares = split_for_threads(options, work.size());
@@ -299,8 +320,11 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
+    const bool listed = options.events_csv.empty() || succeeds(environment.log, [&] {
+        return write_events_table(job, options.grouping().days, options.events_csv, environment);
+    });
     const bool reported = events.finish();
-    if (!pruned || !aged || !indexed || !reported) return cli::ExitStatus::io;
+    if (!pruned || !aged || !indexed || !listed || !reported) return cli::ExitStatus::io;
     return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;
 }
 

@@ -23,22 +23,20 @@
 namespace vvr::workers {
 
 /// What one picture shows.
-enum class Grouping { clip, day, night, both };
+enum class Grouping { clip, day, night };
 
 struct GroupingRow {
     Grouping grouping;
     std::string_view name;
     std::string_view help;
-    bool clips;                     ///< one for each clip
-    bool days;                      ///< one for each day or night of a camera
+    bool days;                      ///< the days or nights of a camera
     std::chrono::minutes begins{};  ///< when days begin by default, after midnight
 };
 
 inline constexpr std::array groupings{
-    GroupingRow{Grouping::clip, "clip", "each clip", true, false},
-    GroupingRow{Grouping::day, "day", "all clips of a camera that begin on a day, as one recording", false, true},
-    GroupingRow{Grouping::night, "night", "the same from noon to noon", false, true, archive::DayRule::noon},
-    GroupingRow{Grouping::both, "both", "each clip, and each day of a camera", true, true},
+    GroupingRow{Grouping::clip, "clip", "each clip", false},
+    GroupingRow{Grouping::day, "day", "all clips of a camera that begin on a day, as one recording", true},
+    GroupingRow{Grouping::night, "night", "the same from noon to noon", true, archive::DayRule::noon},
 };
 
 /// What a run writes.
@@ -65,10 +63,10 @@ struct ArchiveOptions {
     std::vector<std::string> exclude;  ///< patterns of files to skip
     Grouping per = Grouping::clip;
     std::optional<archive::DayRule> day{};  ///< when days begin; none = as `per` has it
-    std::chrono::seconds redraw{900};       ///< least time between two drawings of a day that still gets clips
     bool dry_run = false;
     bool prune = false;
     std::filesystem::path events_to{};           ///< where new events are written; empty = nowhere
+    std::filesystem::path events_csv{};          ///< a table of all events; empty = none
     std::optional<std::chrono::seconds> keep{};  ///< how long files are kept; none = for ever
     bool keep_events = false;                    ///< copy each event to a piece beside its page
     double margin = 5;                           ///< seconds before and after a kept event

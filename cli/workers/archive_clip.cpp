@@ -23,8 +23,10 @@
 #include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/atomic_file.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/video/settings.h"
 #include "core/page/html.h"
 
 namespace vvr::workers {
@@ -32,6 +34,17 @@ namespace vvr::workers {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Why none of the files can be opened, as in errno; 0 = one can. ENOENT = all are gone.
+int error_of_opening(const fs::path& in, const std::vector<std::string>& files) {
+    int error = ENOENT;
+    for (const std::string& file : files) {
+        const Descriptor opened(::open((in / file).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+        if (opened.get() >= 0) return 0;
+        if (errno != ENOENT) error = errno;
+    }
+    return error;
+}
 
 void remove_files(const fs::path& out, const std::string& clip, const std::vector<archive::OutputKind>& kinds,
                   const std::vector<archive::OutputKind>& kept) {
@@ -103,10 +116,14 @@ const PictureSettings& ArchiveJob::pictures_of(const std::string& path) const {
     return own == of_cameras.end() ? pictures : own->second;
 }
 
-archive::ArchiveRules ArchiveJob::rules_for(const std::string& path) const {
+archive::Need ArchiveJob::need_of(const archive::Clip& clip, const std::optional<archive::Sidecar>& sidecar) const {
     archive::ArchiveRules all = rules;
-    all.settings = pictures_of(path).digest;
-    return all;
+    all.settings = pictures_of(clip.path).digest;
+    const auto need_by = day_of(clip.path) != nullptr ? archive::need_of_day : archive::need_of;
+    const archive::Need need = need_by(clip, sidecar, out, all, std::chrono::system_clock::now());
+    if (need != archive::Need::nothing || !sidecar->day || sidecar->day->unread.empty()) return need;
+    const int error = error_of_opening(in, sidecar->day->unread);
+    return error == 0 ? archive::Need::retry : error == ENOENT ? need : archive::Need::unread;
 }
 
 const archive::CameraDay* ClipTask::day() const {
@@ -120,25 +137,11 @@ std::string ClipTask::camera() const {
 
 namespace {
 
-/// Removes pieces that a killed run moved to their place, but that no sidecar lists.
-void remove_unlisted_pieces(const fs::path& folder, const std::optional<archive::Sidecar>& sidecar) {
+/// Removes pieces that a killed run moved to their place, but that the sidecar doesn't list.
+void remove_unlisted_pieces(const fs::path& folder, const archive::Sidecar& sidecar) {
     std::vector<std::string> names = archive::list_pieces(folder);
-    if (sidecar) std::erase_if(names, [&](const auto& name) { return std::ranges::count(sidecar->pieces, name) > 0; });
+    std::erase_if(names, [&](const auto& name) { return std::ranges::count(sidecar.pieces, name) > 0; });
     archive::remove_pieces(folder, names);
-}
-
-/// Why none of the files can be opened, as in errno; 0 = one can.
-int error_of_opening(const fs::path& in, const std::vector<std::string>& files) {
-    int error = 0;
-    for (const std::string& file : files) {
-        const int opened = ::open((in / file).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-        if (opened >= 0) {
-            ::close(opened);
-            return 0;
-        }
-        error = errno;
-    }
-    return error;
 }
 
 [[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
@@ -159,7 +162,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     }
     std::optional<LockFile> claim = LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
-    if (claim->is_stale()) archive::remove_unfinished(job.out, job.in, path);
+    if (claim->is_stale()) archive::remove_unfinished(job.out, job.in, path, *claim);
     archive::remove_staging(archive::staging_of(job.out, path));
     // The clip may have changed since the scan, or another run may have done it.
     const auto day = job.days.find(path);
@@ -167,10 +170,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     std::optional<archive::Clip> clip = is_day ? day->second.clip : archive::stat_clip(job.in, path);
     if (!clip) return std::nullopt;
     std::optional<archive::Sidecar> before = archive::read_sidecar(job.out, path);
-    const auto now = std::chrono::system_clock::now();
-    const archive::Need need =
-        (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules_for(path), now);
-    if (!archive::wants_work(need)) return std::nullopt;
+    if (!archive::wants_work(job.need_of(*clip, before))) return std::nullopt;
     // Without permission to read it, the clip is not at fault: this is no try, and no sidecar says that it has failed.
     const int error_of_clip = error_of_opening(job.in, is_day ? day->second.files : std::vector{path});
     if (error_of_clip == ENOENT) return std::nullopt;
@@ -181,7 +181,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     archive::check_own_place(archive::sidecar_path(job.out, path));
     const fs::path pieces = archive::pieces_folder(job.out, path);
     if (job.pieces_margin) archive::check_own_folder(folder, pieces);
-    if (claim->is_stale()) remove_unlisted_pieces(pieces, before);
+    if (claim->is_stale() && before) remove_unlisted_pieces(pieces, *before);
     for (const archive::OutputKind kind : job.rules.files)
         archive::check_own_place(archive::output_path(job.out, path, kind));
     ClipTask task(job, std::move(*clip), std::move(before), std::move(*claim));
@@ -194,21 +194,25 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     return task;
 }
 
+std::string_view lacks_time(const archive::DayRule& rule) {
+    return rule.by_container ? "no time in the names or containers of" : "no recording time in the names of";
+}
+
 /// "gate", "gate, night of 2026-11-21". The clock of a picture has the date of a day. Files without times in their
 /// names don't tell which night they show.
 static std::string title_of(const archive::CameraDay& day) {
     std::string camera = archive::text_of_path(day.camera);
-    if (!day.rule.is_night() || day.undated == day.files.size()) return camera;
+    if (!day.rule.is_night() || day.undated.size() == day.files.size()) return camera;
     return fmt::format("{}{}{}", camera, camera.empty() ? "" : ", ", archive::words_of_day(day.date, day.rule));
 }
 
 /// A warning about files that may be on a wrong day; empty if there are none.
 static std::string undated_files_of(const archive::CameraDay& day) {
-    if (day.undated == 0) return {};
+    if (day.undated.empty()) return {};
     return fmt::format(
-        "'{}': no recording time in the names of {} of {}; the date is that of their last modification, "
-        "which may be wrong; describe the names with --names",
-        archive::text_of_path(day.clip.path), day.undated,
+        "'{}': {} {} of {}; the date is that of their last modification, which may be wrong; describe the names with "
+        "--names",
+        archive::text_of_path(day.clip.path), lacks_time(day.rule), day.undated.size(),
         counted(static_cast<std::int64_t>(day.files.size()), "file"));
 }
 
@@ -273,6 +277,16 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
         sidecar.reason = error_text_of(end);
     }
     archive::apply_report(sidecar, staged(archive::OutputKind::report));
+    if (day() != nullptr) {
+        const std::set<std::string> read = archive::read_older_report(staged(archive::OutputKind::report)).files;
+        for (const std::string& file : day()->files) {
+            if (read.contains((job_->in / file).string())) continue;
+            const int error = error_of_opening(job_->in, {file});
+            if (error == ENOENT) continue;  // the recorder has removed it
+            sidecar.code = ErrorCode::partial;
+            if (error != 0) sidecar.day->unread.push_back(file);
+        }
+    }
     // A run whose clip has lost events is no success, although the picture is drawn.
     if (sidecar.code) sidecar.status = static_cast<int>(cli::ExitStatus::partial);
     if (archive::lacks_pieces(sidecar)) sidecar.tries = earlier_tries() + 1;
@@ -288,8 +302,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
 /// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
 /// it, so it counts without one too. That of a killed run has been removed: its events were not reported.
 std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
-    const bool wanted = day() != nullptr ? job_->reports_days : job_->reports_clips;
-    if (!wanted || !sidecar.events) return {};
+    if (!job_->reports_events || !sidecar.events) return {};
     const archive::OlderReport older =
         archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
     std::vector<events::EventLine> lines =
@@ -368,12 +381,26 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
     return sidecar;
 }
 
+/// Whether the clip has no frame in the span that is to be drawn. Believed only if there is such a span.
+bool ClipTask::is_outside(const WorkerResult& end) const {
+    static constexpr std::array spans{setting::start.name, setting::end.name, setting::between.name};
+    return failed(end) && code_of(end) == ErrorCode::span_empty &&
+           std::ranges::any_of(job_->pictures_of(clip_.path).settings, [](const auto& setting) {
+               return std::ranges::find(spans, setting.first) != spans.end();
+           });
+}
+
 archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals) {
     throw_if_system_fault(clip_.path, folder(), end);
     archive::Sidecar sidecar;
     try {
         sidecar = failed(end) ? failure(status_of(end), code_of(end), reason_of(end, job_->limits), end.seconds)
                               : read_results(end);
+        if (is_outside(end)) {
+            sidecar.state = archive::Sidecar::State::outside;
+            sidecar.files.clear();
+            sidecar.shows.reset();
+        }
         // The pieces of an earlier run may be all that is left of its footage: no picture with fewer replaces them.
         if (archive::lacks_pieces(sidecar) && before_ && !before_->pieces.empty())
             sidecar = failure(status_of(end), *sidecar.code, sidecar.reason, end.seconds);

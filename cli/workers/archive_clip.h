@@ -37,8 +37,7 @@ struct ArchiveJob {
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     std::optional<double> pieces_margin{};             ///< seconds around each kept event; none = events aren't kept
     int threads = 1;                                   ///< per worker
-    bool reports_clips = false;                        ///< the new events of clips are reported
-    bool reports_days = false;                         ///< those of days
+    bool reports_events = false;                       ///< new events are reported
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
     video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 
@@ -49,8 +48,8 @@ struct ArchiveJob {
 
     const PictureSettings& pictures_of(const std::string& path) const;
 
-    /// The rules with the settings of the clip's camera.
-    archive::ArchiveRules rules_for(const std::string& path) const;
+    /// Whether and why a clip or a day is to be drawn.
+    archive::Need need_of(const archive::Clip& clip, const std::optional<archive::Sidecar>& sidecar) const;
 };
 
 /// A clip that is being drawn. It holds the lock of the clip's files.
@@ -90,6 +89,7 @@ class ClipTask {
     archive::Sidecar read_results(const WorkerResult& end) const;
     std::vector<events::EventLine> find_new_events(const archive::Sidecar& sidecar) const;
     int earlier_tries() const;
+    bool is_outside(const WorkerResult& end) const;
     void add_older_pieces(archive::Sidecar& sidecar) const;
     archive::Sidecar failure(int status, ErrorCode code, const std::string& reason, double seconds) const;
     const archive::CameraDay* day() const;
@@ -103,6 +103,9 @@ class ClipTask {
     bool report_moved_ = false;
     bool finished_ = false;
 };
+
+/// For a warning about clips that are on the day of their last modification: what their names, or containers, lack.
+std::string_view lacks_time(const archive::DayRule& rule);
 
 /// Starts a worker that reads no clip. Its exit status is 0 if workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);

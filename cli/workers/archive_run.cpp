@@ -10,17 +10,21 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/console.h"
 #include "cli/log.h"
 #include "cli/workers/archive_progress.h"
 #include "cli/workers/worker.h"
 #include "cli/workers/worker_end.h"
+#include "core/archive/event_lines.h"
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
 #include "core/archive/prune.h"
 #include "core/base/atomic_file.h"
+#include "core/base/json_text.h"
 #include "core/base/text.h"
+#include "core/events/event_table.h"
 
 namespace vvr::workers {
 
@@ -28,14 +32,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What a line of a log in JSON says of a clip besides.
+std::string members_of(const ArchiveJob& job, const std::string& clip) {
+    const std::string camera = archive::text_of_path(job.camera_of(clip));
+    return json_text({{"camera", camera.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(camera)},
+                      {"clip", archive::text_of_path(clip)}});
+}
+
 /// Counts the clips of a run and logs what happened to each.
 class ClipTally {
   public:
-    ClipTally(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
+    ClipTally(std::size_t clips, const ArchiveJob& job, spdlog::logger& log) : clips_(clips), job_(job), log_(log) {}
 
     /// \param warnings from the worker
     void add(const archive::Sidecar& sidecar, const std::vector<std::string>& warnings) {
         const std::string name = archive::text_of_path(sidecar.clip.path);
+        if (sidecar.state == archive::Sidecar::State::outside) {
+            ++outcome_.outside;
+            log_.debug("{} {}: {}", next(), name, sidecar.reason);
+            return;
+        }
         if (sidecar.state == archive::Sidecar::State::failed) {
             fail(sidecar.clip.path, sidecar.code.value_or(ErrorCode::bug),
                  fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
@@ -53,12 +69,13 @@ class ClipTally {
             return;
         }
         ++outcome_.not_whole;
-        cli::log_error(log_, sidecar.code.value_or(ErrorCode::partial), fmt::format("{}: {}", name, sidecar.reason));
+        log_failure(log_, job_, sidecar.clip.path, sidecar.code.value_or(ErrorCode::partial), sidecar.reason);
     }
 
     void fail(const std::string& clip, ErrorCode code, const std::string& reason) {
         ++outcome_.failed;
-        cli::log_error(log_, code, fmt::format("{} {} failed, {}", next(), archive::text_of_path(clip), reason));
+        cli::log_error(log_, code, fmt::format("{} {} failed, {}", next(), archive::text_of_path(clip), reason),
+                       members_of(job_, clip));
     }
 
     void skip(const std::string& clip) {
@@ -73,6 +90,7 @@ class ClipTally {
     std::string next() { return fmt::format("{}/{}", ++logged_, clips_); }
 
     std::size_t clips_;
+    const ArchiveJob& job_;
     spdlog::logger& log_;
     std::size_t logged_ = 0;
     ArchiveOutcome outcome_;
@@ -141,6 +159,17 @@ std::set<std::string> gone_of(const ArchiveJob& job, const archive::ClipNames& c
     }
 }
 
+/// The rules by which the names of these clips tell their cameras.
+video::RecorderNames names_for(const ArchiveJob& job, const std::vector<archive::Sidecar>& sidecars) {
+    std::vector<std::string> clips;
+    for (const archive::Sidecar& sidecar : sidecars) {
+        if (!sidecar.day) clips.push_back(sidecar.clip.path);
+    }
+    video::RecorderNames names = job.names;
+    names.compare(clips);
+    return names;
+}
+
 /// Removes files of days that have no clip left.
 void remove_other_days(const fs::path& out, const archive::DayFiles& days) {
     std::error_code error;
@@ -153,31 +182,21 @@ void remove_other_days(const fs::path& out, const archive::DayFiles& days) {
 
 }  // namespace
 
+void log_failure(spdlog::logger& log, const ArchiveJob& job, const std::string& clip, ErrorCode code,
+                 std::string_view text) {
+    cli::log_error(log, code, fmt::format("{}: {}", archive::text_of_path(clip), text), members_of(job, clip));
+}
+
 std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, const ArchiveJob& job) {
-    const auto now = std::chrono::system_clock::now();
     std::vector<PlannedClip> planned;
     planned.reserve(clips.size());
     for (const archive::Clip& clip : clips) {
         const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, clip.path);
-        planned.push_back({clip, archive::need_of(clip, sidecar, job.out, job.rules_for(clip.path), now),
-                           sidecar ? sidecar->reason : ""});
+        planned.push_back({clip, job.need_of(clip, sidecar), sidecar ? sidecar->reason : ""});
     }
     // People want to see the latest clips first.
     std::ranges::stable_sort(planned, std::greater(),
                              [](const PlannedClip& planned_clip) { return planned_clip.clip.modified; });
-    return planned;
-}
-
-std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
-    const auto now = std::chrono::system_clock::now();
-    std::vector<PlannedClip> planned;
-    for (const auto& [path, day] : job.days) {
-        const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, path);
-        planned.push_back({day.clip, archive::need_of_day(day.clip, sidecar, job.out, job.rules_for(path), now),
-                           sidecar ? sidecar->reason : ""});
-    }
-    std::ranges::stable_sort(planned, std::greater(),
-                             [](const PlannedClip& planned_day) { return planned_day.clip.modified; });
     return planned;
 }
 
@@ -192,7 +211,7 @@ class Drawing {
         : job_(job),
           events_(events),
           environment_(environment),
-          tally_(clips.size(), environment.log),
+          tally_(clips.size(), job, environment.log),
           bar_(environment),
           pool_(workers, environment.signals) {
         progress_.clips = clips.size();
@@ -302,18 +321,14 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
     const std::vector<std::string> files{std::string(archive::index_name)};
     const LockFile claim = LockFile::wait_for(job.out, files.front());
     if (claim.is_stale()) remove_leftovers(job.out, files);
-    const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
+    archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {
         environment.log.warn("'{}': {}; it is left unchanged and is missing from the index",
                              (job.out / problem.path).string(), problem.reason);
     }
     archive::tidy(job.out, outputs);
-    std::vector<std::string> clips;
-    for (const archive::Sidecar& sidecar : outputs.sidecars) {
-        if (!sidecar.day) clips.push_back(sidecar.clip.path);
-    }
-    video::RecorderNames names = job.names;
-    names.compare(clips);
+    std::erase_if(outputs.sidecars, [](const auto& one) { return one.state == archive::Sidecar::State::outside; });
+    const video::RecorderNames names = names_for(job, outputs.sidecars);
     const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
     for (const auto& [name, text] : days) {
         try {
@@ -328,6 +343,25 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
              archive::make_index(outputs.sidecars, names, gone_of(job, clip_names, outputs.sidecars)),
              environment.signals);
     remove_other_days(job.out, days);
+}
+
+bool write_events_table(const ArchiveJob& job, bool days, const fs::path& table, const cli::Environment& environment) {
+    bool all = true;
+    std::string text = events::events_table_heading();
+    const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
+    const video::RecorderNames names = names_for(job, outputs.sidecars);
+    for (const archive::Sidecar& sidecar : outputs.sidecars) {
+        if (sidecar.day.has_value() != days || sidecar.files.empty()) continue;
+        try {
+            text += archive::table_lines_of(job.out, sidecar, names);
+        } catch (const Error& error) {
+            log_failure(environment.log, job, sidecar.clip.path, error.code(), error.what());
+            all = false;
+        }
+    }
+    const auto held = environment.signals.hold();
+    replace_file(table, std::as_bytes(std::span(text)));
+    return all;
 }
 
 namespace {

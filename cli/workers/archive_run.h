@@ -19,14 +19,19 @@ struct PlannedClip {
     std::string reason;  ///< why it failed last time, if it did
 };
 
-/// Decides what to do with each clip, newest first.
+/// Decides what to do with each clip or day, newest first.
 std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, const ArchiveJob& job);
+
+/// Logs that a clip or a day has failed.
+void log_failure(spdlog::logger& log, const ArchiveJob& job, const std::string& clip, ErrorCode code,
+                 std::string_view text);
 
 /// The counts of a run.
 struct ArchiveOutcome {
     std::size_t drawn = 0;
     std::size_t failed = 0;
     std::size_t not_whole = 0;  ///< drawn, but without some of its files or without pieces of some events
+    std::size_t outside = 0;    ///< without a frame in the span that is drawn
     std::size_t elsewhere = 0;  ///< another run has them, or they no longer exist
 };
 
@@ -40,8 +45,12 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 /// \param clip_names which files are clips; see `prune`
 void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, const cli::Environment& environment);
 
-/// Decides what to do with each day of a camera, newest first.
-std::vector<PlannedClip> plan_days(const ArchiveJob& job);
+/// Writes a table of the events of all clips, or of all days, from their reports: a line for each event, and one for
+/// each without events.
+/// \returns false if a report can't be read; an error line says which
+/// \throws Error io
+bool write_events_table(const ArchiveJob& job, bool days, const std::filesystem::path& table,
+                        const cli::Environment& environment);
 
 /// Removes the files of clips that are certainly gone, and of days all of whose clips are gone.
 /// \param clips which files are clips; an excluded file counts as present

@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
+#include "core/video/creation_time.h"
 
 namespace vvr::archive {
 
@@ -26,14 +27,6 @@ std::int64_t written_at(const Clip& clip) {
     return clip.modified / 1'000'000'000;
 }
 
-/// The beginning of a clip by its name, seconds since 1970.
-std::optional<std::int64_t> named_begin(const Clip& clip, const video::RecorderNames& names) {
-    const auto named = names.read(clip.path).begin;
-    if (!named) return std::nullopt;
-    const std::int64_t begin = video::utc_of(*named, written_at(clip));
-    return can_be_time(begin) ? std::optional(begin) : std::nullopt;
-}
-
 /// Names are untrusted: one that leads out of the folder or would be hidden can't be a folder.
 bool can_be_folder(const std::string& path) {
     return is_plain_path(path) && !path.starts_with('.') && path.find("/.") == std::string::npos;
@@ -44,6 +37,17 @@ std::string path_of_day(const std::string& camera, const std::string& date, cons
 }
 
 }  // namespace
+
+std::optional<std::int64_t> begin_of_clip(const Clip& clip, const video::RecorderNames& names, const DayRule& rule,
+                                          const std::filesystem::path& in) {
+    std::optional<std::int64_t> begin;
+    if (const auto named = names.read(clip.path).begin) {
+        begin = video::utc_of(*named, written_at(clip));
+    } else if (rule.by_container) {
+        begin = video::creation_time_of(in / clip.path);
+    }
+    return begin && can_be_time(*begin) ? begin : std::nullopt;
+}
 
 std::string date_of(std::int64_t utc, const DayRule& rule) {
     const std::int64_t begins = std::chrono::seconds(rule.begins).count();
@@ -64,7 +68,7 @@ std::string words_of_day(const std::string& date, const DayRule& rule) {
 }
 
 CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling,
-                        const DayRule& rule) {
+                        const DayRule& rule, const std::filesystem::path& in) {
     CameraDays grouped;
     std::map<std::string, CameraDay> days;
     std::map<std::string, std::int64_t> ahead;
@@ -77,7 +81,7 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
             continue;
         }
         const std::string camera = names.camera_of(clip.path);
-        const std::optional<std::int64_t> begin = named_begin(clip, names);
+        const std::optional<std::int64_t> begin = begin_of_clip(clip, names, rule, in);
         const std::string date = date_of(begin.value_or(written_at(clip)), rule);
         const std::string path = path_of_day(camera, date, rule);
         if (!can_be_folder(path) || paths.contains(path)) {
@@ -100,7 +104,7 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNam
         std::int64_t& newest = settling.is_ahead(clip) ? ahead[path] : day.clip.modified;
         newest = std::max(newest, clip.modified);
         day.files.push_back(clip.path);
-        day.undated += begin ? 0 : 1;
+        if (!begin) day.undated.push_back(clip.path);
     }
     for (auto& [path, day] : days) {
         // A future time comes from a wrong clock: it counts only where the day has no other.

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +19,13 @@ namespace vvr::archive {
 /// its evening.
 struct DayRule {
     std::chrono::minutes begins{0};  ///< after midnight, on the local wall clock
+    bool by_container = false;       ///< clips whose names have no time begin when their containers say
 
     static constexpr std::chrono::minutes noon{12 * 60};
 
     bool is_night() const { return begins >= noon; }
 
-    friend bool operator==(const DayRule&, const DayRule&) = default;
-    friend bool operator<(const DayRule& a, const DayRule& b) { return a.begins < b.begins; }
+    friend auto operator<=>(const DayRule&, const DayRule&) = default;
 };
 
 /// The date of the day in which a time lies, such as "2026-11-21", in this machine's time zone. A day begins when the
@@ -44,7 +46,7 @@ struct CameraDay {
     DayRule rule;                    ///< when it begins
     Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
     std::vector<std::string> files;  ///< below the archive's folder
-    std::size_t undated = 0;         ///< files that are here by their modification times, as their names have no time
+    std::vector<std::string> undated;  ///< those that are here by their modification times, as nothing else is known
 };
 
 /// Clips by camera and day.
@@ -54,8 +56,14 @@ struct CameraDays {
     std::size_t waiting = 0;            ///< clips still being written, which are left out
 };
 
+/// The beginning of a clip by its name, or by its container if the rule says so; seconds since 1970.
+/// \param in the folder of the clips
+std::optional<std::int64_t> begin_of_clip(const Clip& clip, const video::RecorderNames& names, const DayRule& rule,
+                                          const std::filesystem::path& in);
+
 /// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
+/// \param in the folder of the clips
 CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling,
-                        const DayRule& rule = {});
+                        const DayRule& rule = {}, const std::filesystem::path& in = {});
 
 }  // namespace vvr::archive

@@ -169,7 +169,24 @@ class Walk {
         if (error) add_unread(folder, error.value(), link);
     }
 
+    /// Counts the clips in a folder that is skipped.
+    void skip(const std::string& folder) {
+        constexpr int most = 10'000;  // a NAS may keep many snapshots of everything
+        std::error_code error;
+        fs::recursive_directory_iterator entry(in_ / folder, fs::directory_options::skip_permission_denied, error);
+        for (int i = 0; i < most && !error && entry != fs::recursive_directory_iterator(); entry.increment(error), ++i) {
+            std::error_code none;
+            if (!names_.matches(entry->path().lexically_relative(in_).string()) || entry->is_directory(none)) continue;
+            ++scan_.skipped;
+            scan_.system_folders.insert(folder);
+        }
+    }
+
     void add(const std::string& path, fs::file_type type) {
+        if (video::is_system_folder_name(std::string(file_name(path))) && type == fs::file_type::directory) {
+            skip(path);
+            return;
+        }
         if (type == fs::file_type::directory) {
             folders_.push_back(path);
             return;

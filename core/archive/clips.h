@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,13 +64,15 @@ struct ScanProblem {
 };
 
 struct Scan {
-    std::vector<Clip> clips;            ///< by path
-    std::vector<ScanProblem> problems;  ///< by path
+    std::vector<Clip> clips;               ///< by path
+    std::vector<ScanProblem> problems;     ///< by path
+    std::set<std::string> system_folders;  ///< those that were skipped although they have clips
+    std::size_t skipped = 0;               ///< clips in these, at least
 };
 
 /// Finds all clips below a folder. Each folder is read once, however many links lead to it, and under its own name if
-/// possible. Hidden files and folders are skipped, as are `out`, folders of kept pieces and file systems of the kernel
-/// (/proc, /sys). A link to a folder that contains `in` is a problem, and is not followed.
+/// possible. Hidden files and folders are skipped, as are `out`, folders of kept pieces, recycle bins and snapshots of a
+/// NAS, and file systems of the kernel (/proc, /sys). A link to a folder that contains `in` is a problem, and is not followed.
 /// \throws Error io if the folder itself can't be read
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 

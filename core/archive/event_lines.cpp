@@ -14,6 +14,7 @@
 #include "core/base/json_text.h"
 #include "core/detector/classes.h"
 #include "core/events/event_kind.h"
+#include "core/events/event_table.h"
 #include "core/events/path.h"
 
 namespace vvr::archive {
@@ -116,6 +117,31 @@ std::vector<events::EventLine> new_events(const fs::path& report, const OlderRep
         throw Error(ErrorCode::worker_result_invalid,
                     fmt::format("cannot read the events in the report '{}' of a worker: {}; draw the clip again",
                                 report.string(), error.what()));
+    }
+}
+
+std::string table_lines_of(const fs::path& out, const Sidecar& sidecar, const video::RecorderNames& names) {
+    const std::string& path = sidecar.clip.path;
+    const fs::path file = output_path(out, path, OutputKind::report);
+    events::TableClip place;
+    place.camera = text_of_path(sidecar.day ? sidecar.day->camera : names.camera_of(path));
+    place.clip = text_of_path(path);
+    // A report names files as the run was given them.
+    place.file_of = [&](const std::string& name) {
+        if (!sidecar.day) return place.clip;
+        const auto& files = sidecar.day->files;
+        const auto found = std::ranges::find_if(files, [&](const std::string& one) { return name.ends_with("/" + one); });
+        return text_of_path(found == files.end() ? name : *found);
+    };
+    try {
+        const Json report = parsed(file);
+        if (report.at("events").is_null()) return {};
+        const std::string lines = events::events_table_lines(report, place);
+        return lines.empty() ? events::empty_table_line(place, sidecar.day ? "" : place.clip) : lines;
+    } catch (const Json::exception& error) {
+        throw Error(ErrorCode::file_invalid,
+                    fmt::format("cannot read the events in '{}': {}; remove '{}' to draw it again", file.string(),
+                                error.what(), sidecar_path(out, path).string()));
     }
 }
 

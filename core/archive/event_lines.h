@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/archive/sidecar.h"
 #include "core/events/event_line.h"
+#include "core/video/recorder_names.h"
 
 // What is reported to other programs of the events of an archive (`vvr archive --events-to`).
 namespace vvr::archive {
@@ -28,5 +30,11 @@ enum class Reported { clip, day };
 /// \throws Error io for an invalid report
 std::vector<events::EventLine> new_events(const std::filesystem::path& report, const OlderReport& older,
                                           Reported about);
+
+/// The lines of a clip or a day in a table of events: one without events has a line too, one whose events were not looked
+/// for has none.
+/// \throws Error io if its report can't be read
+std::string table_lines_of(const std::filesystem::path& out, const Sidecar& sidecar,
+                           const video::RecorderNames& names);
 
 }  // namespace vvr::archive

@@ -168,9 +168,12 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
                  (place.begin.source == ClockSource::modified ? modified_bit : 0),
              tallies_of(sidecar),
              classes_of(sidecar)};
-    if (sidecar.state == Sidecar::State::failed) {
-        row.push_back(sidecar.status);
+    const bool failed = sidecar.state == Sidecar::State::failed;
+    if (failed || sidecar.status != 0) {
+        row.push_back(failed ? Json(sidecar.status) : Json());
         row.push_back(sidecar.reason);
+    }
+    if (failed) {
         row.push_back(sidecar.tries);
         if (sidecar.shows) row.push_back(sidecar.shows->clip.modified / 1'000'000'000);
     }

@@ -22,6 +22,7 @@ constexpr std::array rows{
     NeedRow{Need::missing, "files missing", true}, NeedRow{Need::retry, "failed, again", true},
     NeedRow{Need::given_up, "given up", false},    NeedRow{Need::still_written, "still written", false},
     NeedRow{Need::expired, "too old", false},      NeedRow{Need::later, "later", false},
+    NeedRow{Need::unread, "unreadable", false},    NeedRow{Need::outside, "outside", false},
 };
 
 const NeedRow& row_of(Need need) {
@@ -37,18 +38,29 @@ bool files_there(const Sidecar& sidecar, const std::filesystem::path& out, const
     });
 }
 
+/// Whether a clip failed for lack of memory more than a day ago: the machine may have been short of it, not the clip too
+/// large. The kernel ends a worker by SIGKILL then.
+bool may_have_memory_now(const Sidecar& sidecar, const std::filesystem::path& out) {
+    constexpr int by_sigkill = 137;
+    std::error_code error;
+    const auto tried = std::filesystem::last_write_time(sidecar_path(out, sidecar.clip.path), error);
+    return (sidecar.code == ErrorCode::out_of_memory || sidecar.status == by_sigkill) && !error &&
+           tried < std::filesystem::file_time_type::clock::now() - std::chrono::days(1);
+}
+
 Need need_by_sidecar(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
                      const ArchiveRules& rules) {
     if (!sidecar) return Need::added;
     if (sidecar->clip.size != clip.size || sidecar->clip.modified != clip.modified) return Need::changed;
     if (sidecar->settings != rules.settings) return Need::settings;
+    if (sidecar->state == Sidecar::State::outside) return Need::outside;
     if (sidecar->state == Sidecar::State::done) {
         if (!files_there(*sidecar, out, rules)) return Need::missing;
         return lacks_pieces(*sidecar) && sidecar->tries < rules.tries ? Need::retry : Need::nothing;
     }
     // Another version may succeed, and so may a worker that may use more.
-    const bool again =
-        sidecar->tries < rules.tries || sidecar->version != rules.version || is_limit_raised(*sidecar, rules.limits);
+    const bool again = sidecar->tries < rules.tries || sidecar->version != rules.version ||
+                       is_limit_raised(*sidecar, rules.limits) || may_have_memory_now(*sidecar, out);
     return again ? Need::retry : Need::given_up;
 }
 

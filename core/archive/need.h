@@ -20,6 +20,8 @@ enum class Need {
     missing,        ///< some of its output files no longer exist
     retry,          ///< it failed, or lacks pieces, and will be tried again
     given_up,       ///< it failed too often
+    unread,         ///< a day that lacks files which still can't be opened
+    outside,        ///< it has no frame in the span that is drawn
     still_written,  ///< it changed a moment ago
     expired,        ///< it is older than files are kept
     later           ///< a day with new clips that was drawn recently
@@ -34,7 +36,7 @@ struct ArchiveRules {
     std::chrono::nanoseconds settle{};
     DayRule day{};                                   ///< when days begin
     std::optional<std::chrono::nanoseconds> keep{};  ///< how long files are kept; none = for ever
-    std::chrono::nanoseconds redraw{};               ///< least time between drawings of a growing day
+    std::chrono::nanoseconds redraw{std::chrono::minutes(15)};  ///< least time between drawings of a growing day
     TryLimits limits{};                              ///< the least that a worker gets
 };
 

@@ -18,8 +18,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/lock_file.h"
 #include "core/base/text.h"
+#include "core/video/input_files.h"
 
 namespace vvr::archive {
 
@@ -96,7 +96,7 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         if (entry->is_directory(none)) {
             std::error_code closed;
             // Only root may read lost+found, which each file system of the ext family has at its top.
-            if (hidden || path.filename() == "lost+found" || fs::equivalent(path, in, none)) {
+            if (hidden || video::is_system_folder_name(path.filename().string()) || fs::equivalent(path, in, none)) {
                 entry.disable_recursion_pending();
             } else if (fs::directory_iterator(path, closed); closed) {
                 outputs.problems.push_back({path.lexically_relative(out).string(), closed.message(), true});
@@ -139,19 +139,27 @@ std::vector<std::string> written_names(const std::string& file_name) {
 
 namespace {
 
-/// Removes the files of a clip without a sidecar. No run has finished it, and no sidecar names these files.
+/// Removes the files of a clip without a sidecar that a killed run made.
 /// \param owned files that belong to other clips, or to the archive
-void remove_unnamed_files(const fs::path& folder, const std::string& name, const std::set<fs::path>& owned) {
+void remove_unnamed_files(const fs::path& folder, const std::string& name, const std::set<fs::path>& owned,
+                          const LockFile& claim) {
+    struct stat lock {};
+    if (::fstat(claim.descriptor(), &lock) != 0) return;
+    const auto stays = [&](const fs::path& file) {
+        struct stat made {};
+        return owned.contains(file) || ::lstat(file.c_str(), &made) != 0 ||
+               std::pair(made.st_mtim.tv_sec, made.st_mtim.tv_nsec) < std::pair(lock.st_mtim.tv_sec, lock.st_mtim.tv_nsec);
+    };
     std::error_code none;
     for (const OutputRow& row : output_rows) {
         const fs::path path = output_path(folder, name, row.kind);
         // The report of clip `x` has the path of the sidecar of clip `x.report`, and the page of a clip `index`
         // that of the index.
-        if (!owned.contains(path)) remove_own(path, none);
+        if (!stays(path)) remove_own(path, none);
     }
     const fs::path pieces = pieces_folder(folder, name);
     std::vector<std::string> names = list_pieces(pieces);
-    std::erase_if(names, [&](const std::string& piece) { return owned.contains(pieces / piece); });
+    std::erase_if(names, [&](const std::string& piece) { return stays(pieces / piece); });
     remove_pieces(pieces, names);
 }
 
@@ -166,11 +174,11 @@ bool remove_hidden_files(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
-void remove_unfinished(const fs::path& out, const fs::path& in, const std::string& clip) {
+void remove_unfinished(const fs::path& out, const fs::path& in, const std::string& clip, const LockFile& claim) {
     const fs::path folder = sidecar_path(out, clip).parent_path();
     const std::string name = fs::path(clip).filename().string();
     if (remove_hidden_files(folder, name)) return;
-    remove_unnamed_files(folder, name, files_with_owners(out, list_outputs(out, in)));
+    remove_unnamed_files(folder, name, files_with_owners(out, list_outputs(out, in)), claim);
 }
 
 void tidy(const fs::path& out, const Outputs& outputs) {
@@ -179,7 +187,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
     for (const fs::path& file : outputs.locks) {
         const auto left = LockFile::take_over(file);
         if (left && !remove_hidden_files(file.parent_path(), left->second))
-            remove_unnamed_files(file.parent_path(), left->second, owned);
+            remove_unnamed_files(file.parent_path(), left->second, owned, left->first);
     }
 }
 
@@ -195,7 +203,7 @@ std::optional<std::vector<std::string>> remove_clip(const fs::path& out, const f
     std::optional<std::vector<std::string>> removed;
     if (same) removed = remove_outputs(out, sidecar);
     // The lock of a killed run goes with the claim, so `tidy` would not find it.
-    if (claim->is_stale()) remove_unfinished(out, in, sidecar.clip.path);
+    if (claim->is_stale()) remove_unfinished(out, in, sidecar.clip.path, *claim);
     return removed;
 }
 
@@ -209,7 +217,7 @@ Present find_present(const fs::path& in, const fs::path& out, const ClipNames& n
         if (sidecar.day) rules.insert(sidecar.day->rule);
     }
     for (const DayRule& rule : rules) {
-        for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all, rule).days)
+        for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all, rule, in).days)
             present.days.insert(day.clip.path);
     }
     for (const Clip& clip : present.scan.clips) present.cameras.insert(recorders.camera_of(clip.path));

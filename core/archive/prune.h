@@ -8,6 +8,7 @@
 
 #include "core/archive/clips.h"
 #include "core/archive/sidecar.h"
+#include "core/base/lock_file.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::archive {
@@ -36,10 +37,13 @@ void tidy(const std::filesystem::path& out, const Outputs& outputs);
 std::optional<std::vector<std::string>> remove_clip(const std::filesystem::path& out, const std::filesystem::path& in,
                                                     const Sidecar& sidecar);
 
-/// Removes what a killed program left of a clip: temporary files, and all its files if there is no sidecar that names
-/// them. Neither the index nor files of other clips are removed. The caller holds the clip's lock.
+/// Removes what a killed program left of a clip: temporary files, and files that no sidecar names. Those from before its
+/// lock stay: a complete run made them, and they may be all that is left of the clip. Neither the index nor files of
+/// other clips are removed.
 /// \param in the folder of clips, as in `list_outputs`
-void remove_unfinished(const std::filesystem::path& out, const std::filesystem::path& in, const std::string& clip);
+/// \param claim the clip's lock
+void remove_unfinished(const std::filesystem::path& out, const std::filesystem::path& in, const std::string& clip,
+                       const LockFile& claim);
 
 /// The staging folder of a clip's files, next to their final place. It is hidden, and exists only while a program makes
 /// them.

@@ -23,7 +23,11 @@ struct TryLimits {
 
 /// What an archive knows of a clip, as a file next to its picture. Sidecars are the only database.
 struct Sidecar {
-    enum class State { done, failed };
+    enum class State {
+        done,
+        failed,
+        outside,  ///< it has no frame in the span that is drawn, and no files
+    };
 
     Clip clip;             ///< when it was read
     std::string settings;  ///< digest of all settings that affect its files
@@ -45,6 +49,7 @@ struct Sidecar {
         std::int64_t clips = 0;
         std::vector<std::string> files{};  ///< the paths of its clips; unknown in older sidecars
         DayRule rule{};                    ///< when it begins
+        std::vector<std::string> unread{};  ///< files that the picture lacks, as they could not be opened
     };
     std::optional<Day> day;
 

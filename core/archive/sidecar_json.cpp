@@ -28,6 +28,8 @@ namespace fs = std::filesystem;
 /// Increased when older versions would misread a sidecar; they then treat the clip as new.
 constexpr int format_version = 1;
 
+constexpr std::array states{"done", "failed", "outside"};  // as in Sidecar::State
+
 std::string file_name(const std::string& clip) {
     return clip.substr(clip.rfind('/') + 1);
 }
@@ -151,7 +153,8 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     if (!is_plain_path(sidecar.clip.path)) return std::nullopt;
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
-    sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;
+    const auto* const state = std::ranges::find(states, json.at("state").get<std::string>());
+    sidecar.state = state == states.end() ? Sidecar::State::failed : static_cast<Sidecar::State>(state - states.begin());
     sidecar.tries = static_cast<int>(whole_number(json.at("tries"), most_tries));
     sidecar.status = static_cast<int>(whole_number(json.at("status"), highest_status));
     if (const Json code = json.value("code", Json()); code.is_string()) {
@@ -168,13 +171,15 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
                                    day->at("date").get<std::string>(), whole_number(day->at("clips"))};
         if (!is_date_text(sidecar.day->date)) throw InvalidSidecar();
         sidecar.day->rule = rule_of(day->value("begins", Json()));
+        sidecar.day->rule.by_container = day->value("by_container", false);
+        sidecar.day->unread = files_of(day->value("unread", Json::object()));
         if (const auto files = json.find("clips"); files != json.end()) sidecar.day->files = files_of(*files);
     }
     if (const auto shown = json.find("shows"); shown != json.end() && sidecar.state == Sidecar::State::failed) {
         sidecar.shows = {{sidecar.clip.path, whole_number(shown->at("bytes")), modified_of(shown->at("modified_ns"))},
                          shown->at("settings").get<std::string>()};
     }
-    if (sidecar.state == Sidecar::State::failed && !sidecar.shows) return sidecar;
+    if (sidecar.state != Sidecar::State::done && !sidecar.shows) return sidecar;
     sidecar.frames = whole_number(json.at("frames"));
     sidecar.damaged = whole_number(json.at("damaged"));
     sidecar.seconds = number(json.at("seconds"), longest_recording);
@@ -225,7 +230,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
                 {"bytes", sidecar.clip.size},
                 {"modified_ns", sidecar.clip.modified}}},
               {"settings", sidecar.settings},
-              {"state", done ? "done" : "failed"},
+              {"state", states[static_cast<std::size_t>(sidecar.state)]},
               {"tries", sidecar.tries},
               {"status", sidecar.status},
               {"code", sidecar.code ? Json(row_of(*sidecar.code).name) : Json()},
@@ -236,7 +241,9 @@ std::string format_sidecar(const Sidecar& sidecar) {
         json["day"] = {
             {"camera", text_of_path(sidecar.day->camera)}, {"date", sidecar.day->date}, {"clips", sidecar.day->clips}};
         // Older versions know no other beginning than midnight.
-        if (sidecar.day->rule != DayRule()) json["day"]["begins"] = text_of_begin(sidecar.day->rule);
+        if (sidecar.day->rule.begins != DayRule().begins) json["day"]["begins"] = text_of_begin(sidecar.day->rule);
+        if (sidecar.day->rule.by_container) json["day"]["by_container"] = true;
+        if (!sidecar.day->unread.empty()) json["day"]["unread"] = json_of_files(sidecar.day->unread);
         if (!sidecar.day->files.empty()) json["clips"] = json_of_files(sidecar.day->files);
     }
     if (sidecar.shows) {

@@ -72,6 +72,9 @@ std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& 
         const int file = open_no_follow(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
         if (const int error = lock_file(file, false); error != 0) {
+            // Where locks fail, nobody holds one. What this call has made would stay for ever.
+            struct stat made {};
+            if (error != EWOULDBLOCK && ::fstat(file, &made) == 0 && made.st_size == 0) ::unlink(path.c_str());
             ::close(file);
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);

@@ -17,6 +17,7 @@
 
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <opencv2/core.hpp>
@@ -42,6 +43,15 @@ std::int64_t control_group_memory(const std::filesystem::path& membership, const
         }
     }
     return least;
+}
+
+std::int64_t own_memory_limit() {
+    rlim_t least = std::numeric_limits<std::int64_t>::max();
+    for (const auto kind : {RLIMIT_AS, RLIMIT_DATA}) {
+        rlimit limit{};
+        if (::getrlimit(kind, &limit) == 0) least = std::min(least, limit.rlim_cur);
+    }
+    return static_cast<std::int64_t>(least);
 }
 
 bool is_memory_available(std::int64_t bytes) {

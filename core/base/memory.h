@@ -16,6 +16,9 @@ std::int64_t machine_memory();
 std::int64_t control_group_memory(const std::filesystem::path& membership = "/proc/self/cgroup",
                                   const std::filesystem::path& groups = "/sys/fs/cgroup");
 
+/// The lower of this process's limits on its memory (`ulimit -v` and `-d`), in bytes. The greatest number = none.
+std::int64_t own_memory_limit();
+
 /// Whether the process can allocate `bytes` more: its own limits may be lower than the machine's memory.
 bool is_memory_available(std::int64_t bytes);
 

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory.h"
 
 extern "C" {
 #include <libavutil/opt.h>
@@ -66,6 +67,12 @@ std::string formats_of_clips() {
 
 constexpr int max_read_errors = 100;  // consecutive
 constexpr int greatest_errno = 4096;  // libav's own codes are greater
+
+/// Whether memory has run out. libav says so too of an impossible size in a damaged file.
+bool is_out_of_memory(int code) {
+    constexpr std::int64_t needed = 128'000'000;  // bytes: more than a packet or an index needs
+    return code == AVERROR(ENOMEM) && !is_memory_available(needed);
+}
 
 /// Whether the operating system fails to read the beginning of a file.
 bool has_read_error(const std::string& name) {
@@ -154,7 +161,7 @@ bool is_text(const Input& input) {
                         "path per line",
                         input.name));
     }
-    if (code == AVERROR(ENOMEM)) {
+    if (is_out_of_memory(code)) {
         throw Error(ErrorCode::out_of_memory,
                     fmt::format("out of memory while opening '{}'; give vvr more memory", input.name));
     }
@@ -340,8 +347,7 @@ bool Demuxer::read_any(AVPacket& packet) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
         if (code == AVERROR_EOF || code == AVERROR_EXIT) return false;
-        if (code == AVERROR(ENOMEM))
-            throw Error(ErrorCode::out_of_memory, "out of memory while reading the video; give vvr more memory");
+        if (is_out_of_memory(code)) av::throw_out_of_memory();
         if (code < 0) {
             ++damaged_;
             ++errors;

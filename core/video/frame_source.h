@@ -53,6 +53,7 @@ struct VideoInfo {
     std::string title{};                           ///< of an extraction: its clip's title; empty = use `name`
     std::vector<SegmentPlace> segments{};          ///< of a recording: its files read so far
     OmittedFrames left_out{};                      ///< of a recording: its omitted files
+    std::int64_t unread = 0;                       ///< of a recording: files that could not be opened so far
     /// The frames that are decoded. `rate`, `frames` and every frame's index count only these.
     Choice<FrameChoiceRow> decodes{frame_choices().front()};
     double decoded_share = 1;                        ///< of all frames

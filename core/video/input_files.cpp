@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include <glob.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include <climits>
@@ -44,6 +45,12 @@ bool is_picture_name(const std::string& name) {
     return std::ranges::binary_search(picture_extensions, extension_of(name));
 }
 
+bool is_system_folder_name(const std::string& name) {
+    constexpr std::array names{"#recycle", "@Recycle",     "@Recently-Snapshot", "#snapshot",
+                               "@eaDir",   "$RECYCLE.BIN", "lost+found",         "System Volume Information"};
+    return std::ranges::any_of(names, [&](const char* one) { return ::strcasecmp(one, name.c_str()) == 0; });
+}
+
 std::vector<std::string> video_files_in(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code why;
@@ -52,7 +59,7 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
          !why && entry != fs::recursive_directory_iterator(); entry.increment(why)) {
         const std::string name = entry->path().filename().string();
         std::error_code none;
-        if (name.starts_with('.')) {
+        if (name.starts_with('.') || is_system_folder_name(name)) {
             entry.disable_recursion_pending();
         } else if (is_video_name(name) && entry->is_regular_file(none)) {
             files.push_back(entry->path().string());

@@ -18,8 +18,12 @@ bool is_video_name(const std::string& name);
 /// Whether a file name has a picture extension.
 bool is_picture_name(const std::string& name);
 
-/// The video files in a folder and its subfolders, in any order. Skips hidden files and folders, and does not follow
-/// symbolic links to folders.
+/// Whether a folder has the name of one in which a NAS or a system keeps what was deleted, copies of earlier states, or
+/// data of its own: `#recycle`, `@Recently-Snapshot`, `lost+found`.
+bool is_system_folder_name(const std::string& name);
+
+/// The video files in a folder and its subfolders, in any order. Skips hidden files and folders and those of the system,
+/// and does not follow symbolic links to folders.
 /// \throws Error io if the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
 

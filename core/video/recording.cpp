@@ -238,8 +238,8 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             return static_cast<double>(*file.header.created);
         })) {
         warn(
-            "; vvr orders them by the creation times in their containers and shows no times of day (--start-time "
-            "container shows these)");
+            "; vvr orders them by the creation times in their containers, which only --start-time container shows as "
+            "times of day");
         return;
     }
     // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
@@ -248,8 +248,8 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
         warn(
-            ", nor do their containers; vvr orders them by their modification times and shows no times of day "
-            "(--start-time modified shows these)");
+            ", nor do their containers; vvr orders them by their modification times, which only --start-time modified "
+            "shows as times of day");
         return;
     }
     warn(", and their creation and modification times contradict each other; vvr orders them by their names");

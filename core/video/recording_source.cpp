@@ -52,9 +52,9 @@ RecordingSource::RecordingSource(Recording recording, const SourceOptions& optio
                                                       counted(std::ssize(recording_.segments), "file"), recording_.name,
                                                       problems_.empty() ? "it has no files" : problems_.front()));
     }
-    const SegmentPlace first = info_.segments.front();
-    info_ = segment_->info();
-    info_.segments = {first};
+    const VideoInfo before = std::exchange(info_, segment_->info());
+    info_.segments = before.segments;
+    info_.unread = before.unread;
     info_.name = recording_.name;
     info_.title = recording_.camera;
     info_.began = origin_;
@@ -103,6 +103,7 @@ bool RecordingSource::open_next() {
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
             problems_.emplace_back(error.what());
+            ++info_.unread;
             continue;
         }
         const bool is_first = index_ < 0;
@@ -242,6 +243,7 @@ void RecordingSource::rewind() {
     left_out_ = 0;
     trimmed_ = {};
     info_.left_out = {};
+    info_.unread = 0;
     problems_.clear();
     info_.segments.clear();
 }

@@ -213,6 +213,83 @@ def test_archive_counts_no_try_of_a_clip_that_it_may_not_read(t):
     archive(t).expect(0, "1 clip drawn", "1 done before")
 
 
+def test_a_day_says_what_it_lacks_until_it_can_be_read(t):
+    t.zone("UTC")
+    t.old_clips(*[f"hall/2026-11-21_09-00-0{second}.avi" for second in (0, 1, 2)])
+    t.path("in/hall/2026-11-21_09-00-01.avi").chmod(0)
+    line = "'in/hall/2026-11-21_09-00-01.avi': Permission denied"
+    run = ("archive", "in", "-o", "out", *QUICK, "--per", "day", "--quiet")
+    for _ in range(4):
+        t.vvr_with_permissions(*run).expect(6, "vvr: hall/2026-11-21: cannot read ", line, code="partial")
+    known = sidecar(t, "hall/2026-11-21")
+    check(known["state"] == "done" and known["frames"] == 20 and known["day"]["unread"] == {"hall": ["2026-11-21_09-00-01.avi"]}, f"{known}")
+    row = days_of(t)[0]["hall", "2026-11-21"]["row"]
+    check(row[8] is None and line in row[9], f"{row}")
+    check("3 files, 1 could not be read" in t.path("out/hall/2026-11-21.html").read_text(), "the page does not say it")
+    said = t.vvr_with_permissions(*run, "--log-format", "json").expect(6).err
+    told = json.loads(said.splitlines()[0])
+    check((told["camera"], told["clip"], told["code"]) == ("hall", "hall/2026-11-21", "partial"), said)
+    t.path("in/hall/2026-11-21_09-00-01.avi").chmod(0o644)
+    t.vvr_with_permissions(*run).expect(0)
+    known = sidecar(t, "hall/2026-11-21")
+    check(known["frames"] == 30 and "unread" not in known["day"] and len(days_of(t)[0]["hall", "2026-11-21"]["row"]) == 8, f"{known}")
+
+
+def test_clips_outside_the_span_are_skipped(t):
+    t.zone("UTC")
+    t.old_clips("gate/2026-11-21_02-30-00.avi", "gate/2026-11-21_12-00-00.avi", "gate/2026-11-22_12-00-00.avi")
+    archive(t).expect(0, "3 clips drawn")
+    span = ("--between", "02:00-05:00")
+    archive(t, *span).expect(0, "1 clip drawn, 0 failed", "2 without a frame in the given span")
+    check(outputs(t) == sorted([f"gate/2026-11-21_02-30-00.avi{ending}" for ending in ENDINGS] + ["index.html"] +
+                               [f"gate/2026-11-2{day}_12-00-00.avi.json" for day in (1, 2)]), f"{outputs(t)}")
+    check(sidecar(t, "gate/2026-11-22_12-00-00.avi")["state"] == "outside", "the sidecar")
+    check([row[1] for row in days_of(t)[1]["clips"]] == ["./gate/2026-11-21_02-30-00.avi"], "the index")
+    archive(t, *span).expect(0, "nothing to do; 1 done before, 2 without a frame in the given span")
+    archive(t, *span, "--per", "day").expect(0, "1 clip drawn, 0 failed", "1 without a frame in the given span")
+    archive(t).expect(0, "3 clips drawn")
+
+
+def test_archive_skips_recycle_bins_and_snapshots(t):
+    t.old_clips("gate/a.avi", "#recycle/gate/b.avi", "@Recently-Snapshot/x/gate/a.avi", "$RECYCLE.BIN/c.avi", "gate/@eaDir/a.avi/note.txt")
+    archive(t, "--dry-run").expect(0, "'in': at least 3 clips in folders of deleted files or snapshots left out: '#recycle', '$RECYCLE.BIN', "
+                                   "'@Recently-Snapshot'; to draw them, give such a folder as CLIPS", out=None)
+    check(archive(t, "--dry-run").out.split()[1] == "gate/a.avi", "the plan")
+    t.vvr("archive", "in/#recycle", "-o", "out", "--dry-run").expect(0, out="new             gate/b.avi  camera gate, time of day not known\n")
+    t.vvr("info", "in", "--json", "--quick").expect(0, out=None)
+
+
+def test_days_by_the_times_of_containers(t):
+    t.zone("UTC")
+    for number, day in enumerate((5, 5, 20)):
+        name = f"in/A01/IMAG{number:04}.MP4"
+        t.clip(name, seconds=1, codec=("-c:v", "mpeg4", "-metadata", f"creation_time=2026-10-{day:02}T11:43:0{number}Z"))
+    t.clip("in/A01/IMAG0009.AVI", seconds=1)
+    t.age("in")
+    said = archive(t, "--per", "day", "--start-time", "container", "--exclude", "*.AVI", "--dry-run").expect(0, out=None)
+    check("A01/2026-10-05" in said.out and "camera A01, 2026-10-05 11:43:01 by container" in said.out, said.out)
+    check(said.err == "", f"a warning: {said.err}")
+    archive(t, "--per", "day", "--start-time", "container", "--exclude", "*.AVI").expect(0, "A01/2026-10-05: ", "A01/2026-10-20: ", "2 clips drawn")
+    check(set(days_of(t)[0]) == {("A01", "2026-10-05"), ("A01", "2026-10-20")}, f"{days_of(t)[0]}")
+    # Pruning goes by the same days.
+    archive(t, "--per", "day", "--start-time", "container", "--exclude", "*.AVI", "--prune").expect(0, "nothing to do; 2 done before")
+    archive(t, "--per", "day", "--prune", "--dry-run", "--start-time", "container").expect(
+        0, "no time in the names or containers of 1 clip, for example 'A01/IMAG0009.AVI'", out=None)
+    check(len(days_of(t)[0]) == 2, "pruned")
+
+
+def test_a_shortage_of_memory_counts_no_try_that_lasts(t):
+    t.old_clips("a.avi")
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20))
+    for _ in range(3):
+        check(archive(t, preexec_fn=limit).status in (5, 6), "400 MB are enough")
+    if sidecar_there := t.path("out/a.avi.json").exists():
+        check(sidecar(t, "a.avi")["limits"]["memory"] <= 400 << 20, f"{sidecar(t, 'a.avi')}")
+    archive(t).expect(0, "1 clip drawn")
+    check(sidecar_there, "no try was counted, so nothing was tested")
+
+
 def test_archive_tries_again_with_a_higher_limit(t):
     t.old_clips("stay.avi")  # what libvvr_hijack.so makes of this clip lasts for ever
     for tries in (1, 2, 3):
@@ -547,10 +624,30 @@ def test_archive_removes_what_a_killed_run_left_of_a_clip_that_fails(t):
     archive(t).expect(0, "1 clip drawn")
     t.path("out/gate/bad.avi.json").unlink()
     t.write(f"out/gate/{lock_name('bad.avi')}", "bad.avi")
+    for ending in ENDINGS[:-1]:
+        if ending != ".jpg":
+            os.utime(t.path(f"out/gate/bad.avi{ending}"))
+    t.stamp("out/gate/bad.avi.jpg", -3600)
     t.write("in/gate/bad.avi", "no video")
     t.age("in")
     archive(t).expect(6, "1 failed", code="not-video")
-    check(outputs(t) == ["gate/bad.avi.json", "index.html"], f"{outputs(t)}")
+    check(outputs(t) == ["gate/bad.avi.jpg", "gate/bad.avi.json", "index.html"], f"a complete run made one of them: {outputs(t)}")
+    nothing_hidden(t)
+
+
+def test_what_a_complete_run_made_outlives_a_killed_redraw(t):
+    """The sidecar was removed to have the clip drawn again; that run was killed, and the recorder removed the clip."""
+    t.old_clips("gate/a.avi", "gate/gone.avi", seconds=2)
+    archive(t, "--keep-events").expect(0, "2 clips drawn")
+    t.path("out/gate/gone.avi.json").unlink()
+    t.write("out/gate/gone.avi.events/event-1.mp4", "all that is left of it")
+    before = [name for name in t.files() if "gone.avi." in name]
+    for name in before:
+        t.stamp(name, -60)
+    t.write(f"out/gate/{lock_name('gone.avi')}", "gone.avi")
+    t.path("in/gate/gone.avi").unlink()
+    archive(t, "--keep-events").expect(0, "nothing to do")
+    check([name for name in t.files() if "gone.avi." in name] == before and "out/gate/gone.avi.png" in before, f"{t.files()}")
     nothing_hidden(t)
 
 
@@ -696,9 +793,10 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
     for name, written in (("a.avi", 1795176000), ("b.avi", 1795176060)):  # 2026-11-20 12:00
         t.clip(f"in/gate/{name}", seconds=2)
         t.stamp(f"in/gate/{name}", written)
-    archive(t, "--per", "both").expect(
+    archive(t).expect(0, "2 clips drawn")
+    archive(t, "--per", "day").expect(
         0, "warning: 'in': no recording time in the names of 2 clips, for example 'gate/a.avi'; each is assigned to the day "
-        "of its last modification", "3 clips drawn")
+        "of its last modification", "1 clip drawn")
     report = t.json("out/gate/2026-11-20.report.json")
     for words in ("by their modification times", "no recording time in the names of 2 of 2 files"):
         check(any(words in problem for problem in report["problems"]), f"{report['problems']}")
@@ -773,8 +871,6 @@ def test_archive_draws_nights(t):
     check(recording["night"] and recording["clips"] == 3, f"{recording}")
     # The same beginning has the same nights, and another one draws them again. A night has its pictures while it has a clip.
     archive(t, "--per", "night", "--day-begins", "12:00", "--prune").expect(0, "nothing to do; 3 done before")
-    both = archive(t, "--per", "both", "--day-begins", "12:00", "--dry-run").expect(0, out=None).out
-    check(len(both.splitlines()) == len(times) and "-night" not in both, both)
     archive(t, "--per", "night", "--day-begins", "12:30", "--dry-run").expect(0, out=None)
     archive(t, "--per", "day", "--day-begins", "06:00").expect(0, "gate/2026-10-24: ", "2 clips drawn")
     again = archive(t, "--per", "day", "--dry-run").expect(0, out=None).out
@@ -802,10 +898,14 @@ def test_archive_draws_days_of_cameras(t):
     # Segments come: the day is drawn again when enough has come, or nothing more.
     t.old_clips("2026-11-21/08/gate/00.06.avi", seconds=2)
     t.stamp("in/2026-11-21/08/gate/00.06.avi", -70)
-    archive(t, "--per", "day", "--redraw", "2d").expect(0, "1 waiting to be redrawn with more clips (--redraw)")
-    check(sidecar(t, "gate/2026-11-21")["frames"] == 60, "drawn again too soon")
-    archive(t, "--per", "day", "--redraw", "60s").expect(0, "1 clip drawn")
+    t.stamp("in/2026-11-21/08/gate/00.00.avi", -80)  # the recorder wrote it again: what is new is seconds long
+    archive(t, "--per", "day").expect(0, "1 clip drawn")
     check(sidecar(t, "gate/2026-11-21")["frames"] == 80, "not drawn again")
+    t.old_clips("2026-11-21/08/gate/00.08.avi", seconds=2)
+    t.stamp("in/2026-11-21/08/gate/00.08.avi", -65)
+    archive(t, "--per", "day").expect(0, "1 waiting to be redrawn with more clips")
+    check(sidecar(t, "gate/2026-11-21")["frames"] == 80, "drawn again too soon")
+    t.path("in/2026-11-21/08/gate/00.08.avi").unlink()
     # What the recorder removes stays in the picture of a day, until the day has gone.
     t.path("in/2026-11-21/08/gate/00.00.avi").unlink()
     archive(t, "--per", "day", "--prune").expect(0, "nothing to do; 3 done before")
@@ -815,8 +915,8 @@ def test_archive_draws_days_of_cameras(t):
         (t.path("in/2026-11-22/00") / folder).resolve().rmdir()
     archive(t, "--per", "day", "--prune").expect(0, "gate/2026-11-22: the clip was deleted")
     check("gate/2026-11-22.png" not in outputs(t) and "gate/2026-11-21.png" in outputs(t), f"{outputs(t)}")
-    # Beside a picture of each clip.
-    archive(t, "--per", "both", "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
+    # Pictures of clips may be beside those of days.
+    archive(t, "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
     check("2026-11-21/08/gate/00.02.avi.png" in outputs(t) and "2026-11-21/08/hall/00.02.avi.png" not in outputs(t), f"{outputs(t)}")
     archive(t, "--per", "week").expect(1, "--per", "'week'", code="choice-unknown")
 
@@ -924,5 +1024,6 @@ def test_archive_says_that_clips_are_of_the_future(t):
 def test_archive_without_clips_says_what_it_looked_for(t):
     t.path("in").mkdir()
     archive(t).expect(0, "no clips found below 'in'; searched for ", ".avi ")
+    archive(t, "--quiet").expect(0, "vvr: no clips found below 'in'; searched for ")
     t.old_clips("a.avi")
     archive(t, "--match", "*.xyz", "--match", "gate/*").expect(0, "no clips found below 'in'; searched for *.xyz gate/*", "'out': nothing to do")

@@ -26,6 +26,7 @@ def test_tables_agree_with_the_report(t):
     row, event = rows[0], events[0]
     check(row["number"] == "1" and row["kind"] == event["kind"] and row["direction"] == "right" and row["class"] == "", f"{row}")
     check(row["begin"] == event["first"]["time"] and float(row["last"]) == event["last"]["seconds"], f"{row}")
+    check((row["camera"], row["clip"], row["file"], row["offset"]) == ("", "clip.mkv", "clip.mkv", row["first"]), f"{row}")
     check({key: int(row[key]) for key in event["box"]} == event["box"], f"{row} {event['box']}")
     tracks = [[int(value) for value in line.split(",")] for line in t.path("tracks.txt").read_text().splitlines()]
     check(all(len(line) == 10 and line[1] == 1 and line[6:] == [1, -1, -1, -1] for line in tracks), f"{tracks[:3]}")
@@ -56,6 +57,40 @@ def test_tables_without_events(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=10:duration=3", "-c:v", "ffv1", "still.mkv")
     t.vvr("render", "still.mkv", *FAST, "--events-csv", "events.csv", "--tracks", "tracks.txt").expect(0)
     check(t.path("events.csv").read_text().count("\n") == 1 and t.path("tracks.txt").read_text() == "", "lines")
+
+
+def test_one_table_of_an_archive(t):
+    t.zone("UTC")
+    clip(t)
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=10:duration=3", "-c:v", "ffv1", "still.mkv")
+    t.copy("clip.mkv", 'in/the "old", gate/2026-11-21_08-00-00.mkv', "in/hall/2026-11-21_08-00-00.mkv")
+    t.copy("still.mkv", "in/hall/2026-11-21_08-01-00.mkv")
+    for path in t.path("in").rglob("*.mkv"):
+        t.stamp(path, -86400)
+    run = ("archive", "in", "-o", "out", *FAST, "--size", "160x100", "--events-csv", "all.csv")
+
+    def rows():
+        with open(t.path("all.csv"), encoding="utf-8", newline="") as file:
+            return [{key: row[key] for key in ("camera", "clip", "file", "offset", "number")} | {"begin": row["begin"]}
+                    for row in csv.DictReader(file)]
+
+    t.vvr(*run).expect(0, "3 clips drawn")
+    table = t.path("all.csv").read_bytes()
+    still, moved, quoted = sorted(rows(), key=lambda row: (row["number"], row["clip"]))
+    check(still == dict.fromkeys(still, "") | {"camera": "hall", "clip": "hall/2026-11-21_08-01-00.mkv", "file": "hall/2026-11-21_08-01-00.mkv"}, f"{still}")
+    check(moved["file"] == moved["clip"] == "hall/2026-11-21_08-00-00.mkv" and moved["begin"].startswith("2026-11-21T08:00:0"), f"{moved}")
+    check(quoted["camera"] == 'the "old", gate', f"{quoted}")
+    t.vvr("render", "clip.mkv", *FAST, "--events-csv", "one.csv").expect(0)
+    check(t.path("one.csv").read_text().splitlines()[0] == table.decode().splitlines()[0], "other columns")
+    # Nothing to do gives the same table, and so does no drawing at all.
+    for again in (run, ("archive", "-o", "out", "--write", "index", "--events-csv", "all.csv")):
+        t.path("all.csv").unlink()
+        t.vvr(*again).expect(0)
+        check(t.path("all.csv").read_bytes() == table, "another table")
+    # A day names the files of its events.
+    t.vvr(*run, "--per", "day").expect(0, "2 clips drawn")
+    check({(row["clip"], row["file"]) for row in rows()} >= {("hall/2026-11-21", "hall/2026-11-21_08-00-00.mkv")}, f"{rows()}")
+    t.vvr(*run[:-1], "none/all.csv").expect(2, "none/all.csv", code="file-not-found")
 
 
 def test_tables_of_one_name(t):

@@ -57,7 +57,7 @@ def test_archive_tells_each_event_once(t):
     check(report["events"][0]["direction"] == "right", f"{report['events']}")
     # Neither a repeated run nor new settings tell it again.
     archive(t).expect(0, "nothing to do")
-    archive(t, "--theme", "dark", "--per", "both").expect(0)
+    archive(t, "--theme", "dark").expect(0)
     check(lines(t) == told, "an event was told twice")
     clips(t, "in/gate/2026-11-21_20-30-00.avi")
     archive(t, "--theme", "dark").expect(0)
@@ -87,14 +87,15 @@ def test_a_clip_without_its_sidecar_tells_no_event_again(t):
 def test_a_day_tells_the_events_of_its_new_files(t):
     t.zone("UTC")
     clips(t, "in/gate/2026-11-21_20-00-00.avi")
-    archive(t, "--per", "day", "--redraw", "0").expect(0)
+    archive(t, "--per", "day").expect(0)
     first = lines(t)
     clips(t, "in/gate/2026-11-21_20-00-16.avi")
-    archive(t, "--per", "day", "--redraw", "0").expect(0)
+    t.stamp("in/gate/2026-11-21_20-00-16.avi", -3600)
+    archive(t, "--per", "day").expect(0)
     told = lines(t)
     check(told[:1] == first and [line["clip"] for line in told] == ["gate/2026-11-21_20-00-00.avi", "gate/2026-11-21_20-00-16.avi"], f"{told}")
     check(told[1]["begin"].startswith("2026-11-21T20:00:1") and told[1]["page"].endswith("#event=2"), f"{told}")
-    archive(t, "--per", "day", "--redraw", "0").expect(0, "nothing to do")
+    archive(t, "--per", "day").expect(0, "nothing to do")
     check(lines(t) == told, "told again")
 
 

@@ -200,11 +200,30 @@ def test_a_server_leads_to_no_other_host(t):
     check(not t.path("out.png").exists(), "a picture of another host")
 
 
+def test_a_size_that_lies_is_damage(t):
+    """libav has no memory for a packet, or an index, that is as large as a damaged number says."""
+    t.clip("ok.mp4", seconds=2, codec=("-c:v", "libx264", "-pix_fmt", "yuv420p", "-g", "10"))
+    data = bytearray(t.path("ok.mp4").read_bytes())
+    table = data.find(b"stsz")
+    samples = int.from_bytes(data[table + 12:table + 16], "big")
+    data[table + 16 + 4 * (samples - 1)] = 0x20
+    t.write("bad.mp4", bytes(data))
+    t.render("bad.mp4", "--backend", "software").expect(0, f"{samples - 1} frames", "1 damaged packet")
+    t.vvr("cut", "bad.mp4", "--start", "0s", "--end", "1s", "-o", "piece.mp4").expect(0)
+    t.vvr("info", "bad.mp4", "--quick").expect(0, out=None)
+    for second in (0, 2, 4):
+        t.copy("bad.mp4" if second == 2 else "ok.mp4", f"day/2026-11-21_10-00-0{second}.mp4")
+    t.render("day", "--backend", "software", output="day.png").expect(0, "'day/2026-11-21_10-00-02.mp4' has 1 damaged packet")
+
+
 def test_an_archive_names_what_a_day_lacks(t):
     for second in range(3):
         t.clip(f"in/gate/20261120_08000{second}.avi", 1)
     t.write("in/gate/20261120_080001.avi", "no video" * 100)
     t.archive("in", "-o", "out", "--per", "day", "--size", "64x40", "--backend", "software").expect(
-        0, "warning: gate/2026-11-20: 'in/gate/20261120_080001.avi' is not a video")
+        6, "vvr: gate/2026-11-20: 'in/gate/20261120_080001.avi' is not a video", code="partial")
     sidecar = t.json("out/gate/2026-11-20.json")
-    check("20261120_080001.avi" in sidecar["reason"], f"{sidecar}")
+    check("20261120_080001.avi" in sidecar["reason"] and "unread" not in sidecar["day"], f"{sidecar}")
+    check(sidecar["reason"] in t.path("out/index.html").read_text(), "the index does not say it")
+    # It can be opened, so nothing changes until it does.
+    t.archive("in", "-o", "out", "--per", "day", "--size", "64x40", "--backend", "software").expect(0, "nothing to do; 1 done before")

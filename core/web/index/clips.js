@@ -25,7 +25,7 @@ import {bits} from './data.js';
  * @property {boolean} wholeDay whether it is all that a camera recorded on a day
  * @property {boolean} night whether that is the night after the day
  * @property {number | undefined} status
- * @property {string} reason
+ * @property {string} reason why it failed, or what its picture lacks; '' = neither
  * @property {number | undefined} tries
  * @property {boolean} failed
  * @property {boolean} drawn whether there is a picture
@@ -47,9 +47,9 @@ function clipBy(data, wallOf) {
         const path = readable(url).replace(/^\.\//, '');
         const [day, time] = [recording?.date ?? dayText(date), timeText(date)];
         const shown = until === undefined ? '' : dayText(wallOf(until)) + ' ' + timeText(wallOf(until));
-        const failed = status !== undefined;
+        const failed = typeof status === 'number';
         return {
-            camera, url, path, begins, seconds, day, time, events, files, status, tries, failed,
+            camera, url, path, begins, seconds, day, time, events, files, status: status ?? undefined, tries, failed,
             name: recording ? many(recording.clips, 'clip') : path.slice(path.lastIndexOf('/') + 1),
             hour: date.getUTCHours(),
             tallyOf: Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0])),

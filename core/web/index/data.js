@@ -5,7 +5,7 @@
  * (seconds, or how many; 0 = nothing), classes of its objects; if it failed, the exit status, the reason, the number of
  * tries, and the time until which its older picture shows it.
  * @typedef {[camera: number, url: string, begins: number, seconds: number, events: number | null, files: number,
- *     tallies: number[] | null, classes: string[] | null, status?: number, reason?: string, tries?: number, until?: number]} Row
+ *     tallies: number[] | null, classes: string[] | null, status?: number | null, reason?: string, tries?: number, until?: number]} Row
  *
  * @typedef {object} IndexData
  * @property {string[]} cameras names; '' = the top folder

@@ -25,6 +25,7 @@ function badgesOf(clip) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
     }
     if (clip.damaged) badges.push(element('span', 'badge strong', 'damaged'));
+    if (clip.reason && !clip.failed) badges.push(titled(element('span', 'badge strong', 'incomplete'), clip.reason));
     return badges;
 }
 

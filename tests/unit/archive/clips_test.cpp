@@ -17,6 +17,7 @@
 #include "core/archive/camera_days.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
 #include "tests/support/zone.h"
 #include "tests/unit/archive/archive.h"
@@ -49,6 +50,18 @@ TEST_F(Archive, HasNoProblemWithClipsThatAreDeletedMeanwhile) {
     }
     fs::create_symlink("nowhere", in() / "link.avi");
     EXPECT_EQ(archive::scan_archive(in(), out(), archive::ClipNames()).problems.size(), 1U);
+}
+
+TEST_F(Archive, SkipsWhatANasKeepsBetweenTheClips) {
+    for (const char* name : {"gate/a.avi", "#recycle/gate/b.avi", "gate/@eaDir/a.avi/c.avi", "$Recycle.Bin/S-1/d.avi",
+                             "@eaDir/note.txt", "recycle/e.avi"}) {
+        write(in() / name);
+    }
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
+    EXPECT_EQ(found(), (std::vector<std::string>{"gate/a.avi", "recycle/e.avi"}));
+    EXPECT_EQ(scan.skipped, 3U);
+    EXPECT_EQ(scan.system_folders, (std::set<std::string>{"#recycle", "$Recycle.Bin", "gate/@eaDir"}));
+    EXPECT_EQ(video::video_files_in(in()).size(), 2U);
 }
 
 TEST_F(Archive, FindsClipsInFolders) {

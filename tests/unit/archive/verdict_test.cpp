@@ -85,6 +85,25 @@ TEST_F(Archive, DecidesWhatIsToBeDone) {
     EXPECT_EQ(need(modified(-24h), {}), archive::Need::added) << "a clock that runs ahead";
 }
 
+TEST_F(Archive, TriesAgainADayAfterALackOfMemory) {
+    const archive::ArchiveRules rules{"s", "1.2.3", {archive::OutputKind::picture}};
+    archive::Sidecar sidecar = done("a.avi");
+    sidecar.state = archive::Sidecar::State::failed;
+    sidecar.tries = 3;
+    archive::write_sidecar(out(), sidecar);
+    const auto need = [&](ErrorCode code, int status) {
+        sidecar.code = code;
+        sidecar.status = status;
+        return archive::need_of(sidecar.clip, sidecar, out(), rules, std::chrono::system_clock::now());
+    };
+    EXPECT_EQ(need(ErrorCode::out_of_memory, 5), archive::Need::given_up);
+    fs::last_write_time(archive::sidecar_path(out(), "a.avi"), fs::file_time_type::clock::now() - 25h);
+    EXPECT_EQ(need(ErrorCode::out_of_memory, 5), archive::Need::retry);
+    EXPECT_EQ(need(ErrorCode::worker_killed, 137), archive::Need::retry) << "the kernel's way out";
+    EXPECT_EQ(need(ErrorCode::worker_killed, 139), archive::Need::given_up) << "the clip's own fault";
+    EXPECT_EQ(need(ErrorCode::not_video, 3), archive::Need::given_up);
+}
+
 TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     const video::RecorderNames recorders;
     write(in() / "there.avi");
