@@ -46,7 +46,8 @@ std::span<const StatusHelp> exit_statuses() {
         StatusHelp{5, "out of memory, or over a given limit"},
         StatusHelp{
             6,
-            "`archive`: some clips failed, some files of a day could not be read, or some events could not be kept; the "
+            "`archive`: some clips failed, some files of a day could not be read, or some events could not be kept; "
+            "the "
             "others are done. `golden`: a picture "
             "could not be drawn or compared. A recording: some files were skipped completely, because others show the "
             "same time"},

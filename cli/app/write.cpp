@@ -51,8 +51,8 @@ std::string table_of(const nlohmann::ordered_json& report) {
     const auto& camera = input.at("camera");
     std::string text = events::events_table_heading();
     if (report.at("events").is_null()) return text;
-    return text + events::events_table_lines(report, {camera.is_null() ? "" : camera.get<std::string>(),
-                                                      input.at("name").get<std::string>()});
+    return text + events::events_table_lines(
+                      report, {camera.is_null() ? "" : camera.get<std::string>(), input.at("name").get<std::string>()});
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ std::string describe_name(const std::string& clip, const ArchiveJob& job) {
     const video::RecorderName name = job.names.read(clip);
     const std::string camera = job.names.camera_of(clip);
     std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
-    const auto begin = name.begin ? video::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
+    const auto begin =
+        name.begin ? video::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
     if (!begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
     text += ", " + labels::format_clock(*begin + local_offset(*begin));
     if (!name.begin) return fmt::format("{} {}", text, row_of(ClockSource::container).words);
@@ -89,7 +90,8 @@ ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& nam
     job.rules.limits = {options.timeout.count(), split_for_threads(options, many).memory};
     job.rules.day = options.day_rule();
     job.rules.day.by_container =
-        std::ranges::count(options.pictures.settings, std::pair<std::string, std::string>(setting::start_time.name, "container")) > 0;
+        std::ranges::count(options.pictures.settings,
+                           std::pair<std::string, std::string>(setting::start_time.name, "container")) > 0;
     job.rules.keep = options.keep;
     if (options.keep_events) job.pieces_margin = options.margin;
     job.pictures = options.pictures;
@@ -321,8 +323,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     const bool listed = options.events_csv.empty() || succeeds(environment.log, [&] {
-        return write_events_table(job, options.grouping().days, options.events_csv, environment);
-    });
+                            return write_events_table(job, options.grouping().days, options.events_csv, environment);
+                        });
     const bool reported = events.finish();
     if (!pruned || !aged || !indexed || !listed || !reported) return cli::ExitStatus::io;
     return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;

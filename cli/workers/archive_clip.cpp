@@ -26,8 +26,8 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/video/settings.h"
 #include "core/page/html.h"
+#include "core/video/settings.h"
 
 namespace vvr::workers {
 

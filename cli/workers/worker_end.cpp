@@ -98,7 +98,8 @@ void throw_if_system_fault(const std::string& clip, const fs::path& folder, cons
         throw Error(
             ErrorCode::worker_start_failed,
             fmt::format("cannot start the worker for '{}'{}", clip,
-                        words.empty() ? "; check that the program's file still exists, and that /proc is mounted" : ": " + words));
+                        words.empty() ? "; check that the program's file still exists, and that /proc is mounted"
+                                      : ": " + words));
     }
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = disk_full_reason(folder);

@@ -41,11 +41,11 @@ std::string words_of_day(const std::string& date, const DayRule& rule);
 
 /// All clips of a camera that begin on one day.
 struct CameraDay {
-    std::string camera;              ///< empty = unknown
-    std::string date;                ///< "2026-11-21", in this machine's time zone
-    DayRule rule;                    ///< when it begins
-    Clip clip;                       ///< the whole day: path of its files, total bytes, time of the newest clip
-    std::vector<std::string> files;  ///< below the archive's folder
+    std::string camera;                ///< empty = unknown
+    std::string date;                  ///< "2026-11-21", in this machine's time zone
+    DayRule rule;                      ///< when it begins
+    Clip clip;                         ///< the whole day: path of its files, total bytes, time of the newest clip
+    std::vector<std::string> files;    ///< below the archive's folder
     std::vector<std::string> undated;  ///< those that are here by their modification times, as nothing else is known
 };
 

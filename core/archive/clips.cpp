@@ -174,7 +174,8 @@ class Walk {
         constexpr int most = 10'000;  // a NAS may keep many snapshots of everything
         std::error_code error;
         fs::recursive_directory_iterator entry(in_ / folder, fs::directory_options::skip_permission_denied, error);
-        for (int i = 0; i < most && !error && entry != fs::recursive_directory_iterator(); entry.increment(error), ++i) {
+        for (int i = 0; i < most && !error && entry != fs::recursive_directory_iterator();
+             entry.increment(error), ++i) {
             std::error_code none;
             if (!names_.matches(entry->path().lexically_relative(in_).string()) || entry->is_directory(none)) continue;
             ++scan_.skipped;

@@ -71,9 +71,9 @@ struct Scan {
 };
 
 /// Finds all clips below a folder. Each folder is read once, however many links lead to it, and under its own name if
-/// possible. Hidden files and folders are skipped, as are `out`, folders of kept pieces, recycle bins and snapshots of a
-/// NAS, and file systems of the kernel (/proc, /sys). A link to a folder that contains `in` is a problem, and is not followed.
-/// \throws Error io if the folder itself can't be read
+/// possible. Hidden files and folders are skipped, as are `out`, folders of kept pieces, recycle bins and snapshots of
+/// a NAS, and file systems of the kernel (/proc, /sys). A link to a folder that contains `in` is a problem, and is not
+/// followed. \throws Error io if the folder itself can't be read
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 
 /// The file's current size and time; nothing if it no longer exists.

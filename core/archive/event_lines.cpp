@@ -130,7 +130,8 @@ std::string table_lines_of(const fs::path& out, const Sidecar& sidecar, const vi
     place.file_of = [&](const std::string& name) {
         if (!sidecar.day) return place.clip;
         const auto& files = sidecar.day->files;
-        const auto found = std::ranges::find_if(files, [&](const std::string& one) { return name.ends_with("/" + one); });
+        const auto found =
+            std::ranges::find_if(files, [&](const std::string& one) { return name.ends_with("/" + one); });
         return text_of_path(found == files.end() ? name : *found);
     };
     try {

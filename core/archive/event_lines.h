@@ -31,10 +31,8 @@ enum class Reported { clip, day };
 std::vector<events::EventLine> new_events(const std::filesystem::path& report, const OlderReport& older,
                                           Reported about);
 
-/// The lines of a clip or a day in a table of events: one without events has a line too, one whose events were not looked
-/// for has none.
-/// \throws Error io if its report can't be read
-std::string table_lines_of(const std::filesystem::path& out, const Sidecar& sidecar,
-                           const video::RecorderNames& names);
+/// The lines of a clip or a day in a table of events: one without events has a line too, one whose events were not
+/// looked for has none. \throws Error io if its report can't be read
+std::string table_lines_of(const std::filesystem::path& out, const Sidecar& sidecar, const video::RecorderNames& names);
 
 }  // namespace vvr::archive

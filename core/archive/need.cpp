@@ -38,8 +38,8 @@ bool files_there(const Sidecar& sidecar, const std::filesystem::path& out, const
     });
 }
 
-/// Whether a clip failed for lack of memory more than a day ago: the machine may have been short of it, not the clip too
-/// large. The kernel ends a worker by SIGKILL then.
+/// Whether a clip failed for lack of memory more than a day ago: the machine may have been short of it, not the clip
+/// too large. The kernel ends a worker by SIGKILL then.
 bool may_have_memory_now(const Sidecar& sidecar, const std::filesystem::path& out) {
     constexpr int by_sigkill = 137;
     std::error_code error;

@@ -34,10 +34,10 @@ struct ArchiveRules {
     std::vector<OutputKind> files;  ///< kinds of files for each clip
     int tries = 3;
     std::chrono::nanoseconds settle{};
-    DayRule day{};                                   ///< when days begin
-    std::optional<std::chrono::nanoseconds> keep{};  ///< how long files are kept; none = for ever
+    DayRule day{};                                              ///< when days begin
+    std::optional<std::chrono::nanoseconds> keep{};             ///< how long files are kept; none = for ever
     std::chrono::nanoseconds redraw{std::chrono::minutes(15)};  ///< least time between drawings of a growing day
-    TryLimits limits{};                              ///< the least that a worker gets
+    TryLimits limits{};                                         ///< the least that a worker gets
 };
 
 Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,

@@ -148,7 +148,8 @@ void remove_unnamed_files(const fs::path& folder, const std::string& name, const
     const auto stays = [&](const fs::path& file) {
         struct stat made {};
         return owned.contains(file) || ::lstat(file.c_str(), &made) != 0 ||
-               std::pair(made.st_mtim.tv_sec, made.st_mtim.tv_nsec) < std::pair(lock.st_mtim.tv_sec, lock.st_mtim.tv_nsec);
+               std::pair(made.st_mtim.tv_sec, made.st_mtim.tv_nsec) <
+                   std::pair(lock.st_mtim.tv_sec, lock.st_mtim.tv_nsec);
     };
     std::error_code none;
     for (const OutputRow& row : output_rows) {

@@ -37,11 +37,9 @@ void tidy(const std::filesystem::path& out, const Outputs& outputs);
 std::optional<std::vector<std::string>> remove_clip(const std::filesystem::path& out, const std::filesystem::path& in,
                                                     const Sidecar& sidecar);
 
-/// Removes what a killed program left of a clip: temporary files, and files that no sidecar names. Those from before its
-/// lock stay: a complete run made them, and they may be all that is left of the clip. Neither the index nor files of
-/// other clips are removed.
-/// \param in the folder of clips, as in `list_outputs`
-/// \param claim the clip's lock
+/// Removes what a killed program left of a clip: temporary files, and files that no sidecar names. Those from before
+/// its lock stay: a complete run made them, and they may be all that is left of the clip. Neither the index nor files
+/// of other clips are removed. \param in the folder of clips, as in `list_outputs` \param claim the clip's lock
 void remove_unfinished(const std::filesystem::path& out, const std::filesystem::path& in, const std::string& clip,
                        const LockFile& claim);
 

@@ -47,8 +47,8 @@ struct Sidecar {
         std::string camera;
         std::string date;
         std::int64_t clips = 0;
-        std::vector<std::string> files{};  ///< the paths of its clips; unknown in older sidecars
-        DayRule rule{};                    ///< when it begins
+        std::vector<std::string> files{};   ///< the paths of its clips; unknown in older sidecars
+        DayRule rule{};                     ///< when it begins
         std::vector<std::string> unread{};  ///< files that the picture lacks, as they could not be opened
     };
     std::optional<Day> day;

@@ -154,7 +154,8 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
     const auto* const state = std::ranges::find(states, json.at("state").get<std::string>());
-    sidecar.state = state == states.end() ? Sidecar::State::failed : static_cast<Sidecar::State>(state - states.begin());
+    sidecar.state =
+        state == states.end() ? Sidecar::State::failed : static_cast<Sidecar::State>(state - states.begin());
     sidecar.tries = static_cast<int>(whole_number(json.at("tries"), most_tries));
     sidecar.status = static_cast<int>(whole_number(json.at("status"), highest_status));
     if (const Json code = json.value("code", Json()); code.is_string()) {

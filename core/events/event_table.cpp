@@ -18,30 +18,28 @@ struct TableColumn {
     const char* place;
 };
 
-constexpr std::array columns{
-    TableColumn{"number", "/number"},
-    TableColumn{"kind", "/kind"},
-    TableColumn{"class", "/class"},
-    TableColumn{"score", "/score"},
-    TableColumn{"begin", "/first/time"},
-    TableColumn{"end", "/last/time"},
-    TableColumn{"first_frame", "/first/frame"},
-    TableColumn{"last_frame", "/last/frame"},
-    TableColumn{"first", "/first/seconds"},
-    TableColumn{"last", "/last/seconds"},
-    TableColumn{"seconds", "/seconds"},
-    TableColumn{"still", "/still"},
-    TableColumn{"x", "/box/x"},
-    TableColumn{"y", "/box/y"},
-    TableColumn{"width", "/box/width"},
-    TableColumn{"height", "/box/height"},
-    TableColumn{"direction", "/direction"},
-    TableColumn{"path_length", "/path_length"},
-    TableColumn{"from", "/from"},
-    TableColumn{"into", "/into"},
-    TableColumn{"by", "/by"},
-    TableColumn{"open_ended", "/open_ended"},
-};
+constexpr std::array columns{TableColumn{"number", "/number"},
+                             TableColumn{"kind", "/kind"},
+                             TableColumn{"class", "/class"},
+                             TableColumn{"score", "/score"},
+                             TableColumn{"begin", "/first/time"},
+                             TableColumn{"end", "/last/time"},
+                             TableColumn{"first_frame", "/first/frame"},
+                             TableColumn{"last_frame", "/last/frame"},
+                             TableColumn{"first", "/first/seconds"},
+                             TableColumn{"last", "/last/seconds"},
+                             TableColumn{"seconds", "/seconds"},
+                             TableColumn{"still", "/still"},
+                             TableColumn{"x", "/box/x"},
+                             TableColumn{"y", "/box/y"},
+                             TableColumn{"width", "/box/width"},
+                             TableColumn{"height", "/box/height"},
+                             TableColumn{"direction", "/direction"},
+                             TableColumn{"path_length", "/path_length"},
+                             TableColumn{"from", "/from"},
+                             TableColumn{"into", "/into"},
+                             TableColumn{"by", "/by"},
+                             TableColumn{"open_ended", "/open_ended"}};
 
 /// A value as RFC 4180 wants it: quoted if it must be.
 std::string table_value(const std::string& text) {
@@ -73,11 +71,11 @@ std::string events_table_heading() {
 std::string events_table_lines(const Json& report, const TableClip& place) {
     std::string lines;
     for (Json event : report.at("events")) {
-        const Json& first = event.at("first");
-        const std::string file = first.value("file", report.at("input").at("name").get<std::string>());
         double still = 0;
         for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
         event["still"] = still;
+        const Json& first = event.at("first");
+        const std::string file = first.value("file", report.at("input").at("name").get<std::string>());
         lines += clip_columns(place, place.file_of ? place.file_of(file) : file);
         lines += table_value(first.contains("offset") ? first.at("offset") : first.at("seconds"));
         for (const TableColumn& column : columns)

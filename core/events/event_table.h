@@ -10,9 +10,10 @@ namespace vvr::events {
 
 /// Where the events of a report belong.
 struct TableClip {
-    std::string camera{};                                      ///< empty = unknown
-    std::string clip{};                                        ///< the clip, or the recording
-    std::function<std::string(const std::string&)> file_of{};  ///< the name of a file that the report names; none = as it is
+    std::string camera{};  ///< empty = unknown
+    std::string clip{};    ///< the clip, or the recording
+    std::function<std::string(const std::string&)>
+        file_of{};  ///< the name of a file that the report names; none = as it is
 };
 
 /// The first line of the table.

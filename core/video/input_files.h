@@ -22,9 +22,8 @@ bool is_picture_name(const std::string& name);
 /// data of its own: `#recycle`, `@Recently-Snapshot`, `lost+found`.
 bool is_system_folder_name(const std::string& name);
 
-/// The video files in a folder and its subfolders, in any order. Skips hidden files and folders and those of the system,
-/// and does not follow symbolic links to folders.
-/// \throws Error io if the folder can't be read
+/// The video files in a folder and its subfolders, in any order. Skips hidden files and folders and those of the
+/// system, and does not follow symbolic links to folders. \throws Error io if the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
 
 /// Modification time of a file, seconds since 1970 (UTC). Empty if it is not a regular file.

@@ -267,7 +267,7 @@ def test_days_by_the_times_of_containers(t):
     t.clip("in/A01/IMAG0009.AVI", seconds=1)
     t.age("in")
     said = archive(t, "--per", "day", "--start-time", "container", "--exclude", "*.AVI", "--dry-run").expect(0, out=None)
-    check("A01/2026-10-05" in said.out and "camera A01, 2026-10-05 11:43:01 by container" in said.out, said.out)
+    check("A01/2026-10-05" in said.out and "camera A01, 2026-10-05 11:43:01 when the container was written" in said.out, said.out)
     check(said.err == "", f"a warning: {said.err}")
     archive(t, "--per", "day", "--start-time", "container", "--exclude", "*.AVI").expect(0, "A01/2026-10-05: ", "A01/2026-10-20: ", "2 clips drawn")
     check(set(days_of(t)[0]) == {("A01", "2026-10-05"), ("A01", "2026-10-20")}, f"{days_of(t)[0]}")

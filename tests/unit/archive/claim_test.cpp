@@ -89,11 +89,15 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
         archive::tidy(out(), archive::list_outputs(out(), in()));
         EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
     }
+    write(out() / "a.avi.html");
+    fs::last_write_time(out() / "a.avi.html", fs::file_time_type::clock::now() - std::chrono::seconds(1));
     be_killed();
+    write(out() / "a.avi.png");
     archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
+    EXPECT_TRUE(fs::exists(out() / "a.avi.html")) << "from before that run: a complete one made it";
     EXPECT_TRUE(fs::exists(out() / "other.png"));
-    EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 2);
 }
 
 TEST_F(Archive, RemovesNoClipThatHasBeenDrawnSince) {
