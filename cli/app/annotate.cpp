@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 #include <span>
@@ -261,7 +262,7 @@ class Annotator {
         Plane<Bgr> picture = video::picture_of(frame);
         if (picture.empty() || box.empty()) return;
         lettering_.pictures.push_back({box.inflated(-1, -1), std::move(picture), lines_, 1});
-        const std::string text = fmt::format("{}, {}", what, labels::format_moment(seconds, plan_.clock));
+        const std::string text = fmt::format("{}, {}", what, labels::format_moment_and_day(seconds, plan_.clock));
         const auto label_at = [&](int x) {
             return labels::make_label(text, sheet_.small, x, box.top - sheet_.small / 2, pale_);
         };
@@ -316,7 +317,12 @@ class Annotator {
 
 std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation& seen) {
     std::vector<labels::TimeGap> gaps = labels::time_gaps(seen.volume);
-    for (labels::TimeGap& gap : gaps) gap.reason = video::reason_for_gap(plan.job.fields.span, gap.begin, gap.end);
+    // A camera that records only motion has many, and the times need the room.
+    std::ranges::stable_sort(gaps, std::greater{}, [](const labels::TimeGap& gap) { return gap.end - gap.begin; });
+    constexpr std::size_t most = 4;
+    if (gaps.size() > most) gaps.resize(most);
+    for (labels::TimeGap& gap : gaps)
+        gap.reason = video::reason_for_gap(plan.job.fields.span, seen.info.segments, gap.begin, gap.end);
     return gaps;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <set>
 #include <span>
 #include <utility>
 
-#include "core/fields/motion.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
 
@@ -56,6 +58,27 @@ Plane<Bgr> scene_of(const Observation& seen) {
     return video::picture_of(scene.empty() ? *seen.last : video::Frame{0, 0, scene.grey, scene.colour});
 }
 
+/// Reads the frames of events again whose stills had to make room: a day has more tracks of twigs and insects than
+/// there is room for, and they may look better than a person in the dark.
+void take_stills_again(Observation& seen, fields::FieldSource& source) {
+    std::map<double, std::vector<const events::Event*>> missing;
+    std::set<std::size_t> tracks;
+    for (const events::Event& event : seen.findings.events) {
+        tracks.insert(event.tracks.begin(), event.tracks.end());
+        const bool lacks = event.portrait && !event.tracks.empty() && seen.crops.find(event) == nullptr;
+        if (lacks) missing[event.portrait->at.seconds].push_back(&event);
+    }
+    if (missing.empty()) return;
+    seen.crops.forget_before(std::numeric_limits<double>::infinity(),
+                             [&](std::size_t track) { return !tracks.contains(track); });
+    std::vector<double> times;
+    for (const auto& [seconds, events] : missing) times.push_back(seconds);
+    source.read_again(times, [&](const video::Frame& frame) {
+        for (const events::Event* event : missing.at(frame.pts))
+            seen.crops.keep(event->tracks.front(), *event->portrait, frame);
+    });
+}
+
 /// Fills a gap in the recording, where frame numbers are missing.
 void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volume& volume) {
     if (volume.frames() == 0 || next.index <= last.index + 1) return;
@@ -78,9 +101,13 @@ std::vector<events::Event> take_chosen_events(Observation& seen, const events::E
 namespace {
 
 /// After the last frame: links the tracks of each object and computes its events.
-void conclude(const Plan& plan, ObservationBuilder& builder) {
+void conclude(const Plan& plan, fields::FieldSource& source, ObservationBuilder& builder) {
     Observation& seen = builder.seen;
     builder.set_findings(builder.finder->finish());
+    seen.volume.forget_motion();
+    for (const auto& [first, last] : events::busy_times(seen.findings.events)) seen.volume.mark_motion(first, last);
+    seen.volume.settle();
+    take_stills_again(seen, source);
     take_stills_from_scene(seen);
     builder.identify();
     const std::vector<events::Event> events = take_chosen_events(seen, plan.job.output.events);
@@ -98,13 +125,12 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     ObservationBuilder builder(plan, {.capacity = capacity, .step = step}, needs);
     needs.scene = builder.scene_sink();
     needs.find_living = builder.living_finder();
-    fields::MotionDetector motion;
     Observation& seen = builder.seen;
     const int keyframes = plan.job.look.keyframes;
     int passed = 0;  // key frames, at equal distances
     seen.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
         fill_gap(*seen.last, field, seen.volume);
-        builder.add(frame, field, plan.nonuniform && motion(field));
+        builder.add(frame, field);
         const std::int64_t number = seen.volume.frames() - 1;
         if (number == 0) {
             seen.first = frame;
@@ -119,10 +145,13 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
         observer.frames(number + 1, expected);
     });
     require_frames(seen.volume.frames(), source.info());
-    seen.volume.settle();
     seen.info = source.info();
     seen.scene = scene_of(seen);
-    if (builder.finder) conclude(plan, builder);
+    if (builder.finder) {
+        conclude(plan, source, builder);
+    } else {
+        seen.volume.settle();
+    }
     return std::move(builder.seen);
 }
 
@@ -202,18 +231,22 @@ fields::LivingFinder ObservationBuilder::living_finder() {
     return [this](const video::Frame& frame) { return identifier_->living_in(frame); };
 }
 
-const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field,
-                                                   bool moves) {
+const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field) {
+    std::optional<double> busy_since;
     if (finder) {
         events::TrackedFrame tracked =
             finder->add({field.scalar, frame->grey, frame->colour, field.infrared}, {field.index, field.pts});
         labels_ = std::move(tracked.labels);
+        busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
         for (const events::TrackPortrait& best : tracked.portraits) {
             if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
         }
     }
+    // Fields in which no objects are looked for move where they are not empty.
+    const bool moves = !finder && std::ranges::any_of(field.scalar.pixels(), [](int value) { return value != 0; });
     seen.volume.add(field, voxel_colours_(*frame, field), labels_.runs, moves);
+    if (busy_since) seen.volume.mark_motion(*busy_since, field.pts);
     return labels_;
 }
 

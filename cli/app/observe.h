@@ -84,9 +84,8 @@ class ObservationBuilder {
     /// \param room size of the volume; the plan decides what it stores
     ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs);
 
-    /// \param moves whether anything moves in the frame; used if layers have unequal lengths
     /// \returns the objects of its pixels
-    const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field, bool moves = true);
+    const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field);
 
     /// Takes what was found, and removes the camera's clock from the volume.
     void set_findings(events::Findings findings);

@@ -272,9 +272,9 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
               .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};
     plan.detector = std::move(detector);
     plan.products = products_of(job, marks_objects, purpose);
-    plan.finds_objects = plan.products.events || job.output.reports_events || plan.colours_objects() ||
-                         job.look.show.any(&PartRow::needs_events);
     plan.nonuniform = !plan.products.series && wants_room_for_motion(job.bricks, clip);
+    plan.finds_objects = plan.products.events || job.output.reports_events || plan.colours_objects() ||
+                         job.look.show.any(&PartRow::needs_events) || (plan.nonuniform && marks_objects);
     plan.layout = space::make_layout(job.layout, space::shape_for(clip.field_size, job.shape));
     plan.glyphs.time_velocity = job.look.traces.time_velocity;
     plan.glyphs.frames *= job.look.glyph_scale;
@@ -288,6 +288,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     plan.picture.glyphs = glyph_style_of(job, plan.colours_objects());
     plan.title = title_of(job.look.title, clip.info);
     plan.clock = clock_of(job.look.start_time, clip.info);
+    if (plan.clock) plan.clock->lasts = clip.span.end.value_or(clip.info.duration) - clip.span.start;
     plan.job = std::move(job);
     plan.clip = std::move(clip);
     if (plan.products.series) plan.window = sliding_window(plan.job.bricks, plan.job.look.keyframes, plan.clip);

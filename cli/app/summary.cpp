@@ -59,6 +59,18 @@ std::optional<std::string> advice_on_rate(const Observation& seen) {
                        all ? "" : "; use --decode all");
 }
 
+/// Why no time is compressed in a long clip.
+std::optional<std::string> advice_on_time(const Plan& plan, const Observation& seen) {
+    constexpr double is_long = 600;  // seconds
+    const double all = seen.end().seconds - seen.begin.seconds;
+    if (!plan.nonuniform || all <= is_long || !bricks::compressed_stretches(seen.volume).empty()) return std::nullopt;
+    const std::string found = !seen.events ? fmt::format("the filter {} finds no objects", plan.filter->name)
+                              : seen.events->events.empty() ? "vvr found no event"
+                                                            : "objects move nearly all the time";
+    return fmt::format("'{}': none of the {} is compressed, because {}; --start and --end, or --roi, show a part of it",
+                       seen.info.name, labels::format_duration(all), found);
+}
+
 /// The classes of the events, the most frequent first: " (3 person, 1 car)". Empty without a detector.
 std::string classes_of(const std::vector<events::Event>& events) {
     std::map<std::string_view, std::int64_t> counts;
@@ -113,6 +125,7 @@ std::string events_summary(const std::vector<events::Event>& events, std::size_t
 std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     std::vector<std::string> advice;
     if (auto text = advice_on_clutter(plan, seen)) advice.push_back(std::move(*text));
+    if (auto text = advice_on_time(plan, seen)) advice.push_back(std::move(*text));
     if (auto text = advice_on_rate(seen)) advice.push_back(std::move(*text));
     return advice;
 }

@@ -105,6 +105,7 @@ struct Clock {
     std::optional<std::int64_t> utc_offset{};  ///< seconds, at second 0; none = unknown
     std::string zone{};                        ///< "CET, UTC+1"; empty = unknown
     ClockSource source = ClockSource::user;    ///< of `begin`
+    double lasts = 0;                          ///< seconds of the clip that are shown; times of over a day need the day
 
     /// The local time at a second of the clip, in the units of `begin`.
     double at(double seconds) const;

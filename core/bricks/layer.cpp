@@ -182,10 +182,10 @@ bool are_idle(const Layer& a, const Layer& b) {
 }
 
 template <class Value, class Of>
-std::optional<std::size_t> least(const std::vector<Layer>& layers, const Of& value_of) {
+std::optional<std::size_t> least(std::size_t layers, const Of& value_of) {
     std::optional<std::size_t> found;
     Value least = std::numeric_limits<Value>::max();
-    for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < layers; ++i) {
         const std::optional<Value> value = value_of(i);
         if (!value || (found && *value >= least)) continue;
         least = *value;
@@ -211,6 +211,11 @@ void LayerMerger::add(const std::vector<Layer>& layers) {
     if (layers.size() > 1) losses_.push_back(merge_loss(layers[layers.size() - 2], layers.back()));
 }
 
+void LayerMerger::restart(const std::vector<Layer>& layers) {
+    losses_.clear();
+    for (std::size_t i = 1; i < layers.size(); ++i) losses_.push_back(merge_loss(layers[i - 1], layers[i]));
+}
+
 void LayerMerger::merge_at(std::vector<Layer>& layers, std::size_t i) {
     merge(layers[i], layers[i + 1], values_);
     layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -219,8 +224,8 @@ void LayerMerger::merge_at(std::vector<Layer>& layers, std::size_t i) {
     if (i > 0) losses_[i - 1] = merge_loss(layers[i - 1], layers[i]);
 }
 
-bool LayerMerger::merge_idle(std::vector<Layer>& layers) {
-    const auto found = least<std::int64_t>(layers, [&](std::size_t i) -> std::optional<std::int64_t> {
+bool LayerMerger::merge_idle(std::vector<Layer>& layers, std::size_t decided) {
+    const auto found = least<std::int64_t>(decided, [&](std::size_t i) -> std::optional<std::int64_t> {
         if (!are_idle(layers[i], layers[i + 1])) return std::nullopt;
         return layers[i].frames + layers[i + 1].frames;
     });
@@ -228,17 +233,18 @@ bool LayerMerger::merge_idle(std::vector<Layer>& layers) {
     return found.has_value();
 }
 
-void LayerMerger::merge_cheapest(std::vector<Layer>& layers, std::size_t idle) {
-    const auto all_idle = static_cast<std::size_t>(std::ranges::count_if(layers, is_idle));
-    if (all_idle > idle && merge_idle(layers)) return;
-    const auto moving = least<double>(layers, [&](std::size_t i) -> std::optional<double> {
+void LayerMerger::merge_cheapest(std::vector<Layer>& layers, std::size_t idle, std::size_t decided) {
+    const std::span known(layers.data(), decided);
+    const auto all_idle = static_cast<std::size_t>(std::ranges::count_if(known, is_idle));
+    if (all_idle > idle && merge_idle(layers, decided)) return;
+    const auto moving = least<double>(layers.size(), [&](std::size_t i) -> std::optional<double> {
         if (is_idle(layers[i]) && is_idle(layers[i + 1])) return std::nullopt;
         // A layer of both would show a gap as time in which nothing moved.
         if (is_gap(layers[i]) != is_gap(layers[i + 1])) return std::nullopt;
         return losses_[i];
     });
     if (moving) return merge_at(layers, *moving);
-    if (!merge_idle(layers)) merge_at(layers, 0);
+    if (!merge_idle(layers, layers.size())) merge_at(layers, 0);
 }
 
 }  // namespace vvr::bricks

@@ -124,14 +124,18 @@ class LayerMerger {
     /// Call it after a layer was appended.
     void add(const std::vector<Layer>& layers);
 
+    /// Call it after layers have changed.
+    void restart(const std::vector<Layer>& layers);
+
     /// Merges two neighbours: the shortest two without motion if more than `idle` layers have none, else the two with
     /// the smallest loss.
     /// \param idle number of layers without motion to keep, if possible
-    void merge_cheapest(std::vector<Layer>& layers, std::size_t idle);
+    /// \param decided the first layers, of which it is known whether they have motion
+    void merge_cheapest(std::vector<Layer>& layers, std::size_t idle, std::size_t decided);
 
-    /// Merges the shortest two neighbours without motion.
+    /// Merges the shortest two neighbours without motion among the first `decided` layers.
     /// \returns false if there are none
-    bool merge_idle(std::vector<Layer>& layers);
+    bool merge_idle(std::vector<Layer>& layers, std::size_t decided);
 
   private:
     void merge_at(std::vector<Layer>& layers, std::size_t i);

@@ -16,6 +16,10 @@ namespace {
 constexpr std::size_t idle_share_read = 8;
 constexpr std::size_t idle_share = 4;
 
+/// Share of the layers, as 1/n, that are too new to be merged as time without motion: an object is known only when it
+/// has gone some way.
+constexpr std::size_t undecided_share = 4;
+
 }  // namespace
 
 Volume::Volume(Size size, const VolumeOptions& options)
@@ -41,7 +45,9 @@ void Volume::add_layer(Layer layer) {
         layers_.push_back(std::move(layer));
         return;
     }
-    if (layers() >= room()) merger_.merge_cheapest(layers_, static_cast<std::size_t>(room()) / idle_share_read);
+    const auto most = static_cast<std::size_t>(room());
+    if (layers_.size() >= most)
+        merger_.merge_cheapest(layers_, most / idle_share_read, layers_.size() - most / undecided_share);
     layers_.push_back(std::move(layer));
     merger_.add(layers_);
 }
@@ -149,13 +155,32 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
     }
 }
 
+void Volume::mark_motion(double first, double last) {
+    if (!options_.nonuniform) return;
+    for (auto layer = layers_.rbegin(); layer != layers_.rend() && layer->last_pts >= first; ++layer) {
+        if (layer->pts > last) continue;
+        const double length = layer->last_pts - layer->pts;
+        const double both = std::min(last, layer->last_pts) - std::max(first, layer->pts);
+        const double share = length > 0 ? both / length : 1;
+        const auto frames = std::llround(share * static_cast<double>(layer->frames - layer->missing));
+        layer->moving = std::max<std::int64_t>({layer->moving, frames, 1});
+    }
+}
+
+void Volume::forget_motion() {
+    for (Layer& layer : layers_) layer.moving = 0;
+}
+
 void Volume::settle() {
     if (!options_.nonuniform) return;
+    merger_.restart(layers_);
     while (layers() > options_.capacity)
-        merger_.merge_cheapest(layers_, static_cast<std::size_t>(options_.capacity) / idle_share);
+        merger_.merge_cheapest(layers_, static_cast<std::size_t>(options_.capacity) / idle_share, layers_.size());
     for (;;) {
         const auto idle = static_cast<std::size_t>(std::ranges::count_if(layers_, is_idle));
-        if (idle == layers_.size() || idle * idle_share <= layers_.size() || !merger_.merge_idle(layers_)) return;
+        if (idle == layers_.size() || idle * idle_share <= layers_.size() ||
+            !merger_.merge_idle(layers_, layers_.size()))
+            return;
     }
 }
 

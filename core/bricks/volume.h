@@ -46,6 +46,13 @@ class Volume {
     /// \throws Error usage for a capacity below 2, or a step or seed interval below 1
     Volume(Size size, const VolumeOptions& options);
 
+    /// Says that something moves between two times, seconds of the clip, in a nonuniform volume. Until `settle`, layers
+    /// that ended a while ago may be merged already: the sooner it is said, the more room the motion has.
+    void mark_motion(double first, double last);
+
+    /// Forgets all that was said of motion.
+    void forget_motion();
+
     /// Call it after the last frame. For a nonuniform volume, merges layers down to the capacity, and then layers
     /// without motion down to a quarter of all layers.
     void settle();

@@ -75,8 +75,10 @@ class Conclusion {
     /// Whether it was there until its stretch ended. Then nobody knows how long it stayed.
     bool lasts_to_end(const Candidate& candidate) const {
         const Tracklet& own = candidate.whole;
+        const double unseen = stretch_of(own).last.seconds - own.end.at.seconds;
+        const bool is_lost = unseen > 0 && (own.end.at_border || own.into || unseen >= thresholds.track.lost_after);
         // If the fields don't show it, `to_last` is about its ghost.
-        return own.end.at.frame == stretch_of(own).last.frame || (candidate.to_last && !own.in_scene);
+        return !is_lost || (candidate.to_last && !own.in_scene);
     }
 
     /// Whether it is digits of the camera's clock.

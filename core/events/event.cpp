@@ -10,6 +10,22 @@
 
 namespace vvr::events {
 
+std::vector<std::pair<double, double>> busy_times(std::span<const Event> events) {
+    constexpr double lasting = 1;  // seconds for which an object that stops still counts
+    std::vector<std::pair<double, double>> times;
+    for (const Event& event : events) {
+        double begin = event.first.seconds;
+        for (const Stay& stay : event.stays) {
+            const bool lies = row_of(event.kind).is_thing || stay.last.seconds - stay.first.seconds > thresholds.memory;
+            if (!lies || stay.last.seconds - stay.first.seconds <= 2 * lasting) continue;
+            times.emplace_back(begin, stay.first.seconds + lasting);
+            begin = stay.last.seconds - lasting;
+        }
+        times.emplace_back(begin, event.last.seconds);
+    }
+    return times;
+}
+
 std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice) {
     std::vector<std::optional<std::size_t>> places(events.size());
     std::size_t count = 0;

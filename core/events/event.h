@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -106,6 +107,10 @@ struct Findings {
 
 /// The sum of its stays, seconds.
 double stationary_seconds(const Event& event);
+
+/// When objects move, seconds from and to, one interval after another per event. A thing that lies there doesn't, nor
+/// does whoever stands longer than a minute.
+std::vector<std::pair<double, double>> busy_times(std::span<const Event> events);
 
 /// A filter of events.
 struct EventChoice {

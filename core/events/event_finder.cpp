@@ -361,11 +361,13 @@ bool EventFinder::follows(std::span<const std::size_t> tracks) const {
 }
 
 TrackedFrame EventFinder::tracked(const Moment& now) const {
-    TrackedFrame frame{{now, {}}, {}};
+    TrackedFrame frame{{now, {}}, {}, {}};
     for (const Track& track : tracks_) {
         if (options_.labels && !track.is_over() && track.seen().frame == now.frame) {
             add_runs(track.pixels(), track.number(), frame.labels);
         }
+        const auto since = track.busy_since(now);
+        if (since) frame.busy_since = std::min(frame.busy_since.value_or(*since), *since);
         const std::optional<Portrait>& portrait = track.portrait();
         if (portrait && portrait->at.frame == now.frame) frame.portraits.push_back({track.number(), *portrait});
     }

@@ -29,6 +29,7 @@ struct TrackPortrait {
 struct TrackedFrame {
     FrameLabels labels;
     std::vector<TrackPortrait> portraits;  ///< those taken from this field
+    std::optional<double> busy_since{};    ///< seconds: objects that are there now, and may be events, move since then
 };
 
 /// Finds the events of a clip in its fields, one field at a time. Memory depends on the number of events and on what is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -60,6 +61,17 @@ class Track {
 
     /// Whether it has been seen for so long that it is no fragment or noise.
     bool is_confirmed() const { return seen_.seconds - first_.seconds >= thresholds.event.least; }
+
+    /// Since when it moves, or stands no longer than what is seen counts, seconds. None if it can't become an event
+    /// yet: noise and leaves stay where they are.
+    std::optional<double> busy_since(const Moment& now) const {
+        if (is_over() || !is_confirmed()) return {};
+        const double length = std::max({thresholds.least_length, usual_size_.x, usual_size_.y});
+        const bool goes = 2 * glm::distance(low_, high_) >= thresholds.event.own_lengths * length;
+        const bool rests = stands() && now.seconds - settled_->since.seconds > thresholds.memory;
+        if (rests || !(goes || settled_)) return {};
+        return std::max(first_.seconds, risen_.seconds);
+    }
 
     /// Whether its predicted centre is outside of the picture.
     bool is_outside() const {

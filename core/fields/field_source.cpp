@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -365,7 +366,21 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     options.full_size = needs.full_size;
     const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
     if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = FlowChoice::none();
-    return compute_fields(*clip_, options, sink, needs.scene, needs.find_living);
+    FieldSummary summary = compute_fields(*clip_, options, sink, needs.scene, needs.find_living);
+    shakes_ = summary.reference.shakes;
+    return summary;
+}
+
+void ClipFields::read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) {
+    // How far the camera had moved is not known any more.
+    if (shakes_) return;
+    video::Scaler scale(*clip_);
+    clip_->read_again(times, [&](const std::shared_ptr<video::DecodedFrame>& decoded) {
+        video::Frame frame = scale(*decoded);
+        frame.pts = *std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - frame.pts); });
+        frame.full_size.picture = decoded;
+        sink(frame);
+    });
 }
 
 }  // namespace vvr::fields

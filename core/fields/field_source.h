@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,11 @@ class FieldSource {
 
     /// Passes all fields to the sink, in order, at each call. Frames between the first and the last may lack a picture.
     virtual FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) = 0;
+
+    /// Passes the frames at some times again, with their pictures in full size. Passes none where they can't be had.
+    /// \param times of frames that `read` passed, ascending; the frames that come have the same
+    virtual void read_again(std::span<const double> /*times*/,
+                            const std::function<void(const video::Frame&)>& /*sink*/) {}
 };
 
 /// Fields that are computed from a clip.
@@ -102,11 +108,13 @@ class ClipFields final : public FieldSource {
     Size field_size() const override { return clip_->field_size(); }
     std::int64_t expected_frames() const override { return vvr::video::expected_frames(clip_->info(), options_.span); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override;
 
   private:
     std::unique_ptr<video::FrameSource> clip_;
     FieldOptions options_;
     bool begun_ = false;
+    bool shakes_ = false;
 };
 
 }  // namespace vvr::fields

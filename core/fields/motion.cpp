@@ -103,40 +103,4 @@ void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& h
     }
 }
 
-namespace {
-
-constexpr double memory = 0.4;  // seconds over which motion is measured
-constexpr double lasting = 1;   // seconds for which an object that stops still counts as moving
-constexpr int moved = 12;       // pixels of a tile's 64 that change; edges of stationary objects flicker by less
-
-/// The number of pixels other than 0 in each tile.
-std::vector<std::uint8_t> occupancy(const Plane<std::uint8_t>& scalar) {
-    const int columns = (scalar.width() + tile_side - 1) / tile_side;
-    const int rows = (scalar.height() + tile_side - 1) / tile_side;
-    std::vector<std::uint8_t> counts(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    for (int j = 0; j < scalar.height(); ++j) {
-        std::uint8_t* const out = counts.data() + static_cast<std::ptrdiff_t>(j / tile_side) * columns;
-        const auto row = scalar.row(j);
-        for (std::size_t i = 0; i < row.size(); ++i)
-            if (row[i] != 0) ++out[i / tile_side];
-    }
-    return counts;
-}
-
-bool differ(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (std::abs(a[i] - b[i]) >= moved) return true;
-    }
-    return false;
-}
-
-}  // namespace
-
-bool MotionDetector::operator()(const Field& field) {
-    past_.push_back({field.pts, occupancy(field.scalar)});
-    while (past_.size() > 2 && field.pts - past_[1].pts >= memory) past_.pop_front();
-    if (differ(past_.front().occupancy, past_.back().occupancy)) last_ = field.pts;
-    return last_ && field.pts - *last_ <= lasting;
-}
-
 }  // namespace vvr::fields

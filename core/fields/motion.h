@@ -1,12 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <optional>
-#include <vector>
 
 #include "core/base/plane.h"
-#include "core/fields/field.h"
 
 namespace vvr::fields {
 
@@ -15,22 +11,5 @@ namespace vvr::fields {
 /// \param other, here the frames, smoothed; `object` belongs to `here`
 void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& here, const Plane<std::uint8_t>& object,
                   Plane<std::uint8_t>& changed);
-
-/// Detects whether anything moves in the fields of a clip, which come in order. Stationary objects, such as a bag left
-/// behind, and noise don't count.
-class MotionDetector {
-  public:
-    /// Whether something moves in this frame or moved within the last second.
-    bool operator()(const Field& field);
-
-  private:
-    struct Past {
-        double pts = 0;
-        std::vector<std::uint8_t> occupancy;
-    };
-
-    std::deque<Past> past_;
-    std::optional<double> last_;  ///< seconds: the time of the last motion
-};
 
 }  // namespace vvr::fields

@@ -57,6 +57,9 @@ class ListedSeeds final : public FieldSource {
     /// All frames if there are only a few lists, because a person chose them; else the requested interval.
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
+    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override {
+        fields_->read_again(times, sink);
+    }
 
     /// The summary has a problem if seeds have another flow than the fields.
     /// \throws Error usage if a shared list needs flow and none is computed

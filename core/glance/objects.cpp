@@ -131,12 +131,15 @@ std::vector<events::Stay> stationary_times(const events::Event& event) {
 }
 
 std::vector<std::string> time_texts(const events::Event& event, double end, const WallClock& clock) {
-    const std::string begin = labels::format_moment(event.first.seconds, clock);
+    const std::string begin = labels::format_moment_and_day(event.first.seconds, clock);
+    std::string until = labels::format_moment_and_day(event.last.seconds, clock);
+    const std::size_t day = begin.find(' ') + 1;  // the length of the day and the space after it
+    if (day > 0 && begin == until) return {begin};
+    if (until.starts_with(begin.substr(0, day))) until.erase(0, day);
     // Whether it was fetched is what a reader asks first.
-    if (event.kind != events::EventKind::left || !event.open_ended)
-        return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
+    if (event.kind != events::EventKind::left || !event.open_ended) return {fmt::format("{}–{}", begin, until), begin};
     // At a gap, with the time: after it, nobody looked for the thing.
-    const std::string at = event.last.seconds >= end ? "" : " at " + labels::format_moment(event.last.seconds, clock);
+    const std::string at = event.last.seconds >= end ? "" : " at " + until;
     return {fmt::format("{}, still there{}", begin, at), "from " + begin, begin};
 }
 
@@ -283,7 +286,7 @@ void label_stays(const Objects& objects, const Trails& trails, const labels::She
         lettering.strokes.push_back({mark.place - up, mark.place + up, width, mark.colour});
     }
     for (const StayMark& mark : marks) {
-        const std::string text = labels::format_moment(mark.seconds, objects.clock);
+        const std::string text = labels::format_moment_and_day(mark.seconds, objects.clock);
         const auto label_at = [&](const glm::dvec2& lines) {
             const glm::dvec2 at = mark.place + lines * static_cast<double>(sheet.small);
             labels::Label label = labels::make_centred_label(text, sheet.small, at.x, at.y, mark.colour);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -128,21 +129,30 @@ std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const
     const double end = volume.layer(volume.layers() - 1).last_pts;
     constexpr int max_factor = 1024;
     const double apart = 0.8 * volume.t_end() / most;
-    const std::vector<bricks::CompressedIdle> compressed = bricks::compressed_stretches(volume);
-    const auto is_compressed = [&](double t) {
-        return std::ranges::any_of(compressed,
-                                   [&](const bricks::CompressedIdle& s) { return s.t_begin < t && t < s.t_end; });
-    };
+    std::vector<std::pair<double, double>> without;  // t_C where a tick would tell little
+    for (const bricks::CompressedIdle& s : bricks::compressed_stretches(volume))
+        without.emplace_back(s.t_begin, s.t_end);
+    for (const TimeGap& gap : time_gaps(volume)) without.emplace_back(gap.t_begin, gap.t_end);
     std::vector<TimeTick> kept;
+    const auto keep = [&](TimeTick tick) {
+        const double t = volume.t_of_seconds(tick.seconds);
+        const bool tells =
+            std::ranges::none_of(without, [&](const auto& s) { return s.first < t && t < s.second - 1e-9; });
+        const bool free = std::ranges::none_of(
+            kept, [&](const TimeTick& other) { return std::abs(volume.t_of_seconds(other.seconds) - t) < apart; });
+        if (tells && free) kept.push_back(std::move(tick));
+    };
     for (int factor = 1; factor <= max_factor; factor *= 2) {
         for (TimeTick& tick : time_ticks(begin, end, factor * most, clock)) {
-            const double t = volume.t_of_seconds(tick.seconds);
             const bool whole = tick.seconds == std::floor(tick.seconds) || end - begin < most;
-            if (!whole || is_compressed(t)) continue;
-            const bool free = std::ranges::none_of(
-                kept, [&](const TimeTick& other) { return std::abs(volume.t_of_seconds(other.seconds) - t) < apart; });
-            if (free) kept.push_back(std::move(tick));
+            if (whole) keep(std::move(tick));
         }
+    }
+    // No round time may be in the footage of a camera that records only motion.
+    const auto is_gap = [&](std::int64_t i) { return volume.layer(i).missing == volume.layer(i).frames; };
+    for (std::int64_t i = 1; i < volume.layers(); ++i) {
+        const double seconds = volume.layer(i).pts;
+        if (is_gap(i - 1) && !is_gap(i)) keep({seconds, format_moment_and_day(seconds, clock)});
     }
     std::ranges::sort(kept, {}, &TimeTick::seconds);
     return kept;

@@ -29,11 +29,13 @@ std::string clip_time(double seconds, double step) {
     return fmt::format("{}{}:{:02}", sign, whole / 60, whole % 60);
 }
 
-std::string wall_time(double seconds, const Clock& clock, double step) {
+std::string wall_time(double seconds, const Clock& clock, double step, bool with_day) {
     const double at = clock.at(seconds);
     const auto whole = static_cast<std::time_t>(std::floor(at + 1e-6));
     const std::tm parts = fmt::gmtime(whole);
     if (step >= day) return fmt::format("{:%m-%d}", parts);
+    if (with_day && clock.lasts > 7 * day) return fmt::format("{:%m-%d %H:%M}", parts);
+    if (with_day && clock.lasts > day) return fmt::format("{:%a %H:%M}", parts);
     if (step >= minute) return fmt::format("{:%H:%M}", parts);
     if (step >= 1) return fmt::format("{:%H:%M:%S}", parts);
     // The fraction without its leading zero.
@@ -92,7 +94,7 @@ std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallC
     for (const Interval& interval : intervals) {
         for (double i = interval.first(step); i <= interval.last(step); ++i) {
             const double seconds = i * step - interval.offset;
-            ticks.push_back({seconds, clock ? wall_time(seconds, *clock, step) : clip_time(seconds, step)});
+            ticks.push_back({seconds, clock ? wall_time(seconds, *clock, step, true) : clip_time(seconds, step)});
         }
     }
     return ticks;
@@ -103,7 +105,11 @@ std::string format_clock(std::int64_t seconds) {
 }
 
 std::string format_moment(double seconds, const WallClock& clock) {
-    return clock ? wall_time(seconds, *clock, 1) : clip_time(seconds, 1);
+    return clock ? wall_time(seconds, *clock, 1, false) : clip_time(seconds, 1);
+}
+
+std::string format_moment_and_day(double seconds, const WallClock& clock) {
+    return clock ? wall_time(seconds, *clock, 1, true) : clip_time(seconds, 1);
 }
 
 std::string format_duration(double seconds) {

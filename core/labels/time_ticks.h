@@ -25,6 +25,9 @@ std::string format_clock(std::int64_t seconds);
 /// "0:07", "2:01:07"; with a wall clock "08:00:07".
 std::string format_moment(double seconds, const WallClock& clock = {});
 
+/// As `format_moment`, but "Tue 18:06" if more than a day is shown, and "11-24 18:06" if more than a week is.
+std::string format_moment_and_day(double seconds, const WallClock& clock);
+
 /// "45 s", "7 min", "3:20 h".
 std::string format_duration(double seconds);
 

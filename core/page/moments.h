@@ -137,6 +137,9 @@ class WatchedFields final : public fields::FieldSource {
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
     std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
     bool has_pictures() const override { return fields_->has_pictures(); }
+    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override {
+        fields_->read_again(times, sink);
+    }
     fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
 
     /// The moments of the last `read`. Call it once.

@@ -155,11 +155,15 @@ Json json_of(const std::vector<ConstantRateFrames>& times) {
 }
 
 /// The reason for each gap: where the numbers of frames skip.
-Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const video::FrameSpan& span) {
+Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const PageContent& content) {
+    std::vector<video::SegmentPlace> files;
+    for (const PageContent::Segment& file : content.segments)
+        files.push_back({"", file.begin, file.begin + file.length});
     Json json = Json::array();
     for (std::size_t k = 1; k < times.size(); ++k) {
         const std::int64_t next = times[k - 1].first + times[k - 1].count;
-        if (times[k].first > next) json.push_back(video::reason_for_gap(span, times[k - 1].at(next), times[k].begin));
+        if (times[k].first > next)
+            json.push_back(video::reason_for_gap(content.span, files, times[k - 1].at(next), times[k].begin));
     }
     return json;
 }
@@ -265,7 +269,7 @@ Json page_data(const PageContent& content) {
               {"cut", {{"ending", content.piece_extension}, {"names", content.names}}},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
-              {"gaps", json_of_gaps(moments.times, content.span)},
+              {"gaps", json_of_gaps(moments.times, content)},
               {"clock", json_of(content.clock)},
               {"told", row_of(content.clock_source()).words},
               {"kinds", json_of_kinds()},

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -108,6 +110,11 @@ class FrameSource {
     /// Continues at the first frame at or after `seconds` if that is faster than reading from the first frame and the
     /// frame's index is known. Otherwise restarts at the first frame.
     virtual void seek(double seconds);
+
+    /// Reads the frames at some times again, as far as that works: of a file by seeking, of a recording in the files
+    /// that have them. Another read needs a `rewind`. \param times of frames that were read, ascending
+    virtual void read_again(std::span<const double> times,
+                            const std::function<void(std::shared_ptr<DecodedFrame>)>& sink);
 
     /// Samples at most `count` frames, spread in time over all frames that decode. Returns all frames if there are at
     /// most `count`, and otherwise more than count / 3. Restarts at the first frame. Holds at most `count` frames in

@@ -142,14 +142,18 @@ bool is_between_parts(const FrameSpan& span, double pts) {
         span.parts, [pts](const FrameSpan::Part& part) { return pts >= part.begin - slack && pts < part.end - slack; });
 }
 
-std::string_view reason_for_gap(const FrameSpan& span, double begin, double end) {
+std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files, double begin, double end) {
     constexpr double little = 1;  // seconds
-    if (span.parts.empty()) return "no signal";
+    const bool is_within = files.empty() || std::ranges::any_of(files, [&](const SegmentPlace& file) {
+                               return std::min(file.end, end) - std::max(file.begin, begin) > little / 2;
+                           });
+    const std::string lacks = is_within ? "no signal" : "no footage";
+    if (span.parts.empty()) return lacks;
     double asked = 0;
     for (const FrameSpan::Part& part : span.parts)
         asked += std::max(0.0, std::min(part.end, end) - std::max(part.begin, begin));
-    if (end - begin - asked <= little) return "no signal";
-    return asked > little ? "left out, no signal" : "left out";
+    if (end - begin - asked <= little) return lacks;
+    return asked > little ? "left out, " + lacks : "left out";
 }
 
 std::string text_of(const FrameSpan& span) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -89,8 +90,10 @@ bool is_past(const FrameSpan& span, std::int64_t index, double pts);
 /// Whether a frame within the limits lies between two parts.
 bool is_between_parts(const FrameSpan& span, double pts);
 
-/// Why a stretch of a clip, in seconds, has no frames: "left out" if they were not requested, else "no signal".
-std::string_view reason_for_gap(const FrameSpan& span, double begin, double end);
+/// Why a stretch of a clip, in seconds, has no frames: "left out" if they were not requested; "no footage" between two
+/// files of a recording, as the camera may record only motion; else "no signal".
+/// \param files of the recording; empty for a single file or a stream
+std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files, double begin, double end);
 
 /// The span for messages: "from 2 s to frame 80".
 std::string text_of(const FrameSpan& span);

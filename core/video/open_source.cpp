@@ -67,6 +67,23 @@ void FrameSource::seek(double) {
     rewind();
 }
 
+void FrameSource::read_again(std::span<const double> times,
+                             const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) {
+    constexpr double close = 60;  // seconds: where seeking leads farther back, reading goes on instead
+    constexpr double same = 0.0005;
+    std::shared_ptr<DecodedFrame> frame;
+    bool seeks = true;
+    for (const double time : times) {
+        if (seeks) {
+            seek(time);
+            frame = next();
+            seeks = frame && frame->pts >= time - close;
+        }
+        while (frame && frame->pts < time - same) frame = next();
+        if (frame && frame->pts <= time + same) sink(frame);
+    }
+}
+
 namespace {
 
 /// A warning if a folder of pictures also has videos, which are ignored.

@@ -248,6 +248,29 @@ void RecordingSource::rewind() {
     info_.segments.clear();
 }
 
+void RecordingSource::read_again(std::span<const double> times,
+                                 const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) {
+    for (std::size_t k = 0; k < info_.segments.size(); ++k) {
+        const SegmentPlace& place = info_.segments[k];
+        const auto end =
+            k + 1 < info_.segments.size() ? std::ranges::lower_bound(times, info_.segments[k + 1].begin) : times.end();
+        std::vector<double> within;
+        for (const double time : times.first(static_cast<std::size_t>(end - times.begin())))
+            within.push_back(time - place.begin);
+        times = times.subspan(within.size());
+        if (within.empty()) continue;
+        try {
+            FileSource source(open_input(place.path), options_);
+            source.read_again(within, [&](std::shared_ptr<DecodedFrame> frame) {
+                frame->pts += place.begin;
+                sink(std::move(frame));
+            });
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::limit) throw;  // others: it was reported if it could not be read before
+        }
+    }
+}
+
 std::vector<Frame> RecordingSource::sample(int count) {
     rewind();
     const bool many = std::ssize(recording_.segments) >= std::max(count, static_cast<int>(few));

@@ -33,6 +33,8 @@ class RecordingSource final : public FrameSource {
     std::vector<std::string> problems() const override;
     void rewind() override;
     std::vector<Frame> sample(int count) override;
+    void read_again(std::span<const double> times,
+                    const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) override;
 
   private:
     bool open_next();

@@ -136,13 +136,13 @@ def test_parts_of_each_night(t):
     t.vvr("render", *files, "-o", "out.png", "--size", "1000x700", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
     report = t.json("r.json")
     check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
-    check("left out, no signal" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
+    check("left out, no footage" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
     # The page says the same, of the times that it has and along the axis.
     t.vvr("render", *files, "-o", "out.html", "--size", "1000x700", "--between", "22:00-05:00").expect(0)
     page = page_data(t.path("out.html").read_text(encoding="utf-8"))
-    check(page["gaps"] == ["left out, no signal"], f"{page['gaps']}")
+    check(page["gaps"] == ["left out, no footage"], f"{page['gaps']}")
     notes = [note["text"] for note in page["overlay"]["notes"]]
-    check("left out, no signal" in notes and "no signal" not in notes, f"{notes}")
+    check("left out, no footage" in notes and "no footage" not in notes, f"{notes}")
     t.vvr("extract", *files, "-o", "data", "--between", "22:00-05:00").expect(
         1, "--between", "'2026-11-20_22-00-00.avi'", "2 parts", "--start and --end", code="options-conflict")
 

@@ -64,6 +64,29 @@ def test_pixels_of_busy_time_tell_their_frames(t):
     check(len(seen) > 60, f"only {len(seen)} of the frames")
 
 
+def test_a_clock_and_noise_are_no_motion(t):
+    """Time goes to objects, not to pixels that change: every camera writes a clock into its pictures."""
+    visit = "[0][1]overlay=x='if(between(t,60,72),12*(t-60)-24,-50)':y=20:eval=frame"
+    clock = ",drawbox=x=4:y=4:w=20:h=12:color=white:t=fill:enable='lt(mod(t,2),1)',noise=alls=12:allf=t"
+    for name, more in (("plain.mkv", ""), ("clock.mkv", clock)):
+        t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=5:duration=660", "-f", "lavfi", "-i",
+                 "color=black:size=16x24:rate=5:duration=660", "-filter_complex", visit + more, "-c:v", "ffv1", name)
+        told = t.render(name, "--report", "r.json").expect(0, "without motion are compressed on the time axis, in 2 places")
+        check("none of the" not in told.err, told.err)
+        check(room_of(t.json("r.json"), 60, 72) > 0.7, f"{t.json('r.json')['volume']}")
+    t.render("clock.mkv", "--end", "59s", "--time", "busy", "--report", "r.json").expect(0)
+    check(t.json("r.json")["volume"]["compressed"] == [], "nothing is there, and yet some of it has less room")
+
+
+def test_says_why_no_time_is_compressed(t):
+    moving = "[0][1]overlay=x='mod(8*t,120)-24':y=20:eval=frame"
+    for name, filters, why in (("busy.mkv", moving, "objects move nearly all the time"), ("none.mkv", "[1]nullsink;[0]null", "vvr found no event")):
+        t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64:rate=2:duration=660", "-f", "lavfi", "-i",
+                 "color=black:size=24x24:rate=2:duration=660", "-filter_complex", filters, "-c:v", "ffv1", name)
+        t.render(name, "--report", "r.json").expect(0, f"'{name}': none of the 11 min is compressed, because {why}")
+        check(any(why in text for text in t.json("r.json")["advice"]), f"{t.json('r.json')['advice']}")
+
+
 def test_preset_of_a_day(t):
     recording(t)
     told = t.render("day.mkv", "--preset", "day", "--brick", "600s", "--start-time", "2026-11-21 07:50:00", "--size", "640x400",

@@ -68,7 +68,7 @@ def test_recording_has_gaps_where_files_are_missing(t):
     names = cut(t)
     t.path(names[1]).unlink()
     report = report_of(t, "day", *LOOK, says=["300 frames in 400 layers"])
-    check(any(label["text"] == "no signal" for label in report["labels"]), f"{report['labels']}")
+    check(any(label["text"] == "no footage" for label in report["labels"]), f"{report['labels']}")
     check([segment["first_frame"] for segment in report["segments"]] == [0, 200, 300], f"{report['segments']}")
     check(report["problems"] == [], f"{report['problems']}")
     check(report["span"]["last"] == 39.9, f"{report['span']}")

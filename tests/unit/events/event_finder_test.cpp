@@ -1,7 +1,9 @@
 // What the finder makes of fields that are painted by hand.
 #include "core/events/event_finder.h"
 
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -374,6 +376,35 @@ TEST(EventFinder, EventsDoNotLeaveTheField) {
     for (const events::Event& event : events) {
         EXPECT_TRUE((PixelBox{0, 0, 120, 90}).contains(event.box));
     }
+}
+
+TEST(EventFinder, TellsSinceWhenSomethingMovesThatMayBeAnEvent) {
+    events::EventFinder finder = finder_on_black();
+    for (int f = 0; f < 300; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        // A clock's digit, a twig, and from frame 100 to 200 somebody who passes.
+        if (f / 25 % 2 == 0) fill(field, {4, 4, 12, 14}, 200);
+        const int x = 60 + static_cast<int>(3 * std::sin(0.5 * f));
+        fill(field, {x, 4, x + 12, 10}, 90);
+        if (f >= 100 && f < 200) fill(field, {f - 90, 40, f - 76, 80}, 120);
+        const std::optional<double> since = finder.add({field, {}, {}}, at(f)).busy_since;
+        if (f < 120 || f > 226) EXPECT_FALSE(since) << f;
+        if (f > 170 && f < 200) EXPECT_EQ(since, at(100).seconds) << f;
+    }
+}
+
+TEST(EventFinder, WhoIsLostJustBeforeTheEndIsStillThere) {
+    const auto still_there = [](int lost, int shift) {
+        const std::vector<events::Event> found = events_of(100, [&](int f, auto& field) {
+            if (f < lost) fill(field, {f + shift, 30, f + shift + 14, 70}, 120);
+        });
+        EXPECT_EQ(found.size(), 1U);
+        return found.size() == 1 && found.front().open_ended;
+    };
+    EXPECT_TRUE(still_there(100, 0));
+    EXPECT_TRUE(still_there(98, 0)) << "the tracker goes on without it for a second";
+    EXPECT_FALSE(still_there(60, 0));
+    EXPECT_FALSE(still_there(98, 20)) << "it left at the border";
 }
 
 }  // namespace

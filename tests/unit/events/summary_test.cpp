@@ -136,5 +136,22 @@ TEST(Clutter, WhatGoesFarIsNone) {
     EXPECT_FALSE(events::find_clutter(events, field));
 }
 
+TEST(Events, AreBusyWhereTheyMove) {
+    using Times = std::vector<std::pair<double, double>>;
+    const auto at = [](double seconds) { return Moment{std::llround(25 * seconds), seconds}; };
+    const auto stay = [&](double first, double last) { return events::Stay{at(first), at(last), {}, {}}; };
+    events::Event event;
+    event.first = at(10);
+    event.last = at(200);
+    EXPECT_EQ(events::busy_times(std::vector{event}), (Times{{10, 200}}));
+    event.stays = {stay(20, 70)};
+    EXPECT_EQ(events::busy_times(std::vector{event}), (Times{{10, 200}})) << "who waits may do something";
+    event.stays = {stay(20, 90), stay(100, 120)};
+    EXPECT_EQ(events::busy_times(std::vector{event}), (Times{{10, 21}, {89, 200}})) << "as a parked car";
+    event.kind = events::EventKind::left;
+    event.stays = {stay(10, 200)};
+    EXPECT_EQ(events::busy_times(std::vector{event}), (Times{{10, 11}, {199, 200}}));
+}
+
 }  // namespace
 }  // namespace vvr

@@ -66,6 +66,16 @@ TEST(Words, SayWhatItDidAndWhen) {
     EXPECT_EQ(glance::activity_texts(event).front(), "stood 15 s in all");
     EXPECT_EQ(glance::time_texts(event, 60, {}).front(), "0:06–0:28");
     EXPECT_EQ(glance::time_texts(event, 60, 1'795'248'017).front(), "08:00:23–08:00:45");
+    Clock days(1'795'248'017);
+    days.lasts = 3 * 86'400;
+    EXPECT_EQ(glance::time_texts(event, 60, days).front(), "Sat 08:00");
+    event.last = at(128.4);
+    EXPECT_EQ(glance::time_texts(event, 60, days).front(), "Sat 08:00–08:02");
+    event.last = at(90'000);
+    EXPECT_EQ(glance::time_texts(event, 60, days).front(), "Sat 08:00–Sun 09:00");
+    days.lasts = 17 * 86'400;
+    event.last = at(28.4);
+    EXPECT_EQ(glance::time_texts(event, 60, days).front(), "11-21 08:00");
     EXPECT_EQ(glance::time_texts(event, event.last.seconds, {}).front(), "0:06–0:28")
         << "who walks is not there for long";
     event.kind = events::EventKind::left;

@@ -386,5 +386,23 @@ TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
     EXPECT_EQ(labels::arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
 }
 
+TEST(Ruler, HasTimesWhereACameraRecordsOnlyMotion) {
+    // Twenty files of ten seconds, hours apart.
+    bricks::Volume volume({32, 24}, {.capacity = 400, .nonuniform = true});
+    for (int file = 0; file < 20; ++file) {
+        const int begin = 1 + 7919 * file;
+        for (int i = begin; i < begin + 10; ++i)
+            volume.add({i, 1.0 * i, Plane<std::uint8_t>({32, 24}, 200), {}, {}}, {}, {}, true);
+        volume.add_gap(begin + 10, 7909, begin + 10, 1);
+    }
+    volume.settle();
+    const std::vector<labels::TimeTick> ticks = labels::spread_ticks(volume, 9, 0);
+    EXPECT_GE(ticks.size(), 6U);
+    for (const labels::TimeTick& tick : ticks) {
+        const double since = std::fmod(tick.seconds - 1, 7919);
+        EXPECT_LT(since, 10) << tick.text << " is in a gap";
+    }
+}
+
 }  // namespace
 }  // namespace vvr

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 extern "C" {
@@ -396,6 +397,34 @@ TEST(RecordingSource, SaysThatItsFilesHaveGone) {
     source->rewind();
     EXPECT_EQ(count(*source), 100) << "what is left is read";
     EXPECT_EQ(source->problems().size(), 1U) << "and the rest is named";
+}
+
+TEST(VideoFile, ReadsFramesAgain) {
+    const test::TempFolder folder;
+    const std::string encoding = "-c:v libx264 -g 10 -bf 2 -pix_fmt yuv420p -qp 1";
+    for (int part = 0; part < 2; ++part) {
+        const std::string name = fmt::format("2026-11-21_08-00-{:02}.mp4", 10 * part);
+        test::counting_clip(folder, name, encoding);
+    }
+    std::vector<std::string> warnings;
+    for (const bool joined : {false, true}) {
+        const std::vector<std::string> names{joined ? folder / "*.mp4" : folder / "2026-11-21_08-00-00.mp4"};
+        const auto source = video::open_sources(names, {}, {}, warnings);
+        std::vector<double> all;
+        while (const auto frame = source->next()) all.push_back(frame->pts);
+        ASSERT_EQ(all.size(), joined ? 200U : 100U);
+        std::vector<double> asked{all[0], all[31], all[77], all[77] + 0.01, all[99]};
+        if (joined) asked.push_back(all[131]);
+        std::vector<double> got;
+        video::Scaler scale(*source);
+        source->read_again(asked, [&](const std::shared_ptr<video::DecodedFrame>& frame) {
+            got.push_back(frame->pts);
+            const auto place = static_cast<std::int64_t>(std::ranges::find(all, frame->pts) - all.begin());
+            EXPECT_NEAR(scale(*frame).grey.at(20, 20), test::level(place % 100), 2) << frame->pts;
+        });
+        asked.erase(asked.begin() + 3);  // no frame's time
+        EXPECT_EQ(got, asked);
+    }
 }
 
 }  // namespace
