@@ -211,6 +211,7 @@ class Annotator {
         double idle = 0;
         for (const bricks::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
         if (idle > 0) text += fmt::format("; {} without motion are shortened", labels::format_duration(idle));
+        for (const std::string& words : words_of(unseen_of(plan_, seen_))) text += "; " + words;
         return text;
     }
 

@@ -18,6 +18,7 @@
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/store/manifest.h"
+#include "core/video/file_moment.h"
 #include "core/video/input.h"
 #include "core/video/input_files.h"
 #include "core/video/packet_copy.h"
@@ -72,11 +73,23 @@ std::optional<double> best_moment(const std::string& kind, double first, std::op
 
 }  // namespace
 
-PieceEvent piece_event(const events::Event& event, std::int64_t number) {
+Json MomentPlaces::operator()(double seconds) const {
+    Json json = Json::object();
+    if (clock) json["time"] = clock->iso(seconds);
+    if (const auto [file, offset] = video::file_at(files, seconds); file != nullptr) {
+        json["file"] = file->path;
+        json["offset"] = rounded(offset);
+    }
+    return json;
+}
+
+PieceEvent piece_event(const events::Event& event, std::int64_t number, const VideoScale& scale) {
     PieceEvent found{number, event.first.seconds, event.last.seconds, std::string(events::name_of(event.kind))};
     if (event.identity) found.what = event.identity->what->name;
     const auto portrait = event.portrait ? std::optional(event.portrait->at.seconds) : std::nullopt;
     found.best = best_moment(found.kind, found.first, portrait);
+    found.box = scale(event.box);
+    found.best_box = event.portrait ? scale(event.portrait->box) : found.box;
     return found;
 }
 
@@ -90,6 +103,13 @@ video::FrameSpan span_around(double first, double last, double margin) {
 
 namespace {
 
+std::optional<PixelBox> box_of(const Json& json) {
+    const auto box = json.find("box");
+    if (box == json.end() || !box->is_object()) return std::nullopt;
+    const auto side = [&](const char* key) { return box->at(key).get<int>(); };
+    return PixelBox{side("x"), side("y"), side("x") + side("width"), side("y") + side("height")};
+}
+
 /// An event of a report. Older reports have neither classes nor portraits.
 PieceEvent event_of(const Json& json) {
     PieceEvent event{json.at("number").get<std::int64_t>(), json.at("first").at("seconds").get<double>(),
@@ -99,6 +119,8 @@ PieceEvent event_of(const Json& json) {
     const Json portrait = json.value("portrait", Json());
     event.best = best_moment(event.kind, event.first,
                              portrait.is_object() ? std::optional(portrait.at("seconds").get<double>()) : std::nullopt);
+    event.box = box_of(json);
+    event.best_box = portrait.is_object() ? box_of(portrait) : event.box;
     return event;
 }
 
@@ -123,6 +145,7 @@ ReportedEvents read_events(const std::filesystem::path& report) {
     if (!json["events"].is_array()) refuse(report, "has no list of events, because that run did not search for any");
     try {
         ReportedEvents events{files_of(json), {}, settings_of(json)};
+        events.unseen = video::unseen_areas_from(json.value("unseen", Json()));
         for (const Json& event : json["events"]) events.events.push_back(event_of(event));
         if (const Json camera = json.at("input").value("camera", Json()); camera.is_string()) events.camera = camera;
         if (events.files.empty())

@@ -4,19 +4,33 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
+#include "cli/app/video_scale.h"
 #include "core/base/digest.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/video/frame_source.h"
 #include "core/video/frame_span.h"
 #include "core/video/recording.h"
+#include "core/video/unseen.h"
 
 namespace vvr::app {
+
+/// Tells for each moment its file, the seconds in it, and the time of day.
+struct MomentPlaces {
+    std::span<const video::SegmentPlace> files;  ///< empty = none is told
+    const WallClock& clock;
+
+    /// \param seconds of the clip or recording
+    nlohmann::ordered_json operator()(double seconds) const;
+};
 
 /// What is known of an event that is in a piece. Times are seconds from the first frame of the clip or recording.
 struct PieceEvent {
@@ -24,11 +38,13 @@ struct PieceEvent {
     double first = 0;
     double last = 0;
     std::string kind{};
-    std::string what{};            ///< its class; empty = unknown
-    std::optional<double> best{};  ///< when a frame shows it best
+    std::string what{};                  ///< its class; empty = unknown
+    std::optional<double> best{};        ///< when a frame shows it best
+    std::optional<PixelBox> box{};       ///< where it was, in pixels of the video
+    std::optional<PixelBox> best_box{};  ///< where it is in that frame
 };
 
-PieceEvent piece_event(const events::Event& event, std::int64_t number);
+PieceEvent piece_event(const events::Event& event, std::int64_t number, const VideoScale& scale);
 
 /// The span of a piece with everything from `first` to `last`, and `margin` seconds before and after.
 video::FrameSpan span_around(double first, double last, double margin);
@@ -44,6 +60,7 @@ struct ReportedEvents {
     std::vector<ReportedFile> files;
     std::vector<PieceEvent> events;
     image::Metadata settings{};  ///< of the run that wrote the report
+    video::Unseen unseen{};      ///< the areas that it left out
     std::string camera{};        ///< empty = unknown
 };
 

@@ -27,10 +27,10 @@ struct Group {
     std::vector<PieceEvent> events;
 };
 
-std::vector<Group> group(const std::vector<events::Event>& events, double margin) {
+std::vector<Group> group(const std::vector<events::Event>& events, double margin, const VideoScale& scale) {
     std::vector<PieceEvent> sorted;
     for (std::size_t k = 0; k < events.size(); ++k)
-        sorted.push_back(piece_event(events[k], static_cast<std::int64_t>(k) + 1));
+        sorted.push_back(piece_event(events[k], static_cast<std::int64_t>(k) + 1, scale));
     std::ranges::stable_sort(sorted, {}, &PieceEvent::first);
     std::vector<Group> groups;
     for (const PieceEvent& event : sorted) {
@@ -56,6 +56,7 @@ PieceJob job_for(const Plan& plan, const Observation& seen, const std::string& c
     job.name = seen.info.name;
     job.camera = camera;
     job.clock = plan.clock;
+    job.places = files_of(plan, seen);
     if (plan.job.look.start_time.from != StartTime::From::none) job.created = seen.info.created;
     job.input = plan.job.input;
     job.threads = plan.job.fields.threads;
@@ -75,17 +76,17 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
     KeptEvents kept;
     const OutputOptions::Pieces& output = plan.job.output.pieces;
     if (!seen.events || seen.events->events.empty()) return kept;
-    const std::vector<video::SegmentPlace> files = files_of(plan, seen);
     PieceJob job = job_for(plan, seen, camera);
-    PieceRecord record{camera, plan.clock, plan.job.settings};
+    PieceRecord record{camera, plan.clock, plan.job.settings, unseen_of(plan, seen), job.places};
+    const VideoScale scale(plan.clip.field_size, seen.info.size);
     std::map<std::string, HashedFile> footage;
     std::set<std::string> used;  // files of the pieces
     std::size_t failed = 0;
-    for (Group& events : group(seen.events->events, output.margin)) {
+    for (Group& events : group(seen.events->events, output.margin, scale)) {
         try {
             job.span = span_around(events.first, events.last, output.margin);
-            job.parts = parts_in(files, job.span);
-            if (job.parts.empty()) video::throw_empty(job.name, job.span, std::nullopt);
+            job.parts = parts_in(job.places, job.span);
+            if (job.parts.empty()) throw_empty(job, "");
             const video::Input input = video::open_input(job.parts.front().file.path);
             const std::string_view extension = video::extension_to_play(input, job.input.rate);
             if (extension.empty()) {
@@ -100,8 +101,8 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
                 const std::string& file = part.file.path;
                 if (!footage.contains(file)) footage.emplace(file, hashed(file, file));
             }
-            const auto times = copy_piece(job, observer, std::stop_token());
-            record.pieces.push_back({name, times.value(), true, std::move(events.events)});
+            const auto facts = copy_piece(job, observer, std::stop_token());
+            record.pieces.push_back({name, facts.value(), std::move(events.events)});
             for (const FootagePart& part : job.parts) used.insert(part.file.path);
         } catch (const Error& error) {
             if (!is_of_the_footage(error)) throw;

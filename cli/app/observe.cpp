@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -199,6 +200,7 @@ const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fiel
 
 ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
+      find_gap_(plan.clip.info.rate, plan.clip.info.decoded_share < 1),
       keeps_crops_(needs.full_size),
       keeps_boxes_(!plan.job.output.tracks.empty()),
       voxel_colours_(plan) {
@@ -245,6 +247,8 @@ const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& fra
     }
     // Fields in which no objects are looked for move where they are not empty.
     const bool moves = !finder && std::ranges::any_of(field.scalar.pixels(), [](int value) { return value != 0; });
+    const bool skips = seen.volume.frames() > 0 && field.index > seen.last->index + 1;
+    if (const auto gap = find_gap_(field.pts, skips)) seen.gaps.push_back(*gap);
     seen.volume.add(field, voxel_colours_(*frame, field), labels_.runs, moves);
     if (busy_since) seen.volume.mark_motion(*busy_since, field.pts);
     return labels_;
@@ -265,6 +269,17 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     needs.full_size = plan.products.portraits || plan.shows(Part::portraits) || plan.detector != nullptr;
     needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
+}
+
+video::Unseen unseen_of(const Plan& plan, const Observation& seen) {
+    video::Unseen unseen{.areas = plan.areas, .masked = plan.masked};
+    std::ranges::copy_if(seen.gaps, std::back_inserter(unseen.gaps), [&](const video::FrameGap& gap) {
+        return gap.end > seen.begin.seconds && gap.begin < seen.end().seconds &&
+               video::reason_for_gap(plan.job.fields.span, seen.info.segments, gap.begin, gap.end) != "left out";
+    });
+    unseen.damage = seen.summary.damage;
+    unseen.damaged = seen.summary.damaged;
+    return unseen;
 }
 
 Observation observe(const Plan& plan, fields::FieldSource& source, Observer& observer) {

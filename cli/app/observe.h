@@ -19,6 +19,7 @@
 #include "core/glance/portraits.h"
 #include "core/glance/time_strip.h"
 #include "core/video/frame.h"
+#include "core/video/frame_gaps.h"
 
 // Reading a clip into an observation.
 namespace vvr::app {
@@ -46,6 +47,7 @@ struct Observation {
     glance::Crops crops{};                              ///< pictures of the objects
     std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                 ///< the scene without objects
+    std::vector<video::FrameGap> gaps{};                ///< where frames are missing
     fields::FieldSummary summary{};
 
     Moment end() const { return {last->index, last->pts}; }
@@ -54,6 +56,9 @@ struct Observation {
 /// Reads all fields of a clip once, in order.
 /// \throws Error limit, not_video, io, usage
 Observation observe(const Plan& plan, fields::FieldSource& source, Observer& observer);
+
+/// What of the clip, or of the window over it, nobody looked at.
+video::Unseen unseen_of(const Plan& plan, const Observation& seen);
 
 /// What the plan needs from the fields of `frames` frames.
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
@@ -104,6 +109,7 @@ class ObservationBuilder {
     std::optional<events::EventFinder> finder;  ///< none = objects are not tracked
 
   private:
+    video::FrameGaps find_gap_;
     bool keeps_crops_;
     bool keeps_boxes_;
     VoxelColours voxel_colours_;

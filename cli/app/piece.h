@@ -4,13 +4,13 @@
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/app/footage.h"
 #include "cli/app/observer.h"
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
+#include "core/video/frame_gaps.h"
 
 namespace vvr::app {
 
@@ -19,8 +19,10 @@ struct PieceJob {
     std::string name;    ///< of the footage, for log lines
     std::string camera;  ///< empty = unknown
     std::vector<FootagePart> parts;
-    video::FrameSpan span;  ///< as requested, in seconds of the recording
-    WallClock clock{};      ///< of the recording; none = unknown
+    std::vector<video::SegmentPlace> places;  ///< of all files that are known
+    video::FrameSpan span;                    ///< as requested, in seconds of the recording
+    WallClock clock{};                        ///< of the recording; none = unknown
+    bool by_clock = false;                    ///< messages tell times of day
     std::optional<std::int64_t>
         created{};  ///< without a clock: the container's creation time, seconds since 1970 (UTC)
     InputOptions input;
@@ -32,33 +34,48 @@ struct PieceJob {
     const std::filesystem::path& shown() const { return place.empty() ? path : place; }
 };
 
-/// The times of a piece that was written: of its first and its last frame, in seconds of the recording.
-struct PieceTimes {
-    double begin = 0;
-    double end = 0;
+/// What was written of a piece, by its packets. Times are seconds of the recording.
+struct PieceFacts {
+    double begin = 0;  ///< of the first frame
+    double end = 0;    ///< of the last frame
+    double until = 0;  ///< when the last frame is over
+
+    /// What is of one file; numbers of frames are those of the file.
+    struct Part {
+        std::string file;
+        std::int64_t first_frame = 0;
+        std::int64_t last_frame = 0;
+        std::int64_t frames = 0;  ///< that are there
+    };
+    std::vector<Part> parts{};
+    std::vector<video::FrameGap> gaps{};
+    std::vector<video::Damage> damage{};  ///< as the container marks it
 };
 
-/// The default extension of an exact piece.
-std::string_view exact_extension();
+/// A time for messages, by the clock or in seconds of the recording: "2026-11-22T02:12:10+01:00", "12.500 s".
+std::string asked_text(const PieceJob& job, double seconds);
 
-/// \throws Error usage when no exact piece can be written to that file type
-void check_exact(const std::filesystem::path& path);
+/// An interval for messages, by the clock or in seconds of its files: "148.400 s to 166.200 s of 'a.mp4'", "14.000 s of
+/// 'a.mp4' to 3.200 s of 'b.mp4'".
+std::string interval_text(const PieceJob& job, double begin, double end);
+
+/// Reports that the footage has no frame in the span of the piece.
+/// \param rest what it has instead: "; it ends at 5.000 s", or empty
+[[noreturn]] void throw_empty(const PieceJob& job, const std::string& rest);
 
 /// Copies packets, from the key frame before the piece on.
 /// \returns nothing if it was stopped
 /// \throws Error usage, io, not_video, limit
-std::optional<PieceTimes> copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
-
-/// Encodes exactly the frames of the piece, without sound.
-std::optional<PieceTimes> encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
+std::optional<PieceFacts> copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
 /// A frame in full size.
 struct FullFrame {
-    double seconds = 0;  ///< of the recording
+    double seconds = 0;      ///< of the recording
+    std::int64_t frame = 0;  ///< number in its file
     Plane<Bgr> picture;
 };
 
-/// The frame of a piece that is shown at a time, or the next one.
+/// The frame of the footage that is shown at a time, or the next one.
 /// \param seconds of the recording
 /// \throws Error not_video if no frame decodes from there on
 FullFrame frame_of(const PieceJob& job, double seconds);

@@ -27,27 +27,47 @@ using Json = nlohmann::ordered_json;
 /// Increase it when readers of older records would misread a new one.
 constexpr int format_version = 1;
 
-/// A second of the footage, and its time of day.
-Json moment(const PieceRecord& record, double seconds) {
-    return {{"seconds", rounded(seconds)}, {"time", record.clock ? Json(record.clock->iso(seconds)) : Json()}};
+Json json_of(const std::optional<PixelBox>& box) {
+    if (!box) return {};
+    return {{"x", box->left}, {"y", box->top}, {"width", box->width()}, {"height", box->height()}};
 }
 
-Json json_of(const PieceRecord& record, const PieceEvent& event) {
+Json json_of(const PieceEvent& event, const MomentPlaces& places) {
     return {{"number", event.number},
             {"kind", event.kind},
             {"class", event.what.empty() ? Json() : Json(event.what)},
-            {"first", moment(record, event.first)},
-            {"last", moment(record, event.last)}};
+            {"first", places(event.first)},
+            {"last", places(event.last)},
+            {"box", json_of(event.box)}};
 }
 
-Json json_of(const PieceRecord& record, const WrittenPiece& piece) {
-    Json json{{"first", moment(record, piece.times.begin)},
-              {"last", moment(record, piece.times.end)},
-              {"copied", piece.copied},
+Json json_of(const PieceRecord& record, const WrittenPiece& piece, const MomentPlaces& places) {
+    const PieceFacts& facts = piece.facts;
+    Json parts = Json::array();
+    std::int64_t present = 0;
+    for (const PieceFacts::Part& part : facts.parts) {
+        present += part.frames;
+        parts.push_back({{"file", part.file},
+                         {"first_frame", part.first_frame},
+                         {"last_frame", part.last_frame},
+                         {"frames", part.frames}});
+    }
+    std::int64_t expected = present;
+    for (const video::FrameGap& gap : facts.gaps) expected += gap.frames;
+    video::Unseen unseen = record.unseen;
+    unseen.gaps = facts.gaps;
+    unseen.damage = facts.damage;
+    unseen.damaged = 0;
+    for (const video::Damage& damage : facts.damage) unseen.damaged += damage.packets;
+    Json json{{"first", places(facts.begin)},
+              {"last", places(facts.end)},
+              {"frames", {{"present", present}, {"expected", expected}}},
+              {"parts", parts},
+              {"unseen", json_of(unseen, places)},
               {"events", Json()}};
     if (!piece.events) return json;
     json["events"] = Json::array();
-    for (const PieceEvent& event : *piece.events) json["events"].push_back(json_of(record, event));
+    for (const PieceEvent& event : *piece.events) json["events"].push_back(json_of(event, places));
     return json;
 }
 
@@ -94,8 +114,15 @@ void write_record(const fs::path& folder, const PieceRecord& record, Observer& o
               {"stills", Json::array()},
               {"settings", Json::object()}};
     for (const HashedFile& file : record.footage) json["footage"].push_back(json_of(file));
-    for (const WrittenPiece& piece : record.pieces) json["pieces"].push_back(add(piece.file, json_of(record, piece)));
-    if (record.still) json["stills"].push_back(add(record.still->file, moment(record, record.still->seconds)));
+    const MomentPlaces places{record.places, record.clock};
+    for (const WrittenPiece& piece : record.pieces)
+        json["pieces"].push_back(add(piece.file, json_of(record, piece, places)));
+    if (const auto& still = record.still) {
+        Json at = places(still->seconds);
+        at["frame"] = still->frame;
+        json["stills"].push_back(add(still->file, {{"at", at}, {"box", json_of(still->box)}}));
+        if (still->box) json["stills"].push_back(add(still->marked, {{"marks", still->file}}));
+    }
     for (const auto& [name, value] : record.settings) json["settings"][name] = value;
     const std::string text = json_text(json, 2) + "\n";
     write(folder / video::record_name, text, observer);

@@ -11,14 +11,14 @@
 #include "cli/app/piece.h"
 #include "core/base/wall_clock.h"
 #include "core/image/picture.h"
+#include "core/video/unseen.h"
 
 namespace vvr::app {
 
 /// A piece that was written to a folder of pieces.
 struct WrittenPiece {
     std::string file;  ///< its name in the folder
-    PieceTimes times;
-    bool copied = true;                               ///< false = encoded again
+    PieceFacts facts;
     std::optional<std::vector<PieceEvent>> events{};  ///< none = nobody searched for events
 };
 
@@ -34,15 +34,20 @@ HashedFile hashed(const std::filesystem::path& path, const std::string& name);
 
 /// Where the files of a folder of pieces come from.
 struct PieceRecord {
-    std::string camera;                 ///< empty = unknown
-    WallClock clock;                    ///< of the footage; none = unknown
-    image::Metadata settings;           ///< with which the events were found
-    std::vector<HashedFile> footage{};  ///< the files of the pieces
+    std::string camera;                         ///< empty = unknown
+    WallClock clock;                            ///< of the footage; none = unknown
+    image::Metadata settings;                   ///< with which the events were found
+    video::Unseen unseen{};                     ///< the areas in which nobody looked for events
+    std::vector<video::SegmentPlace> places{};  ///< of the files, in seconds of the footage
+    std::vector<HashedFile> footage{};          ///< the files of the pieces
     std::vector<WrittenPiece> pieces{};
 
     struct Still {
         std::string file;
-        double seconds = 0;  ///< of the footage
+        std::string marked;             ///< a copy in which the box is drawn, if there is one
+        double seconds = 0;             ///< of the footage
+        std::int64_t frame = 0;         ///< number in its file
+        std::optional<PixelBox> box{};  ///< where the event is; none = unknown
     };
     std::optional<Still> still{};
 };

@@ -9,11 +9,13 @@
 #include <fmt/format.h>
 
 #include "cli/app/settings.h"
+#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/bricks/brick.h"
 #include "core/fields/flow.h"
+#include "core/fields/region.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
 #include "core/scene/scene.h"
@@ -247,6 +249,31 @@ void check_memory(const Extent& extent) {
                 {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
+namespace {
+
+/// The areas that the settings leave out of the scene, and their share of it.
+void set_areas(Plan& plan) {
+    const bool is_extracted = !plan.clip.extracted.empty();  // then files of areas are not at hand
+    fields::FieldOptions areas;
+    areas.roi = plan.job.fields.roi;
+    areas.mask = plan.job.fields.mask;
+    for (const auto& [name, area] : {std::pair(setting::roi.name, areas.roi), {setting::mask.name, areas.mask}}) {
+        const std::string value = image::value_of(plan.job.settings, name);
+        if (is_extracted ? value.empty() : area.empty()) continue;
+        plan.areas.push_back({std::string(name), value, {}});
+        if (!is_extracted)
+            plan.areas.back().sha256 = fields::is_polygon_list(area) ? hex_sha256(area) : hex_sha256_of_file(area);
+    }
+    if (plan.areas.empty()) return;
+    plan.masked.reset();
+    if (is_extracted) return;
+    const Plane<std::uint8_t> region = fields::make_region(areas, plan.clip.field_size, plan.clip.info.size);
+    plan.masked =
+        static_cast<double>(std::ranges::count(region.pixels(), 0)) / static_cast<double>(region.pixels().size());
+}
+
+}  // namespace
+
 Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<detector::Detector> detector) {
     take_extracted(clip.extracted, job);
     if (clip.extracted.empty()) job.fields.span = clip.span;
@@ -293,6 +320,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     plan.clip = std::move(clip);
     if (plan.products.series) plan.window = sliding_window(plan.job.bricks, plan.job.look.keyframes, plan.clip);
     plan.extent = extent_of(plan);
+    set_areas(plan);
     return plan;
 }
 

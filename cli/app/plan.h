@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "core/labels/sheet.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/video/unseen.h"
 
 // The plan of a run: a job that was checked against the opened footage.
 namespace vvr::app {
@@ -89,7 +91,9 @@ struct Plan {
     scene::GlyphOptions glyphs{};
     gl::RenderOptions picture{};  ///< without the camera
     std::string title{};
-    WallClock clock{};  ///< for the ruler
+    WallClock clock{};                         ///< for the ruler
+    std::vector<video::Unseen::Area> areas{};  ///< that are left out of the scene
+    std::optional<double> masked = 0;          ///< their share of the scene; none = unknown
 
     /// Whether the picture has a part. A page has some beside its picture.
     bool shows(Part part) const {

@@ -1,7 +1,5 @@
 #include "cli/app/report.h"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include <sys/resource.h>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/app/footage.h"
 #include "cli/app/settings.h"
 #include "cli/app/video_scale.h"
 #include "core/base/digest.h"
@@ -33,21 +32,10 @@ Json json_of(const Moment& moment) {
     return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};
 }
 
-/// Maps a moment of the clip to files and wall-clock time.
-struct Place {
-    const std::vector<video::SegmentPlace>& segments;  ///< of a recording
-    const WallClock& clock;
-};
-
 /// A moment with its wall-clock time, and its file of the recording and the time in that file.
-Json json_of(const Moment& moment, const Place& place) {
+Json json_of(const Moment& moment, const MomentPlaces& places) {
     Json json = json_of(moment);
-    if (place.clock) json["time"] = place.clock->iso(moment.seconds);
-    const auto after = std::ranges::upper_bound(place.segments, moment.frame, {}, &video::SegmentPlace::first_frame);
-    if (after == place.segments.begin()) return json;
-    const video::SegmentPlace& segment = *std::prev(after);
-    json["file"] = segment.path;
-    json["offset"] = rounded(std::max(0.0, moment.seconds - segment.begin));
+    json.update(places(moment.seconds));
     return json;
 }
 
@@ -128,7 +116,7 @@ Json json_of(const events::Change& change, const VideoScale& scale) {
             {"evidence", json_of(change.evidence)}};
 }
 
-Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scale, const Place& where) {
+Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scale, const MomentPlaces& where) {
     const events::Event& event = shown.events[place];
     const auto number_of = [&](const std::optional<std::size_t>& other) {
         return other ? Json(shown.numbers[*other]) : Json();
@@ -286,6 +274,12 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     for (const std::string& problem : seen.summary.problems) json["problems"].push_back(problem);
     json["left_out"] = {
         {"files", info.left_out.files}, {"frames", info.left_out.frames}, {"seconds", rounded(info.left_out.seconds)}};
+    const MomentPlaces places{info.segments, plan.clock};
+    json["unseen"] = json_of(unseen_of(plan, seen), [&](double at) {
+        Json moment{{"seconds", rounded(at)}};
+        moment.update(places(at));
+        return moment;
+    });
     json["settings"] = Json::object();
     for (const auto& [name, value] : settings_and_font(context)) json["settings"][name] = value;
     json["renderer"] = run.renderer.empty()
@@ -308,7 +302,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
             json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});
         }
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
-            json["events"].push_back(json_of(*seen.events, k, scale, {info.segments, plan.clock}));
+            json["events"].push_back(json_of(*seen.events, k, scale, places));
     }
     for (const double tile : archive.tiles) json["stills"].push_back(rounded(tile));
     if (!archive.not_kept.empty()) json["not_kept"] = archive.not_kept;

@@ -166,7 +166,7 @@ class LivePictures {
     page::LiveState state_of(const RunContext& context) const {
         page::LiveState state;
         state.text = is_learning(context.seen) ? "learning the empty scene" : "watching";
-        if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
+        state.dropped = stream_.dropped();
         state.written = std::time(nullptr);
         const std::int64_t newest = context.composed.bricks.back().count * context.seen.volume.step();
         state.brick_seconds = static_cast<double>(newest) / context.seen.info.rate;

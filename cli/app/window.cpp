@@ -73,6 +73,9 @@ void Window::drop_oldest() {
     first_of_bricks_.pop_front();
     for (KeyFrame& key : seen_.keyframes) key.number -= plan_.window.brick_frames();
     std::erase_if(seen_.keyframes, [](const KeyFrame& key) { return key.number < 0; });
+    // Nobody lists those of a stream of days.
+    if (!plan_.products.events)
+        std::erase_if(seen_.gaps, [&](const video::FrameGap& gap) { return gap.end < seen_.begin.seconds; });
 }
 
 /// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is

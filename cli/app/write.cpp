@@ -180,8 +180,8 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
             {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }
     for (const WrittenPiece& piece : pieces) {
-        content.pieces.push_back({page::relative_url(path, job.output.pieces.place / piece.file), piece.times.begin,
-                                  piece.times.end - piece.times.begin});
+        content.pieces.push_back({page::relative_url(path, job.output.pieces.place / piece.file), piece.facts.begin,
+                                  piece.facts.until - piece.facts.begin});
     }
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
     if (is_file) content.clip_url = page::relative_url(path, input);
@@ -205,6 +205,8 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
         if (plan.products.portraits) content.portraits = glance::portraits_of(seen.events->events, seen.crops);
     }
     content.live = live;
+    content.unseen = unseen_of(plan, seen);
+    if (live) content.unseen.dropped = live->dropped;
     if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
     content.overlay = overlay_of(plan, seen, composed);
     return page::make_page(content);

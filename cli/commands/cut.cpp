@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -29,11 +30,11 @@
 #include "cli/signals.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/plane.h"
 #include "core/base/setting.h"
 #include "core/image/picture_file.h"
 #include "core/video/container.h"
 #include "core/video/frame_span.h"
-#include "core/video/packet_copy.h"
 #include "core/video/piece_names.h"
 
 namespace vvr::commands {
@@ -59,9 +60,6 @@ constexpr Setting evidence{
 constexpr Setting report{"report", "FILE",
                          "take the events from this report of `vvr render --report`, without a search"};
 constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
-constexpr Setting exact{
-    "exact", "",
-    "encode exactly these frames again, without sound; otherwise, packets are copied from the preceding key frame on"};
 }  // namespace cut_text
 
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
@@ -82,13 +80,10 @@ bool is_open(const fs::path& path) {
 
 /// The extension that fits the piece.
 std::string_view extension_of_piece(const CutJob& job, const app::FootagePart& first) {
-    if (job.exact) return app::exact_extension();
     const std::string_view extension = video::extension_for(video::open_input(first.file.path), job.search.input.rate);
     if (!extension.empty()) return extension;
-    throw Error(ErrorCode::input_unsuitable,
-                fmt::format("no container supports all streams of '{}'; encode the piece instead of copying it",
-                            first.file.path),
-                {"exact"});
+    throw Error(ErrorCode::input_unsuitable, fmt::format("no container supports all streams of '{}'; {}",
+                                                         first.file.path, video::encode_with_ffmpeg));
 }
 
 /// The full file name: adds the fitting extension, and in a folder a name based on the first file.
@@ -126,53 +121,60 @@ void set_clock(const CutJob& job, const app::Footage& footage, const video::Segm
     if (start.from != app::StartTime::From::none) piece.created = info.created;
 }
 
-/// Logs the gaps in the footage: those that the piece keeps, and those that it begins or ends with.
-/// \param places of the footage's files, at least up to the end of the piece
-void warn_of_gaps(app::PieceJob& piece, const std::vector<video::SegmentPlace>& places, app::Observer& observer) {
-    const auto warn = [&](double from, double to, std::string_view rest) {
-        observer.warn(
-            fmt::format("'{}' has no frames from {:.3f} s to {:.3f} s; the piece {}", piece.name, from, to, rest));
-    };
-    double shown = piece.span.start;
-    for (const app::FootagePart& part : piece.parts) {
-        const bool is_first = &part == &piece.parts.front();
-        if (part.file.begin > shown + little)
-            warn(shown, part.file.begin, is_first ? "begins after that" : "keeps this gap");
-        shown = std::max(shown, part.file.end);
-    }
-    if (!piece.warns_of_early_end || !piece.span.end || *piece.span.end <= shown + little) return;
-    const auto next = std::ranges::find_if(places, [&](const auto& file) { return file.begin > shown + little; });
-    if (next == places.end()) return;  // the footage is over, which is told when the piece is written
-    warn(shown, next->begin, "ends before that");
-    piece.warns_of_early_end = false;
-}
-
 /// Reports that no file is shown in the span of the piece.
-[[noreturn]] void throw_no_footage(const app::PieceJob& piece, const std::vector<video::SegmentPlace>& places) {
+[[noreturn]] void throw_no_footage(const app::PieceJob& piece) {
+    const auto& places = piece.places;
     const auto next = std::ranges::find_if(places, [&](const auto& file) { return file.begin > piece.span.start; });
     double end = 0;
     for (auto file = places.begin(); file != next; ++file) end = std::max(end, file->end);
-    const std::string found = next == places.end()
-                                  ? fmt::format("it ends at {:.3f} s", end)
-                                  : fmt::format("it has none from {:.3f} s to {:.3f} s", end, next->begin);
-    throw Error(ErrorCode::span_empty, fmt::format("'{}' has no frame {}; {}; choose another part", piece.name,
-                                                   video::text_of(piece.span), found));
+    const std::string from = app::asked_text(piece, end);
+    throw_empty(piece, next == places.end()
+                           ? fmt::format("; it ends at {}", from)
+                           : fmt::format("; it has none from {} to {}", from, app::asked_text(piece, next->begin)));
 }
 
-std::optional<app::PieceTimes> write_piece(const CutJob& job, const app::PieceJob& piece, app::Observer& observer,
+/// Writes the piece, and logs what the footage lacks in it.
+std::optional<app::PieceFacts> write_piece(const app::PieceJob& piece, app::Observer& observer,
                                            const std::stop_token& stop) {
-    return job.exact ? app::encode_piece(piece, observer, stop) : app::copy_piece(piece, observer, stop);
+    constexpr std::size_t most = 5;
+    const double begin = piece.parts.front().file.begin;
+    if (begin > piece.span.start + little) {
+        observer.warn(fmt::format("'{}' has no frames from {} to {}; the piece begins after that", piece.name,
+                                  app::asked_text(piece, piece.span.start), app::asked_text(piece, begin)));
+    }
+    auto facts = app::copy_piece(piece, observer, stop);
+    if (!facts) return facts;
+    for (const video::FrameGap& gap : std::span(facts->gaps).first(std::min(most, facts->gaps.size()))) {
+        observer.warn(fmt::format("'{}' has no frames from {}, where {} missing; the piece keeps this gap", piece.name,
+                                  app::interval_text(piece, gap.begin, gap.end),
+                                  gap.frames == 1 ? "1 is" : fmt::format("{} are", gap.frames)));
+    }
+    if (facts->gaps.size() > most)
+        observer.warn(fmt::format("'{}' has more gaps in the piece; --evidence lists all", piece.name));
+    return facts;
 }
 
 // ---- A folder of evidence
 
 /// The events of which a part is in the piece.
-std::vector<app::PieceEvent> events_in(const app::PieceTimes& times, const std::vector<app::PieceEvent>& events) {
+std::vector<app::PieceEvent> events_in(const app::PieceFacts& facts, const std::vector<app::PieceEvent>& events) {
     std::vector<app::PieceEvent> found;
     std::ranges::copy_if(events, std::back_inserter(found), [&](const app::PieceEvent& event) {
-        return event.last >= times.begin && event.first <= times.end;
+        return event.last >= facts.begin && event.first <= facts.end;
     });
     return found;
+}
+
+/// A copy of a picture with a frame around a box.
+Plane<Bgr> with_box(Plane<Bgr> picture, const PixelBox& box) {
+    const int thick = std::max(2, std::max(picture.width(), picture.height()) / 400);
+    const PixelBox outer = box.inflated(thick, thick);
+    for (int y = std::max(0, outer.top); y < std::min(picture.height(), outer.bottom); ++y) {
+        for (int x = std::max(0, outer.left); x < std::min(picture.width(), outer.right); ++x) {
+            if (!box.contains({x, y, x + 1, y + 1})) picture.at(x, y) = Bgr{0, 0, 255};
+        }
+    }
+    return picture;
 }
 
 /// Writes the piece, a still in full size, and where they come from, to a new folder.
@@ -187,26 +189,32 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     NewFolder folder(job.evidence, cut_text::evidence.name);
     piece.path = folder.hidden() / file;
     piece.place = job.evidence / file;
-    const std::optional<app::PieceTimes> times = write_piece(job, piece, held, stop);
-    if (!times) return false;
-    app::PieceRecord record{piece.camera, piece.clock, selection.settings};
-    record.pieces.push_back({file, *times, !job.exact, {}});
-    if (selection.event) record.pieces.front().events = events_in(*times, selection.known_events);
+    const std::optional<app::PieceFacts> facts = write_piece(piece, held, stop);
+    if (!facts) return false;
+    app::PieceRecord record{piece.camera, piece.clock, selection.settings, selection.unseen, piece.places};
+    record.pieces.push_back({file, *facts});
+    if (selection.event) record.pieces.front().events = events_in(*facts, selection.known_events);
     for (const app::FootagePart& part : piece.parts) {
         record.footage.push_back(app::hashed(part.file.path, part.file.path));
     }
-    const double middle = (times->begin + times->end) / 2;
+    const double middle = (facts->begin + facts->end) / 2;
     const app::FullFrame frame =
         app::frame_of(piece, selection.event ? selection.event->best.value_or(middle) : middle);
     replace_file(folder.hidden() / still, image::encode_picture(still, frame.picture));
-    record.still = app::PieceRecord::Still{still, frame.seconds};
+    record.still = app::PieceRecord::Still{still, stem + "-marked.png", frame.seconds, frame.frame};
+    if (selection.event) record.still->box = selection.event->best_box;
+    if (const auto& box = record.still->box) {
+        replace_file(folder.hidden() / record.still->marked,
+                     image::encode_picture(still, with_box(frame.picture, *box)));
+    }
     app::write_record(folder.hidden(), record, held);
     if (stop.stop_requested()) return false;
     folder.publish();
     if (record.camera.empty()) {
         observer.warn(fmt::format("'{}': the camera is not known; --camera-name names it", piece.name));
     }
-    observer.info(fmt::format("'{}': {}, {}, {} and {}", job.evidence.string(), file, still, video::record_name,
+    observer.info(fmt::format("'{}': {}, {}{}, {} and {}", job.evidence.string(), file, still,
+                              record.still->box ? ", " + record.still->marked : "", video::record_name,
                               video::sums_name));
     return true;
 }
@@ -217,14 +225,15 @@ const std::string& camera_of(const CutJob& job, const Selection& selection, cons
     return selection.camera.empty() ? footage.recording.camera : selection.camera;
 }
 
-/// Writes the piece. Copies packets from the preceding key frame on, unless the piece must be exact.
+/// Writes the piece: copies packets from the preceding key frame on.
 /// \param stop request to stop; no file is then left
 /// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& stop) {
     const bool open = is_open(asked.path);
-    if (!open) asked.exact ? app::check_exact(asked.path) : static_cast<void>(video::container_of(asked.path));
+    if (!open) video::container_of(asked.path);
     const app::Footage footage = app::find_footage(asked.search.input);
+    const video::RequestedSpan& asked_span = asked.search.fields.span.asked;
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
     if (!job.evidence.empty()) check_is_free(job.evidence, cut_text::evidence.name);
@@ -232,18 +241,19 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     app::PieceJob piece;
     piece.name = footage.recording.name;
     piece.camera = camera_of(job, selection, footage);
+    piece.places = selection.places;
     piece.span = selection.span;
     piece.parts = app::parts_in(selection.places, selection.span);
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
     piece.warns_of_early_end = !job.event;
-    if (piece.parts.empty()) throw_no_footage(piece, selection.places);
     set_clock(job, footage, selection.places.front(), piece);
-    warn_of_gaps(piece, selection.places, observer);
+    piece.by_clock = piece.clock && (job.event || asked_span.start || asked_span.end);
+    if (piece.parts.empty()) throw_no_footage(piece);
     if (!job.evidence.empty()) return write_evidence(job, selection, std::move(piece), observer, stop);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);
-    return write_piece(job, piece, observer, stop).has_value();
+    return write_piece(piece, observer, stop).has_value();
 }
 
 class Cut final : public Command {
@@ -259,7 +269,6 @@ class Cut final : public Command {
         add(cut_text::event, job_.event);
         add(cut_text::report, job_.report, {.use = options::FileUse::read});
         add(cut_text::margin, job_.margin);
-        add(cut_text::exact, job_.exact);
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
@@ -276,8 +285,7 @@ class Cut final : public Command {
             {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip"},
              {"vvr cut clip.avi -o piece.avi --start 0.5s --end 00:00:01.5",
               "a piece, copied from the preceding key frame on"},
-             {"vvr cut clip.avi --event 1 --evidence case", "a folder to hand over: piece, still, record, SHA-256"},
-             {"vvr cut clip.avi -o exact.mp4 --start 5f --end 15f --exact", "exactly these frames, encoded again"}});
+             {"vvr cut clip.avi --event 1 --evidence case", "a folder to hand over: piece, still, record, SHA-256"}});
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
@@ -294,6 +302,7 @@ class Cut final : public Command {
                         "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
         }
         refuse_search_options(line);
+        job_.search.settings = options::record_of(job_.search.input, job_.search.fields);
         cli::Console console(environment);
         cli::run_stoppable(environment.signals, [&](const std::stop_token& stop) { return cut(job_, console, stop); });
         return cli::ExitStatus::done;

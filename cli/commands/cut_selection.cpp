@@ -56,8 +56,9 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search, std::move(detector));
     std::vector<app::PieceEvent> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
+    const app::VideoScale scale(plan.clip.field_size, seen.info.size);
     for (const events::Event& event : seen.events->events) {
-        events.push_back(app::piece_event(event, std::ssize(events) + 1));
+        events.push_back(app::piece_event(event, std::ssize(events) + 1, scale));
     }
     const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
     const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
@@ -66,7 +67,7 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     if (places.empty() || places.back().path != footage.recording.segments.back().path) {
         places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
     }
-    return {span, std::move(places), event, events, plan.job.settings};
+    return {span, std::move(places), event, events, plan.job.settings, {}, app::unseen_of(plan, seen)};
 }
 
 Selection read_event(const CutJob& job, const app::Footage& footage) {
@@ -77,7 +78,8 @@ Selection read_event(const CutJob& job, const app::Footage& footage) {
             event,
             reported.events,
             reported.settings,
-            reported.camera};
+            reported.camera,
+            reported.unseen};
 }
 
 // ---- Between two times
@@ -140,20 +142,15 @@ video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file
 CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer) {
     video::FrameSpan& span = job.search.fields.span;
     if (job.event || (!span.asked.start && !span.asked.end)) return job;
-    const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    info.duration = 0;  // it is that of the first file
     const WallClock known = app::clock_of(job.search.look.start_time, info);
-    const auto seconds = [&](const video::RequestedTime& asked, const Setting& setting, double from) {
-        return video::seconds_of(asked, video::require_clock(known, info, setting.name, asked.text), from);
-    };
-    if (span.asked.start) {
-        span.start = seconds(*span.asked.start, setting::start, 0);
-        if (span.start < 0)
-            observer.warn(fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name,
-                                      known->iso(0)));
-        span.start = std::max(0.0, span.start);
+    const std::optional<video::RequestedTime> start = span.asked.start;
+    span = video::resolve(span, known, info);
+    if (start && video::seconds_of(*start, *known) < 0) {
+        observer.warn(
+            fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name, known->iso(0)));
     }
-    if (span.asked.end) span.end = seconds(*span.asked.end, setting::end, span.start + 1e-3);
-    span.asked = {};
     return job;
 }
 

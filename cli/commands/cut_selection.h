@@ -23,7 +23,6 @@ struct CutJob {
     std::filesystem::path report;       ///< a report with the events; empty = search for events
     std::optional<std::int64_t> event;  ///< number of the event in the span, from 1; none = the span is the piece
     double margin = 0;                  ///< seconds before and after
-    bool exact = false;                 ///< encode exactly the frames of the piece, without sound
     std::filesystem::path path;         ///< a file, a name without extension, or a folder; missing parts are chosen
     std::filesystem::path evidence;     ///< instead: a new folder for the piece, a still, and where they come from
 };
@@ -31,11 +30,12 @@ struct CutJob {
 /// The part of the footage that is in the piece.
 struct Selection {
     video::FrameSpan span;
-    std::vector<video::SegmentPlace> places;
+    std::vector<video::SegmentPlace> places;      ///< of the files that are at hand
     std::optional<app::PieceEvent> event{};       ///< that is cut
     std::vector<app::PieceEvent> known_events{};  ///< of the report or the search
     image::Metadata settings{};                   ///< with which the event was found
     std::string camera{};                         ///< of the report; empty = unknown
+    video::Unseen unseen{};                       ///< the areas in which nobody looked for events
 };
 
 /// Properties of the recording that say when its second 0 was.

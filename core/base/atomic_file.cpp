@@ -107,8 +107,6 @@ class TemporaryFile {
         }
     }
 
-    const fs::path& path() const { return path_; }
-
     void rename_to(const fs::path& target) {
         // Closed after the rename, for the same reason. fsync reports disk errors.
         if (::fsync(file_) != 0) throw_error("write", target, errno);
@@ -213,12 +211,10 @@ void replace_link(const fs::path& path, std::span<const std::byte> bytes) {
     file.rename_to(path);
 }
 
-void replace_file(const fs::path& path, const std::function<void(const WriteAt&)>& write,
-                  const std::function<void(const fs::path& written)>& check) {
+void replace_file(const fs::path& path, const std::function<void(const WriteAt&)>& write) {
     const fs::path target = target_of(path);
     TemporaryFile file(target);
     write([&](std::int64_t offset, std::span<const std::byte> bytes) { file.write(offset, bytes, path); });
-    if (check) check(file.path());
     file.rename_to(target);
 }
 

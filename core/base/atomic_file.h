@@ -25,13 +25,11 @@ void replace_file(const std::filesystem::path& path, std::span<const std::byte> 
 /// users can create links.
 void replace_link(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// As replace_file, for files that are too large for memory. If `write` or `check` throws, `path` is unchanged.
+/// As replace_file, for files that are too large for memory. If `write` throws, `path` is unchanged.
 ///
 /// \param write writes the temporary file
-/// \param check checks the complete temporary file before it is renamed
-/// \throws Error io if it can't be written, and whatever `write` and `check` throw
-void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write,
-                  const std::function<void(const std::filesystem::path& written)>& check = {});
+/// \throws Error io if it can't be written, and whatever `write` throws
+void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write);
 
 /// Whether a file is a temporary one, abandoned or not, of a file with this name in the same folder.
 bool is_temporary_of(const std::string& name, const std::filesystem::path& file);

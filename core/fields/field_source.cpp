@@ -45,6 +45,9 @@ class ClipReader {
     std::int64_t last_index() const { return last_index_; }
     double last_pts() const { return last_pts_; }
 
+    /// Damage in the span, and next to it.
+    std::vector<video::Damage>& damage() { return damage_; }
+
     /// Whether the clip has no further frame.
     bool has_ended() const { return has_ended_; }
 
@@ -62,6 +65,8 @@ class ClipReader {
     std::size_t past_end_ = 0;
     std::int64_t last_index_ = -1;
     double last_pts_ = 0;
+    std::int64_t damaged_ = 0;  ///< packets so far
+    std::vector<video::Damage> damage_;
     bool has_ended_ = false;
     std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
     oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
@@ -76,11 +81,17 @@ ClipReader::ClipReader(video::FrameSource& source, const FieldOptions& options, 
       scalers_([&source] { return video::Scaler(source); }) {}
 
 std::shared_ptr<video::DecodedFrame> ClipReader::read() {
+    const double before = last_pts_;
     std::shared_ptr<video::DecodedFrame> frame = source_.next();
     if (frame) {
         last_index_ = frame->index;
         last_pts_ = frame->pts;
     }
+    const std::int64_t damaged = source_.damaged();
+    const std::int64_t more = damaged - std::exchange(damaged_, damaged);
+    const bool is_wanted = !video::is_before(span_, last_index_, last_pts_) &&
+                           !video::is_past(span_, last_index_, before) && !video::is_between_parts(span_, last_pts_);
+    if (more > 0 && is_wanted) add_damage(damage_, {before, last_pts_, more});
     has_ended_ = frame == nullptr;
     return frame;
 }
@@ -109,6 +120,7 @@ void ClipReader::seek_to_span() {
     if (rate <= 0 || whole) return;
     // With a variable frame rate, the estimated position may be too late.
     source_.rewind();
+    damage_.clear();
     collect_context();
 }
 
@@ -341,7 +353,8 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, std::int64_t{decoded.width} * decoded.height, sink);
     if (read.has_ended()) check_no_more_files(options, read.last_index() + 1);
-    summary.damaged = source.damaged();
+    summary.damage = std::move(read.damage());
+    for (const video::Damage& damage : summary.damage) summary.damaged += damage.packets;
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
     // A stream may end with the frames from which the reference was learnt.

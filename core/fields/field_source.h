@@ -11,6 +11,7 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 #include "core/fields/reference.h"
+#include "core/video/frame_gaps.h"
 #include "core/video/frame_source.h"
 
 namespace vvr::fields {
@@ -25,6 +26,7 @@ using FieldSink = std::function<void(const video::SharedFrame&, Field&&)>;
 struct FieldSummary {
     std::int64_t frames = 0;              ///< frames that reached the sink
     std::int64_t damaged = 0;             ///< packets that failed to decode
+    std::vector<video::Damage> damage{};  ///< when; empty for an extraction, which does not know it
     Reference reference;                  ///< empty if none was needed
     std::vector<std::string> problems{};  ///< problems of the files that were read, one sentence each
 };

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.h"
+#include "core/base/av_writer.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/image/picture.h"
@@ -51,19 +52,14 @@ WriteAt into(std::vector<std::byte>& file) {
 }  // namespace
 
 struct VideoEncoder::Parts {
-    /// \param write_at empty = into memory
-    Parts(const VideoFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames,
-          WriteAt write_at)
-        : name(std::move(file_name)),
-          size(format.palette ? picture_size : even(picture_size)),
-          writer(write_at ? std::move(write_at) : into(memory)) {
+    Parts(const VideoFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames)
+        : name(std::move(file_name)), size(format.palette ? picture_size : even(picture_size)), writer(into(memory)) {
         const AVPixelFormat pixels = format.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
         AVFormatContext* made = nullptr;
         check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
         container.reset(made);
         container->pb = writer.context();
         container->flags |= AVFMT_FLAG_BITEXACT;  // no library version, no random IDs
-        for (const auto& [key, value] : format.tags) av_dict_set(&container->metadata, key.c_str(), value.c_str(), 0);
 
         const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
         check(codec ? 0 : AVERROR_ENCODER_NOT_FOUND);
@@ -205,7 +201,7 @@ struct VideoEncoder::Parts {
     bool unfinished = false;  ///< the header is written, the trailer is not
     std::string name;
     Size size;
-    std::vector<std::byte> memory;  ///< the file, if it is kept in memory
+    std::vector<std::byte> memory;  ///< the file
     AvWriter writer;
     std::unique_ptr<AVFormatContext, FreeMuxer> container;
     AvPtr<AVCodecContext> context;
@@ -222,8 +218,8 @@ bool has_encoder(const std::string& encoder) {
 }
 
 VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
-                           int key_frames, WriteAt write_at)
-    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames, std::move(write_at))) {}
+                           int key_frames)
+    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames)) {}
 
 VideoEncoder::~VideoEncoder() = default;
 

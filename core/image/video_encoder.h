@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/av_writer.h"
 #include "core/image/picture.h"
 
 namespace vvr::image {
@@ -19,13 +18,12 @@ struct VideoFormat {
     std::string encoder;
     std::string options;   ///< libav's options for encoder and muxer: "crf=17,preset=medium"
     bool palette = false;  ///< 256 colours, chosen from the first picture
-    std::vector<std::pair<std::string, std::string>> tags{};  ///< metadata: libav's keys and their values
 };
 
 /// Whether the installed libav has an encoder.
 bool has_encoder(const std::string& encoder);
 
-/// Encodes pictures of one size as a video, in memory or to a file. Unless the video has a palette, its sides are even:
+/// Encodes pictures of one size as a video in memory. Unless the video has a palette, its sides are even:
 /// an odd last row or column is dropped. The output is deterministic.
 class VideoEncoder {
   public:
@@ -33,10 +31,8 @@ class VideoEncoder {
     /// \param ticks time base: ticks per second
     /// \param rate approximate pictures per second
     /// \param key_frames pictures per key frame
-    /// \param write_at writes the output; what it refers to must outlive the encoder. Empty = keep the file in memory
     /// \throws Error io if libav fails
-    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
-                 WriteAt write_at = {});
+    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
@@ -51,8 +47,8 @@ class VideoEncoder {
     /// Bytes written so far.
     std::size_t bytes() const;
 
-    /// Finishes the file and returns its bytes; empty if `write_at` wrote them. Call it once, after the last picture.
-    /// \throws Error io if encoding or writing fails
+    /// Finishes the file and returns its bytes. Call it once, after the last picture.
+    /// \throws Error io if encoding fails
     std::vector<std::byte> finish();
 
   private:

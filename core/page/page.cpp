@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/json_text.h"
 #include "core/base/text.h"
@@ -116,6 +117,12 @@ std::string time_source_text(const PageContent& content) {
     return content.clock ? fmt::format("times of day {}", words) : std::string(words);
 }
 
+/// What nobody looked at; empty if there is nothing.
+std::string unseen_text(const PageContent& content) {
+    const std::vector<std::string> words = words_of(content.unseen);
+    return words.empty() ? "" : fmt::format("Not seen: {}", fmt::join(words, "; "));
+}
+
 }  // namespace
 
 std::string make_page(const PageContent& content) {
@@ -144,6 +151,7 @@ std::string make_page(const PageContent& content) {
             {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(begin, content.clock),
                                     labels::format_moment(end, content.clock),
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
+            {"unseen", unseen_text(content)},
             {"way", content.time_direction},
             {"list", list_of(content)},
             {"first kind", std::string(events::ranked_kinds().front().words)},

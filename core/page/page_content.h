@@ -13,6 +13,7 @@
 #include "core/image/picture.h"
 #include "core/page/moments.h"
 #include "core/video/frame_span.h"
+#include "core/video/unseen.h"
 
 namespace vvr::page {
 
@@ -20,6 +21,7 @@ namespace vvr::page {
 struct LiveState {
     std::string text;           ///< state of the connection, one line
     std::int64_t written = 0;   ///< seconds since 1970
+    std::int64_t dropped = 0;   ///< frames that came too fast
     double brick_seconds = 10;  ///< seconds per picture
 };
 
@@ -93,6 +95,7 @@ struct PageContent {
     std::vector<std::string> deeds;                    ///< what each of them did: "went ↘"
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
+    video::Unseen unseen{};
     Overlay overlay;
 
     /// The number that people see of the event at an index.

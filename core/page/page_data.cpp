@@ -270,6 +270,8 @@ Json page_data(const PageContent& content) {
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
               {"gaps", json_of_gaps(moments.times, content)},
+              {"unseen", words_of(content.unseen)},
+              {"damage", Json::array()},
               {"clock", json_of(content.clock)},
               {"told", row_of(content.clock_source()).words},
               {"kinds", json_of_kinds()},
@@ -286,6 +288,8 @@ Json page_data(const PageContent& content) {
                         {"ended", false},
                         {"brick", std::ceil(live->brick_seconds)}};
     }
+    for (const auto& [begin, end, packets] : content.unseen.damage)
+        json["damage"].push_back({to_six_decimals(begin), to_six_decimals(end)});
     for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
     for (const PageContent::Segment& piece : content.pieces) json["pieces"].push_back(json_of(piece));
     return json;

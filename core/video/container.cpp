@@ -154,11 +154,10 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
     for (const ContainerRow& row : table) {
         if (holds_all(row, clip)) others.push_back(row.name);
     }
-    throw Error(ErrorCode::options_conflict,
-                fmt::format("cannot write '{}': {} can't hold {}; {}cut exactly, which re-encodes the video",
-                            path.string(), container.name, name_of(**refused),
-                            others.empty() ? "" : fmt::format("use {}, or ", fmt::join(others, ", "))),
-                {"exact"});
+    throw Error(
+        ErrorCode::options_conflict,
+        fmt::format("cannot write '{}': {} can't hold {}; {}", path.string(), container.name, name_of(**refused),
+                    others.empty() ? std::string(encode_with_ffmpeg) : fmt::format("use {}", fmt::join(others, ", "))));
 }
 
 std::string_view extension_for(const Input& clip, double rate) {

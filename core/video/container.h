@@ -36,6 +36,10 @@ ClipHeader header_of(const Demuxer& demuxer);
 /// The orientation in the container: the nearest quarter turn, with or without a flip.
 Orientation orientation_of(const AVStream& stream);
 
+/// What to do with a piece that can't be copied, for messages.
+inline constexpr std::string_view encode_with_ffmpeg =
+    "encode the piece again with FFmpeg: ffmpeg -ss 10 -to 20 -i CLIP piece.mp4";
+
 /// A container format that clips can be written in.
 struct ContainerRow {
     std::string_view name;  ///< file extension, with its dot

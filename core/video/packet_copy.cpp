@@ -14,11 +14,6 @@
 #include "core/base/error.h"
 #include "core/video/container.h"
 #include "core/video/demuxer.h"
-#include "core/video/file_source.h"
-
-extern "C" {
-#include <libavutil/imgutils.h>
-}
 
 namespace vvr::video {
 namespace {
@@ -163,9 +158,8 @@ class Muxer {
             ErrorCode::input_unsuitable,
             fmt::format(
                 "cannot join '{}' to the previous file without re-encoding: it has {}, the previous one has {}{}; "
-                "cut exactly, which re-encodes the video",
-                name, text(is), text(was), settings ? " with other settings" : ""),
-            {"exact"});
+                "cut each file by itself",
+                name, text(is), text(was), settings ? " with other settings" : ""));
     }
 
     void check(int code) const {
@@ -175,10 +169,8 @@ class Muxer {
     [[noreturn]] void fail(const char* what, int code) const {
         writer_.check();
         const bool is_mkv = std::string_view(format_->oformat->name) == "matroska";
-        throw Error(ErrorCode::io,
-                    fmt::format("cannot {} '{}': {}; {}cut exactly, which re-encodes the video", what, path_.string(),
-                                log_.text(code), is_mkv ? "" : "try another container, such as .mkv, or "),
-                    {"exact"});
+        throw Error(ErrorCode::io, fmt::format("cannot {} '{}': {}; {}", what, path_.string(), log_.text(code),
+                                               is_mkv ? encode_with_ffmpeg : "try another container, such as .mkv"));
     }
 
     AVStream* add(const AVStream& from) {
@@ -232,13 +224,13 @@ class PartCopy {
     PartCopy(const CopyPart& part, Demuxer& demuxer, double seconds)
         : piece_(part.piece), demuxer_(demuxer), video_(demuxer.stream()), seconds_(seconds) {}
 
-    void operator()(Muxer& muxer, bool joined, bool is_last, CopyResult& copied, const std::function<bool()>& stopped) {
+    void operator()(Muxer& muxer, bool joined, bool is_last, CopyResult& copied,
+                    const std::function<void()>& check_stop) {
         const AVFormatContext& from = demuxer_.format();
         const auto packet = av::make_packet();
         std::int64_t number = -1;  // index of the last video packet
         while (demuxer_.read_any(*packet)) {
-            copied.stopped = stopped();
-            if (copied.stopped) return;
+            check_stop();
             const AVStream& stream = *from.streams[packet->stream_index];
             const std::int64_t stamp = stamp_of(*packet);
             if (&stream == &video_) {
@@ -282,7 +274,7 @@ class PartCopy {
 }  // namespace
 
 CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path,
-                       const Tags& tags, const WriteAt& write_at, const std::function<bool()>& stopped) {
+                       const Tags& tags, const WriteAt& write_at, const std::function<void()>& check_stop) {
     const ContainerRow& container = container_of(path);
     const double zero = parts.front().begin + parts.front().piece.begin;
     std::unique_ptr<Muxer> muxer;
@@ -300,94 +292,10 @@ CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::
         muxer->begin_file(from, part.input.name);
         const bool is_last = &part == &parts.back();
         PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*muxer, &part != &parts.front(), is_last, copied,
-                                                                      stopped);
-        if (copied.stopped) break;
+                                                                      check_stop);
     }
     muxer->close();
     return copied;
-}
-
-namespace {
-
-constexpr double slack = 0.002;            // seconds; containers round times
-constexpr int checked_frames = 50;         // per part; what a container can't store shows at once
-constexpr std::size_t checked_parts = 16;  // limit for long recordings
-
-std::int64_t count_packets(const Input& input, double rate) {
-    Demuxer demuxer(input, Demuxer::Kind::video, rate);
-    const auto packet = av::make_packet();
-    std::int64_t count = 0;
-    while (demuxer.read(*packet)) ++count;
-    return count;
-}
-
-std::vector<std::uint8_t> pixels_of(const AVFrame& image) {
-    const auto format = static_cast<AVPixelFormat>(image.format);
-    std::vector<std::uint8_t> pixels(
-        static_cast<std::size_t>(std::max(0, av_image_get_buffer_size(format, image.width, image.height, 1))));
-    av_image_copy_to_buffer(pixels.data(), static_cast<int>(pixels.size()), image.data, image.linesize, format,
-                            image.width, image.height, 1);
-    return pixels;
-}
-
-bool are_same(const AVFrame& a, const AVFrame& b) {
-    return a.format == b.format && a.width == b.width && a.height == b.height && pixels_of(a) == pixels_of(b);
-}
-
-std::unique_ptr<DecodedFrame> frame_from(FrameSource& source, double seconds) {
-    source.seek(std::max(0.0, seconds - slack));
-    auto frame = source.next();
-    while (frame && frame->pts < seconds - slack) frame = source.next();
-    return frame;
-}
-
-/// Whether the beginning of a part decodes to the same pictures from the copy as from the source file.
-bool begins_identically(FileSource& copy, double begin, const CopyPart& part, const SourceOptions& options) {
-    FileSource file(part.input, options);
-    auto wanted = frame_from(file, part.piece.begin);
-    auto found = frame_from(copy, begin);
-    for (int i = 0; i < checked_frames && wanted && wanted->pts < part.piece.end + slack; ++i) {
-        if (file.damaged() > 0) return true;
-        if (!found || !are_same(*wanted->image, *found->image)) return false;
-        wanted = file.next();
-        found = copy.next();
-    }
-    return true;
-}
-
-}  // namespace
-
-void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
-                double rate, const std::filesystem::path& path) {
-    const auto refuse = [&](const std::string& what) {
-        throw Error(
-            ErrorCode::copy_impossible,
-            fmt::format("the copy '{}' would differ from '{}': {}; use the extension of the source file, or cut "
-                        "exactly, which re-encodes the video",
-                        path.string(), parts.front().input.name, what),
-            {"exact"});
-    };
-    const Input input = open_input(copy.string());
-    SourceOptions options;
-    options.threads = 1;
-    options.rate = rate;
-    std::optional<std::int64_t> packets;
-    std::unique_ptr<FileSource> written;
-    try {
-        packets = count_packets(input, rate);
-        written = std::make_unique<FileSource>(input, options);
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::not_video) throw;
-    }
-    if (packets && *packets != copied.packets) {
-        refuse(fmt::format("{} of {} packets can be read back", *packets, copied.packets));
-    }
-    if (!written) refuse("its frames can't be decoded");
-    const double zero = parts.front().begin + parts.front().piece.begin;
-    for (const CopyPart& part : parts.first(std::min(parts.size(), checked_parts))) {
-        if (begins_identically(*written, part.begin + part.piece.begin - zero, part, options)) continue;
-        refuse(fmt::format("its pictures differ from {:.3f} s on", part.piece.begin));
-    }
 }
 
 }  // namespace vvr::video

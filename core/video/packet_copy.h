@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -24,11 +25,19 @@ struct PacketRange {
     std::int64_t last_stamp = 0;   ///< presentation timestamp of the last frame
     double begin = 0;              ///< time of the key frame
     double end = 0;                ///< time of the last frame
+    double until = 0;              ///< when the last frame is over
     double wanted = 0;             ///< time of the first requested frame; at least `begin`
-    std::int64_t frames = 0;       ///< requested frames; 0 = none, and only `over` is set
     std::optional<double> over{};  ///< time of the clip's last frame if the whole clip comes before the span
-    std::int64_t damaged = 0;      ///< packets in the range that the container marks as damaged
     bool ends_early = false;       ///< the clip ends before the span does
+
+    /// A frame of the range; its number is that of a `FileSource`.
+    struct Frame {
+        std::size_t packet = 0;  ///< index in the video stream
+        std::int64_t number = 0;
+        double time = 0;
+        bool damaged = false;  ///< as the container marks it
+    };
+    std::vector<Frame> frames{};  ///< in the order in which they are shown; empty = none, and only `over` is set
 };
 
 /// Finds the packets that are needed to show a span of a clip. Decodes only the clip's first frame, and reads the file
@@ -37,19 +46,10 @@ struct PacketRange {
 /// \throws Error not_video if packets have no presentation timestamps, or if no key frame comes before the span
 PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
 
-/// Time of the last frame of a span, in seconds from the clip's first frame. Reads the file like `find_packets`.
-/// \returns nothing if the span has no frame
-/// \throws Error not_video if packets have no presentation timestamps
-std::optional<double> last_frame_in(const Input& input, double rate, const FrameSpan& span);
-
 /// A clip's duration from its first frame that decodes, in seconds. Reads all packets, and handles clock jumps as
 /// StampClock does.
 /// \throws Error not_video if no frame decodes
 double length_of(const Input& input, double rate);
-
-/// Reports that a span has no frame.
-/// \param last time of the last frame before the span, seconds; none = unknown
-[[noreturn]] void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last);
 
 /// Metadata of a container: libav's keys and their values.
 using Tags = std::vector<std::pair<std::string, std::string>>;
@@ -65,24 +65,16 @@ struct CopyPart {
 struct CopyResult {
     std::int64_t packets = 0;           ///< packets of the video stream
     std::vector<std::string> left_out;  ///< omitted streams: cover pictures, and other than video, audio and subtitles
-    bool stopped = false;               ///< on request, before the end
 };
 
 /// Copies packet ranges into a container without decoding, with all their streams. Timestamps start at 0 with the first
 /// key frame, and gaps between files are kept. The output is deterministic.
 /// \param parts in order of time; at least one
 /// \param rate frames per second of inputs without timestamps
-/// \param stopped polled; true = stop
+/// \param check_stop called for each packet; throws to stop
 /// \throws Error usage if the container can't hold a stream, or if the streams of two files differ; io if reading or
 ///         writing fails
 CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path,
-                       const Tags& tags, const WriteAt& write_at, const std::function<bool()>& stopped);
-
-/// Checks a copy: counts its packets, decodes the beginning of each part, and compares both with the source files.
-/// \param copy the file that copy_pieces wrote
-/// \param path name of the copy in messages
-/// \throws Error not_video if packets or pictures differ from the source files
-void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
-                double rate, const std::filesystem::path& path);
+                       const Tags& tags, const WriteAt& write_at, const std::function<void()>& check_stop);
 
 }  // namespace vvr::video

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -26,8 +27,7 @@ struct VideoPacket {
 
 [[noreturn]] void throw_no_times(const Input& input, const std::string& what) {
     throw Error(ErrorCode::copy_impossible,
-                fmt::format("cannot copy '{}': {}; cut exactly, which re-encodes the video", input.name, what),
-                {"exact"});
+                fmt::format("cannot copy '{}': {}; {}", input.name, what, encode_with_ffmpeg));
 }
 
 /// Presentation time of the first frame on the container's clock, seconds.
@@ -47,6 +47,13 @@ class Scan {
         : input_(input), span_(span), origin_(origin_of(input, rate)), demuxer_(input, Demuxer::Kind::video, rate) {
         const auto packet = av::make_packet();
         while (!is_done() && demuxer_.read(*packet)) add(*packet);
+        for (std::size_t k = 0; k < packets_.size(); ++k) {
+            if (const double time = seconds(packets_[k].stamp); time >= -slack)
+                shown_.push_back({k, 0, time, packets_[k].damaged});
+        }
+        std::ranges::stable_sort(shown_, {}, [&](const auto& one) { return packets_[one.packet].stamp; });
+        FrameNumbers numbers(rate_);
+        for (PacketRange::Frame& one : shown_) one.number = numbers(one.time);
     }
 
     /// Whether the clip ends before the span does.
@@ -64,26 +71,11 @@ class Scan {
 
     const std::vector<VideoPacket>& packets() const { return packets_; }
 
-    /// A frame's packet, number and time in seconds.
-    struct Shown {
-        std::size_t packet = 0;
-        std::int64_t number = 0;
-        double time = 0;
-    };
-
     /// The frames in presentation order, from the first that decodes on. Their numbers are those of a `FileSource`.
-    std::vector<Shown> shown() const {
-        std::vector<Shown> shown;
-        for (std::size_t k = 0; k < packets_.size(); ++k) {
-            if (const double time = seconds(packets_[k].stamp); time >= -slack) shown.push_back({k, 0, time});
-        }
-        std::ranges::stable_sort(shown, {}, [&](const Shown& one) { return packets_[one.packet].stamp; });
-        FrameNumbers numbers(rate_);
-        for (Shown& one : shown) one.number = numbers(one.time);
-        return shown;
-    }
+    const std::vector<PacketRange::Frame>& shown() const { return shown_; }
 
     double seconds(std::int64_t stamp) const { return *demuxer_.seconds(stamp) - origin_; }
+    double frame_duration() const { return demuxer_.frame_duration(); }
 
   private:
     void add(const AVPacket& packet) {
@@ -103,10 +95,7 @@ class Scan {
         packets_.push_back({stamp, (packet.flags & AV_PKT_FLAG_KEY) != 0, (packet.flags & AV_PKT_FLAG_CORRUPT) != 0});
     }
 
-    std::int64_t frames() const {
-        const std::vector<Shown> all = shown();
-        return all.empty() ? 0 : all.back().number + 1;
-    }
+    std::int64_t frames() const { return shown_.empty() ? 0 : shown_.back().number + 1; }
 
     double last_time() const {
         return packets_.empty() ? 0 : seconds(std::ranges::max(packets_, {}, &VideoPacket::stamp).stamp);
@@ -126,16 +115,8 @@ class Scan {
     double last_dts_ = -std::numeric_limits<double>::infinity();
     std::size_t past_end_ = 0;  ///< packets read after the end of the span
     std::vector<VideoPacket> packets_;
+    std::vector<PacketRange::Frame> shown_;
 };
-
-/// The indices of the packets whose frames are in the span, in presentation order.
-std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
-    std::vector<std::size_t> inside;
-    for (const auto& [packet, number, time] : scan.shown()) {
-        if (!is_before(span, number, time) && !is_past(span, number, time)) inside.push_back(packet);
-    }
-    return inside;
-}
 
 /// Index of the last packet needed to show the frames up to `last`: packets are reordered, so later ones may be shown
 /// earlier.
@@ -154,14 +135,16 @@ std::size_t last_needed(const std::vector<VideoPacket>& packets, std::size_t fir
 PacketRange find_packets(const Input& input, double rate, const FrameSpan& span) {
     const Scan scan(input, rate, span);
     const std::vector<VideoPacket>& packets = scan.packets();
-    const std::vector<std::size_t> inside = packets_in(scan, span);
+    std::vector<std::size_t> inside;  // packets whose frames are in the span, in presentation order
+    for (const PacketRange::Frame& frame : scan.shown()) {
+        if (!is_before(span, frame.number, frame.time) && !is_past(span, frame.number, frame.time))
+            inside.push_back(frame.packet);
+    }
     PacketRange range;
     if (inside.empty()) {
         range.over = scan.end();
         return range;
     }
-    range.frames = std::ssize(inside);
-
     const std::size_t earliest = std::ranges::min(inside);
     const std::int64_t wanted = packets[inside.front()].stamp;
     std::optional<std::size_t> first;
@@ -174,21 +157,16 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
     range.first = static_cast<std::int64_t>(*first);
     range.last = static_cast<std::int64_t>(last);
     range.first_stamp = range.last_stamp = packets[*first].stamp;
-    for (std::size_t k = *first; k <= last; ++k) {
-        range.last_stamp = std::max(range.last_stamp, packets[k].stamp);
-        range.damaged += packets[k].damaged;
-    }
+    for (std::size_t k = *first; k <= last; ++k) range.last_stamp = std::max(range.last_stamp, packets[k].stamp);
+    std::ranges::copy_if(scan.shown(), std::back_inserter(range.frames), [&](const PacketRange::Frame& frame) {
+        return frame.packet >= *first && frame.packet <= last && packets[frame.packet].stamp >= range.first_stamp;
+    });
     range.begin = scan.seconds(range.first_stamp);
     range.end = scan.seconds(range.last_stamp);
+    range.until = range.end + scan.frame_duration();
     range.wanted = scan.seconds(wanted);
     range.ends_early = scan.ends_early();
     return range;
-}
-
-std::optional<double> last_frame_in(const Input& input, double rate, const FrameSpan& span) {
-    const Scan scan(input, rate, span);
-    const std::vector<std::size_t> inside = packets_in(scan, span);
-    return inside.empty() ? std::nullopt : std::optional(scan.seconds(scan.packets()[inside.back()].stamp));
 }
 
 double length_of(const Input& input, double rate) {
@@ -216,12 +194,6 @@ double length_of(const Input& input, double rate) {
     }
     count();
     return last + demuxer.frame_duration();
-}
-
-void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
-    const std::string end = last ? fmt::format("the last frame before that is at {:.3f} s; ", *last) : "";
-    throw Error(ErrorCode::span_empty,
-                fmt::format("'{}' has no frame {}; {}choose another part", name, text_of(span), end));
 }
 
 }  // namespace vvr::video

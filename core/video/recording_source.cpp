@@ -208,6 +208,9 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
         const std::int64_t step = numbers_(time) - before;
         index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : step;
         if (first_of_segment_) info_.segments.back().first_frame = index_;
+        // Of files that overlap, the earlier one shows what it has; its last frame may end within this one.
+        for (std::size_t k = 0; first_of_segment_ && begin_.overlaps && k + 1 < info_.segments.size(); ++k)
+            info_.segments[k].end = std::min(info_.segments[k].end, time);
         first_of_segment_ = false;
         last_ = std::max(last_, time);
         covered_ = std::max(covered_, last_);

@@ -14,7 +14,7 @@ COMMANDS = {
     "inspect": ("inspect", "clip.avi", "--frame", "3f", "-o", "out.png"),
     "info": ("info", "clip.avi", "--json"),
     "seeds": ("seeds", "data", "-o", "lists"),
-    "cut": ("cut", "clip.avi", "--start", "0s", "--end", "0.5s", "--exact", "-o", "out.mp4"),
+    "cut": ("cut", "clip.avi", "--start", "0s", "--end", "0.5s", "-o", "out.avi"),
     "compare": ("compare", "one.png", "one.png"),
     # Workers of an archive are runs of render, and have limits that leave valgrind no room.
     "archive": ("archive", "clips", "-o", "pictures", "--dry-run"),

@@ -58,8 +58,8 @@ def evidence(t):
     clip = "in/gate/2026-11-21_20-00-00.avi"
     t.vvr("render", clip, "--report", "report.json", "--flow", "none", "--quiet").expect(0)
     t.vvr("cut", clip, "--event", "1", "--report", "report.json", "--evidence", "case", "--quiet").expect(0)
-    t.vvr("cut", clip, "--start", "1s", "--end", "2s", "--evidence", "exact", "--exact", "--quiet").expect(0)
-    return [t.json(name) for name in ("case/evidence.json", "exact/evidence.json", "out/gate/2026-11-21_20-00-00.avi.events/evidence.json")]
+    t.vvr("cut", clip, "--start", "1s", "--end", "2s", "--evidence", "between", "--quiet").expect(0)
+    return [t.json(name) for name in ("case/evidence.json", "between/evidence.json", "out/gate/2026-11-21_20-00-00.avi.events/evidence.json")]
 
 
 @pytest.mark.parametrize("name, make", [("info", made_by_info), ("golden", made_by_golden), ("sidecar", sidecars),

@@ -338,7 +338,15 @@ test('the command that cuts an event out of files of a recording', () => {
     assert.equal(cutCommand(pageData({segments}), steady(), 2), 'vvr cut b.mp4 c.mp4 --start 1.000s --end 7.040s -o b-event-3.mp4');
     const overlapping = [['a.mkv', 0, 5], ['b.mkv', 4, 6]];
     assert.equal(cutCommand(pageData({segments: overlapping, cut: {ending: '.mkv', names: []}}), steady(), 2),
-                 'vvr cut a.mkv b.mkv --start 3.000s --end 9.040s --exact -o a-event-3.mp4');
+                 'vvr cut a.mkv --start 3.000s --end 5.000s -o a-event-3.mkv && vvr cut b.mkv --start 0.000s --end 5.040s -o b-event-3.mkv');
+});
+
+test('commands of a page whose clip is gone name the kept pieces', () => {
+    const data = pageData({pieces: [['./clip.mp4.events/event-1.mp4', 0.5, 2]], cut: {ending: '.avi', names: ['%Y x']}});
+    assert.equal(cutCommand(data, steady(), 1, true), 'vvr cut ./clip.mp4.events/event-1.mp4 --start 0.500s --end 1.540s -o event-1-event-2.mp4');
+    assert.equal(stillCommand(data, steady(), 50, true), "ffmpeg -ss 1.490 -i ./clip.mp4.events/event-1.mp4 -frames:v 1 'clip.mp4 0-02.0.png'");
+    // Where there is no piece there is no command.
+    assert.deepEqual([stillCommand(data, steady(), 100, true), cutCommand(pageData(), steady(), 1, true)], [null, null]);
 });
 
 test('stills', () => {

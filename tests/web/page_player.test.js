@@ -2,12 +2,12 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {whyNot} from '../../core/web/page/unplayable.js';
+import {isGone, whyNot} from '../../core/web/page/unplayable.js';
 import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
 import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
 import {changed, clipKey, keyOf, readMarks, savedMarks, withTwins} from '../../core/web/page/marks.js';
 import {momentOf} from '../../core/web/page/moments.js';
-import {fileAt, hasMoment, pieceFrom} from '../../core/web/page/pieces.js';
+import {fileAt, footageOf, hasMoment, nameOf} from '../../core/web/page/pieces.js';
 import {Timeline} from '../../core/web/page/timeline.js';
 
 const steady = clock => new Timeline([[0, 2500, 0, 0.04]], clock ?? null);  // 100 s
@@ -68,12 +68,16 @@ test('events with the same frames have marks of their own', () => {
 });
 
 test('files of a recording, and pieces of its events', () => {
-    const files = [['a', 0, 10], ['b', 10, 10], ['c', 30, 5]];
-    assert.deepEqual([-1, 0, 9.9, 10, 25, 99].map(seconds => fileAt(files, seconds)[0]), ['a', 'a', 'a', 'b', 'b', 'c']);
+    // As in tests/unit/video/parts_test.cpp, which asks the program's own function. The last two overlap.
+    const files = [['a', 0, 10], ['b', 10, 10], ['c', 30, 5], ['d', 34, 6]];
+    assert.deepEqual([-1, 0, 9.9, 9.999, 10, 25, 30, 34.5, 35, 99].map(seconds => fileAt(files, seconds)[0]),
+                     ['a', 'a', 'a', 'b', 'b', 'c', 'c', 'c', 'd', 'd']);
     const pieces = [['a', 5, 10], ['b', 20, 4]];
-    assert.deepEqual([0, 5, 15, 15.1, 24, 24.1].map(seconds => pieceFrom(pieces, seconds)?.[0]), ['a', 'a', 'a', 'b', 'b', undefined]);
-    assert.deepEqual([0, 5, 15, 15.1, 20, 24, 24.1].map(seconds => hasMoment(pieces, seconds)), [false, true, true, false, true, true, false]);
+    assert.deepEqual([0, 5, 14.9, 15, 20, 23.9, 24].map(seconds => hasMoment(pieces, seconds)), [false, true, true, false, true, true, false]);
     assert.equal(hasMoment([], 5), false);
+    assert.deepEqual(footageOf({clip: './a.mp4', segments: []}), [['./a.mp4', 0, Infinity]]);
+    assert.deepEqual(footageOf({clip: null, segments: files, pieces}, true), pieces);
+    assert.deepEqual([nameOf(['./day/a%20b.mp4', 0, 1]), nameOf(['bad%FF.mp4', 0, 1])], ['a b.mp4', 'bad%FF.mp4']);
 });
 
 const pageData = more => ({name: 'clip.mp4', camera: null, clip: './clip.mp4', size: [640, 360], times: [[0, 2500, 0, 0.04]], clock: null, ...more});
@@ -129,6 +133,7 @@ test('why a clip can’t be played', () => {
     assert.deepEqual(['MEDIA_ELEMENT_ERROR: Format error', '404: Not Found', '2152857618: Request failed'].map(text => whyNot(text, './a.mp4')), [gone, gone, gone]);
     assert.deepEqual(['PipelineStatus::DEMUXER_ERROR_NO_SUPPORTED_STREAMS: FFmpegDemuxer: no supported streams', 'Failed to init decoder'].map(text => whyNot(text, './a.mp4')),
                      [unknown, unknown]);
+    assert.deepEqual([gone, unknown, 'the file of that name is another clip'].map(why => isGone(why, false)), [true, false, true]);
     // Of a page that was opened as a file some browsers say nothing.
     assert.deepEqual(['./a.avi', './a.MP4', ''].map(name => whyNot('', name)), [unknown, 'the clip is missing or can’t be played here', unknown]);
 });

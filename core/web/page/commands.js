@@ -3,6 +3,7 @@
 import {sidesOf} from '../shared/shapes.js';
 import {upright} from '../shared/text.js';
 import {numberOf} from './events.js';
+import {fileAt, footageOf, hasMoment} from './pieces.js';
 
 /**
  * @typedef {import('./data.js').PageData} PageData
@@ -22,13 +23,14 @@ export const quoted = text => /^[\w./-]+$/.test(text) ? text : `'${text.replaceA
  * @param {PageData} data
  * @param {Timeline} time
  * @param {{first: number, last: number}} frames
+ * @param {boolean} [gone] whether only the pieces are left
  * @returns {File[] | null}
  */
-export function filesOf(data, time, frames) {
-    const [first, end] = [time.secondsOf(frames.first), time.endOf(frames)];
-    const segments = data.segments ?? [];
-    const files = segments.length ? segments.filter(([, begin, length]) => begin < end - 1e-6 && begin + length > first + 1e-6)
-        : [/** @type {import('./data.js').Segment} */ ([data.clip ?? '', 0, Infinity])];
+export function filesOf(data, time, frames, gone = false) {
+    const all = footageOf(data, gone);
+    const [first, last] = [frames.first, frames.last].map(frame => time.secondsOf(frame));
+    if (!hasMoment(all, first)) return null;
+    const files = all.slice(all.indexOf(fileAt(all, first)), all.indexOf(fileAt(all, last)) + 1);
     try {
         const paths = files.map(([address, begin, length]) => /** @type {File} */ ([decodeURIComponent(address).replace(/^\.\/(?=\.\.\/)/, ''), begin, begin + length]));
         return paths.length && paths.every(([path]) => path !== '' && !/[\u0000-\u001f\u007f]/.test(path)) ? paths : null;
@@ -42,19 +44,25 @@ export function filesOf(data, time, frames) {
  * @param {PageData} data
  * @param {Timeline} time
  * @param {number} place of the event
+ * @param {boolean} [gone] whether only the pieces are left
  */
-export function cutCommand(data, time, place) {
+export function cutCommand(data, time, place, gone = false) {
     const event = data.events?.[place];
-    const files = event ? filesOf(data, time, event) : null;
+    const files = event ? filesOf(data, time, event, gone) : null;
     if (!event || !files) return null;
-    const [path, begin] = files[0];
-    const stem = path.slice(path.lastIndexOf('/') + 1).replace(/\.[^.]*$/, '').replace(/^-/, '_');
-    const timeText = (/** @type {number} */ seconds) => (Math.max(seconds, begin) - begin).toFixed(3) + 's';
+    const commandOf = (/** @type {File[]} */ some) => {
+        const [path, begin] = some[0];
+        const name = path.slice(path.lastIndexOf('/') + 1);
+        const stem = name.replace(/\.[^.]*$/, '').replace(/^-/, '_');
+        const timeText = (/** @type {number} */ seconds) => (Math.max(seconds, begin) - begin).toFixed(3) + 's';
+        const ending = gone ? name.slice(name.lastIndexOf('.')) : data.cut.ending;
+        return ['vvr cut', ...some.map(([file]) => quoted(file)), ...gone ? [] : data.cut.names.map(names => `--names ${quoted(names)}`),
+                `--start ${timeText(time.secondsOf(event.first))} --end ${timeText(Math.min(time.endOf(event), some[some.length - 1][2]))}`,
+                `-o ${quoted(`${stem}-event-${numberOf(data.events ?? [], place)}${ending}`)}`].join(' ');
+    };
+    // Files that overlap can't be joined.
     const overlap = files.some(([, from], i) => i > 0 && from < files[i - 1][2] - 0.001);
-    const output = `${stem}-event-${numberOf(data.events ?? [], place)}${overlap ? '.mp4' : data.cut.ending}`;
-    return ['vvr cut', ...files.map(([file]) => quoted(file)), ...data.cut.names.map(names => `--names ${quoted(names)}`),
-            `--start ${timeText(time.secondsOf(event.first))} --end ${timeText(Math.min(time.endOf(event), files[files.length - 1][2]))}`,
-            overlap ? '--exact' : [], `-o ${quoted(output)}`].flat().join(' ');
+    return overlap ? files.map(file => commandOf([file])).join(' && ') : commandOf(files);
 }
 
 /**
@@ -76,9 +84,10 @@ export function stillName(data, time, frame, extension) {
  * @param {PageData} data
  * @param {Timeline} time
  * @param {number} frame
+ * @param {boolean} [gone] whether only the pieces are left
  */
-export function stillCommand(data, time, frame) {
-    const file = filesOf(data, time, {first: frame, last: frame})?.[0];
+export function stillCommand(data, time, frame, gone = false) {
+    const file = filesOf(data, time, {first: frame, last: frame}, gone)?.[0];
     if (!file) return null;
     const [path, begin] = file;
     const seconds = Math.max(0, time.secondsOf(frame) - begin - Math.min(time.lengthOf(frame) / 2, 0.01));

@@ -51,6 +51,8 @@
  * @property {[number, number]} size
  * @property {Stretch[]} times
  * @property {string[]} [gaps] why there are no frames: of each gap in the times
+ * @property {string[]} [unseen] what nobody looked at, in words
+ * @property {[begin: number, end: number][]} [damage] seconds
  * @property {WallClock | null} clock
  * @property {string} told the source of the time of day
  * @property {import('../shared/kinds.js').KindRow[]} kinds

@@ -7,6 +7,7 @@ import {addressOfEvent, addressOfMoment} from './address.js';
 import {cutCommand, roiOption, stillCommand, stillName} from './commands.js';
 import {numberOf, stillNear} from './events.js';
 import {tell} from './messages.js';
+import {fileAt, footageOf} from './pieces.js';
 import {hasFrame, previewUrl, video} from './player.js';
 import {savedMarks} from './marks.js';
 import {state} from './state.js';
@@ -119,8 +120,8 @@ function save(blob, {image, frame, from}) {
         : `Saved ${name}: ${size.join('×')} of the clip’s ${data.size.join('×')}, from ${from || 'the player'}.${other}${fullSize}`);
 }
 
-const cutOfChosen = () => state.chosen === null ? null : cutCommand(state.data, state.time, state.chosen);
-const stillOf = (/** @type {number} */ frame) => stillCommand(state.data, state.time, frame);
+const cutOfChosen = () => state.chosen === null ? null : cutCommand(state.data, state.time, state.chosen, state.gone);
+const stillNowCommand = () => stillCommand(state.data, state.time, state.now, state.gone);
 
 /**
  * @param {Blob} blob
@@ -142,17 +143,18 @@ function saveNotes() {
 }
 
 export function drawCommands() {
-    const clip = state.data.clip ?? state.data.segments?.[0]?.[0] ?? null;
-    at('openclip').hidden = clip === null;
-    if (clip !== null) at('openclip', HTMLAnchorElement).href = clip;
+    const {data, gone, time, now} = state;
+    const file = fileAt(footageOf(data, gone), time.secondsOf(now));
+    at('openclip').hidden = !file;
+    if (file) at('openclip', HTMLAnchorElement).href = file[0];
     at('copycut', HTMLButtonElement).disabled = cutOfChosen() === null;
-    at('copystill', HTMLButtonElement).disabled = stillOf(state.time.firstFrame) === null;
+    at('copystill', HTMLButtonElement).disabled = stillNowCommand() === null;
 }
 
 export function listenToExport() {
     at('copylink').addEventListener('click', () => copy(linkHere(), 'a link'));
     at('copycut').addEventListener('click', () => copy(cutOfChosen(), 'the command'));
-    at('copystill').addEventListener('click', () => copy(stillOf(state.now), 'the command for this frame in full size'));
+    at('copystill').addEventListener('click', () => copy(stillNowCommand(), 'the command for this frame in full size'));
     at('copyroi').addEventListener('click', () => copy(state.asked && roiOption(state.asked, state.data.size), 'the option for the next run'));
     at('savenotes').addEventListener('click', saveNotes);
     at('savestill').addEventListener('click', () => saveStill().catch(error => tell(`The still can’t be saved: ${error.message}`)));

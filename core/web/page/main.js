@@ -41,6 +41,15 @@ function drawSummary() {
         : `${time.dayOf(time.begins)}, ${span}; times${zone}, ${data.told}`;
 }
 
+/** What nobody looked at, and when the clip is damaged. */
+function drawUnseen() {
+    const {data: {unseen = [], damage = []}, time} = state;
+    const when = damage.slice(0, 5).map(([from, to]) => `${time.clockOf(from)} to ${time.clockOf(to)}`);
+    if (damage.length > 5) when.push(`${damage.length - 5} more`);
+    at('unseen').hidden = !unseen.length;
+    at('unseen').textContent = `Not seen: ${unseen.join('; ')}${when.length ? `; damage from ${when.join(', ')}` : ''}`;
+}
+
 /** The players have the shape of the clip. */
 function drawShapes() {
     const {size} = state.data;
@@ -53,6 +62,7 @@ function drawShapes() {
 const parts = [
     {draw: drawNames, from: () => [state.data]},
     {draw: drawSummary, from: () => [state.data]},
+    {draw: drawUnseen, from: () => [state.data]},
     {draw: drawShapes, from: () => [...state.data.size]},
     {draw: drawAge, from: () => [state.data]},
     {draw: drawFollowing, from: () => [state.data, state.follows]},
@@ -80,7 +90,7 @@ const parts = [
     {draw: drawCursor, from: () => [state.time, state.stripFrom, state.stripLasts, state.now]},
     {draw: drawGround, from: () => [state.ground]},
     {draw: drawStage, from: () => [state.scale, ...state.middle, ...state.contents, ...state.room]},
-    {draw: drawPlayer, from: () => [state.source, showsStill()]},
+    {draw: drawPlayer, from: () => [state.source, state.film?.segment, showsStill()]},
     {draw: drawSpeed, from: () => [state.speed, state.film]},
     {draw: drawReel, from: () => [state.filmScale, ...state.filmMiddle]},
     {draw: drawTour, from: () => [state.touring]},
@@ -93,7 +103,7 @@ const parts = [
     {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, showsStill()]},
-    {draw: drawCommands, from: () => [state.data, state.chosen]},
+    {draw: drawCommands, from: () => [state.data, state.chosen, state.gone, state.now]},
     {draw: openPeeker, from: () => [state.film]},
     {draw: drawPeek, from: () => [state.pointed?.frame]},
     {draw: drawTip, from: () => [state.pointed, state.lightened]},

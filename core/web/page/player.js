@@ -10,18 +10,16 @@ import {wantedEvents} from './filters.js';
 import {wasDrag} from './layout.js';
 import {momentOf} from './moments.js';
 import {tell} from './messages.js';
-import {fileAt, hasMoment, pieceFrom} from './pieces.js';
+import {fileAt, footageOf, hasMoment, nameOf} from './pieces.js';
 import {render, set, state} from './state.js';
-import {whyNot} from './unplayable.js';
+import {isGone, whyNot} from './unplayable.js';
 
 /**
  * What the player can open.
  * @typedef {object} Film
- * @property {() => string} url
- * @property {number} begin seconds of the clip
  * @property {string} says what it is
- * @property {import('./data.js').Segment[]} [files] of a recording, or the pieces of its events; the player opens the one that it needs
- * @property {import('./data.js').Segment} [segment] the file of these that is open
+ * @property {import('./data.js').Segment[]} files one, those of a recording, or the pieces of its events; the player opens the one that it needs
+ * @property {import('./data.js').Segment} segment the file of these that is open
  * @property {boolean} [isPieces] there is nothing between the files
  * @property {boolean} [isPreview]
  * @property {number} [offset] where its own clock is at its first frame
@@ -41,19 +39,23 @@ export function previewUrl() {
     return previewAddress;
 }
 
-/** @returns {Film[]} */
+/**
+ * The films in the order in which they are tried, each at the moment that is shown.
+ * @returns {(() => Film)[]}
+ */
 function filmsOf() {
-    const {clip, segments, pieces} = state.data;
+    const {data, time, now} = state;
     const {preview} = state.parts;
-    const films = [];
-    if (clip) films.push({url: () => clip, begin: 0, says: 'the original clip'});
     const ofFiles = (/** @type {import('./data.js').Segment[]} */ files, /** @type {string} */ says) =>
-        ({url: () => files[0][0], begin: files[0][1], says, files, segment: files[0]});
-    if (segments?.length) films.push(ofFiles(segments, 'the original recording'));
-    if (pieces?.length) films.push({...ofFiles(pieces, 'a clip per event'), isPieces: true});
+        ({says, files, segment: fileAt(files, time.secondsOf(now))});
+    const films = [];
+    const footage = footageOf(data);
+    if (footage.length) films.push(() => ofFiles(footage, data.clip ? 'the original clip' : 'the original recording'));
+    const pieces = footageOf(data, true);
+    if (pieces.length) films.push(() => ({...ofFiles(pieces, 'a clip per event'), isPieces: true}));
     if (preview) {
         const every = preview.step > 1 ? ', one frame in ' + preview.step : '';
-        films.push({url: previewUrl, begin: preview.begin, isPreview: true, says: `a small preview${every}`});
+        films.push(() => ({...ofFiles([[previewUrl(), preview.begin, Infinity]], `a small preview${every}`), isPreview: true}));
     }
     return films;
 }
@@ -62,7 +64,7 @@ function filmsOf() {
  * Whether the film that is open has a frame: between the pieces of events there is none.
  * @param {number} frame
  */
-export const hasFrame = frame => !state.film?.isPieces || hasMoment(state.film.files ?? [], state.time.secondsOf(frame));
+export const hasFrame = frame => !state.film?.isPieces || hasMoment(state.film.files, state.time.secondsOf(frame));
 
 /** Whether a still is shown instead of a film. */
 export const showsStill = () => state.stills || !hasFrame(state.now);
@@ -77,7 +79,8 @@ export const isPlaying = () => state.film ? !video.paused : state.wantsPlay;
 function isTheClip(candidate) {
     if (video.videoWidth === 0) return false;
     if (!Number.isFinite(video.duration)) return true;
-    const wanted = candidate.segment ? candidate.segment[2] : state.time.secondsOf(state.time.lastFrame) - candidate.begin;
+    const [, begin, length] = candidate.segment;
+    const wanted = Number.isFinite(length) ? length : state.time.secondsOf(state.time.lastFrame) - begin;
     return video.duration + 1 > wanted;
 }
 
@@ -99,7 +102,8 @@ export function openWaiting() {
  * @param {string} [why] the one before can't be played
  */
 export function openFilm(place, why = '') {
-    set({film: null, wantsPlay: isPlaying()});
+    const gone = place > 0 && (state.gone || isGone(why, footageOf(state.data, true).length > 0));
+    set({film: null, gone, wantsPlay: isPlaying()});
     const because = why ? `${why}, so this is ` : '';
     const films = filmsOf();
     if (place >= films.length && !state.allArrived) {
@@ -113,18 +117,19 @@ export function openFilm(place, why = '') {
         set({stills: true, source: because ? `${because}a still` : 'a still, as there is no film to be played'});
         return;
     }
-    const film = films[place];
+    const film = films[place]();
     const next = (/** @type {string} */ reason) => openFilm(place + 1, reason);
     film.offset = 0;
     const ready = () => {
         if (state.film === film || video.src !== film.src) return;
         if (!canSeek()) return next('the server can’t send a part of the clip');
-        if (film.segment) video.onerror = () => { video.dataset.failed = video.src; };  // of others only one part is missing
+        if (film.files.length > 1) video.onerror = () => { video.dataset.failed = video.src; };  // of others only one part is missing
         const plays = isPlaying();
         set({film, source: because + film.says});
         if (state.moved) show(state.now, plays);
+        else goToFrame(video, state.now);
     };
-    video.onerror = () => next(whyNot(video.error?.message ?? '', state.data.clip ?? state.data.segments?.[0]?.[0] ?? ''));
+    video.onerror = () => next(whyNot(video.error?.message ?? '', film.segment[0]));
     video.onloadedmetadata = () => {
         if (!isTheClip(film)) next('the file of that name is another clip');
     };
@@ -136,7 +141,7 @@ export function openFilm(place, why = '') {
             ready();
         });
     };
-    video.src = film.url();
+    video.src = film.segment[0];
     film.src = video.src;
 }
 
@@ -148,18 +153,9 @@ export function openFilm(place, why = '') {
 export function goToFrame(player, frame) {
     const {film, time} = state;
     if (!film) return;
-    const seconds = time.timeWithin(frame);
-    const offset = film.offset ?? 0;
-    if (!film.files) {
-        player.currentTime = Math.max(0, seconds - film.begin + offset);
-        return;
-    }
-    const segment = (film.isPieces ? pieceFrom(film.files, seconds) : fileAt(film.files, seconds)) ?? film.files[film.files.length - 1];
-    const inside = Math.max(0, seconds - segment[1] + offset);
-    if (player === video) {
-        film.segment = segment;
-        film.begin = segment[1];
-    }
+    const segment = fileAt(film.files, time.secondsOf(frame));
+    const inside = Math.max(0, time.timeWithin(frame) - segment[1] + (film.offset ?? 0));
+    if (player === video) film.segment = segment;
     const address = new URL(segment[0], location.href).href;
     if (player.src === address) {
         player.currentTime = inside;
@@ -185,9 +181,9 @@ export function show(frame, play, change = {}) {
     let plays = play;
     if (state.film) {
         if (play && !hasFrame(now)) {
-            const piece = pieceFrom(state.film.files ?? [], state.time.secondsOf(now));
+            const piece = state.film.files.find(([, begin]) => begin > state.time.secondsOf(now));
             if (piece) now = state.time.clamped(state.time.frameAt(piece[1]));
-            plays = piece !== null;
+            plays = piece !== undefined;
         }
         goToFrame(video, now);
         playFilm(plays);
@@ -307,13 +303,18 @@ export function bringIntoSight() {
 
 let lastLook = performance.now();
 
-/** Follows the film; where there is none, goes on from still to still. */
+/** Follows the film, over what the picture does not show; where there is no film, goes on from still to still. */
 export function followPlayer() {
+    let isOver = false;  // whether the film shows what comes after the frame
     const {film, time, until} = state;
     const passed = (performance.now() - lastLook) / 1000;
     lastLook = performance.now();
     if (film && state.moved && !video.seeking && video.readyState > 1 && (!video.paused || hasFrame(state.now))) {
-        set({now: time.clamped(time.frameAt(video.currentTime - (film.offset ?? 0) + film.begin))});
+        const [, begin, length] = film.segment;
+        const seconds = video.currentTime - (film.offset ?? 0) + begin;
+        const now = time.frameAt(seconds);
+        isOver = seconds > Math.min(time.secondsOf(now) + time.lengthOf(now), begin + length) + 0.05;
+        set({now});
     } else if (state.stills && state.wantsPlay) {
         // A stream's page may have lost the moment that was shown.
         const stillClock = Math.max(state.stillClock, time.begins) + passed * state.speed;
@@ -323,7 +324,18 @@ export function followPlayer() {
     }
     if (isPlaying() && state.touring) followTour();
     else if (isPlaying() && until !== null && state.now >= until) endOfEvent(until);
+    else if (isPlaying() && isOver) playOnAfter(state.now);
     setTimeout(() => requestAnimationFrame(followPlayer), 60);
+}
+
+/**
+ * Plays on with the next frame that the picture shows, or stops after its last.
+ * @param {number} frame
+ */
+function playOnAfter(frame) {
+    const {time, until, touring} = state;
+    if (frame < time.lastFrame) show(time.frameBeside(frame, 1), true, {until, touring});
+    else show(time.lastFrame, false, {until: null, touring: false});
 }
 
 /**
@@ -336,7 +348,8 @@ function endOfEvent(last) {
 }
 
 export function drawPlayer() {
-    at('source').textContent = state.source;
+    const {film} = state;
+    at('source').textContent = state.source + (film && film.files.length > 1 ? ': ' + nameOf(film.segment) : '');
     video.hidden = showsStill();
     still.hidden = !showsStill();
 }
@@ -365,10 +378,13 @@ export function listenToPlayer() {
     video.addEventListener('play', () => set({moved: true}));
     video.addEventListener('pause', render);
     video.addEventListener('ended', () => {
-        const {film} = state;
-        const next = film?.files && film.segment ? film.files[film.files.indexOf(film.segment) + 1] : undefined;
-        const isOver = film?.isPieces && state.until !== null && !state.touring;  // the piece ends with the event
-        if (next && !isOver) show(state.time.frameAt(next[1]), true, {touring: state.touring, until: state.until});
+        const {film, time} = state;
+        if (!film) return;
+        const [, begin, length] = film.segment;
+        const last = time.frameAt(begin + length - 0.002);  // of the file
+        // A piece ends with its event.
+        const isOver = film.isPieces && (state.until !== null && !state.touring || !film.files.some(([, from]) => from > begin));
+        if (last < time.lastFrame && !isOver) playOnAfter(last);
         else if (state.touring) set({touring: false});
         else if (state.until !== null) endOfEvent(state.until);
     });

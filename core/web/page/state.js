@@ -31,6 +31,7 @@ export const {state, set, render, drawAll} = store({
     moved: false,          // whether anybody has asked for a moment yet
     film: /** @type {import('./player.js').Film | null} */ (null),  // what the player has open
     source: '',            // what the player shows, in words
+    gone: false,           // whether the clip is no longer where it was
     stills: false,         // whether there is no film, only stills
     wantsPlay: false,      // whether stills play, or the film is to play once it is open
     stillClock: time.begins,  // of playing stills, seconds

@@ -1,14 +1,24 @@
 // Why a clip can't be played.
 
 /** What Chromium and Firefox say of a file that is not there. They have one code for all that fails. */
+const notThere = ['the clip is not where it was', 'the file of that name is another clip'];
 const missing = [/^MEDIA_ELEMENT_ERROR: Format error$/, /^\d+: /];
+
+const maybeMissing = 'the clip is missing or can’t be played here';
+
+/**
+ * Whether the clip is no longer there.
+ * @param {string} why it can't be played
+ * @param {boolean} hasPieces they were kept for when it is gone
+ */
+export const isGone = (why, hasPieces) => notThere.includes(why) || hasPieces && why === maybeMissing;
 
 /**
  * @param {string} message of the browser
  * @param {string} name of the clip
  */
 export function whyNot(message, name) {
-    if (missing.some(words => words.test(message))) return 'the clip is not where it was';
+    if (missing.some(words => words.test(message))) return notThere[0];
     if (message !== '' || !/\.(mp4|m4v|webm|mov)$/i.test(name)) return 'this browser doesn’t play this kind of file';
-    return 'the clip is missing or can’t be played here';
+    return maybeMissing;
 }

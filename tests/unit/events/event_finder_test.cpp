@@ -388,8 +388,12 @@ TEST(EventFinder, TellsSinceWhenSomethingMovesThatMayBeAnEvent) {
         fill(field, {x, 4, x + 12, 10}, 90);
         if (f >= 100 && f < 200) fill(field, {f - 90, 40, f - 76, 80}, 120);
         const std::optional<double> since = finder.add({field, {}, {}}, at(f)).busy_since;
-        if (f < 120 || f > 226) EXPECT_FALSE(since) << f;
-        if (f > 170 && f < 200) EXPECT_EQ(since, at(100).seconds) << f;
+        if (f < 120 || f > 226) {
+            EXPECT_FALSE(since) << f;
+        }
+        if (f > 170 && f < 200) {
+            EXPECT_EQ(since, at(100).seconds) << f;
+        }
     }
 }
 

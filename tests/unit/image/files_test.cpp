@@ -256,32 +256,6 @@ TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
     EXPECT_EQ(folder.files(), 1);
 }
 
-TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
-    const image::VideoFormat format{"mp4", "mpeg4", "b=1000000"};
-    const auto shade = [](int k) { return Plane<Bgr>({32, 16}, Bgr{40, 80, static_cast<std::uint8_t>(20 * k)}); };
-    image::VideoEncoder memory(format, "a", {32, 16}, 10, 10, 5);
-    for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
-    const std::vector<std::byte> wanted = memory.finish();
-    EXPECT_EQ(memory.bytes(), wanted.size());
-    replace_file(folder / "film", [&](const WriteAt& write_at) {
-        image::VideoEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
-        for (int k = 0; k < 8; ++k) film.add(shade(k), k);
-        EXPECT_TRUE(film.finish().empty());
-    });
-    EXPECT_EQ(read_bytes(folder / "film"), std::string(reinterpret_cast<const char*>(wanted.data()), wanted.size()));
-}
-
-TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
-    const auto full = [](std::int64_t, std::span<const std::byte>) {
-        throw Error(ErrorCode::disk_full, "the disk is full");
-    };
-    test::expect_error(ErrorCode::disk_full, [&] {
-        image::VideoEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
-        film.add(Plane<Bgr>({32, 16}), 0);
-        film.finish();
-    });
-}
-
 TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
     const auto encode = [](const char* name, Size size) {
         return [=] { image::encode_picture(name, image::Picture{Plane<image::Rgba>(size)}); };

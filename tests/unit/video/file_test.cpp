@@ -409,7 +409,7 @@ TEST(VideoFile, ReadsFramesAgain) {
     std::vector<std::string> warnings;
     for (const bool joined : {false, true}) {
         const std::vector<std::string> names{joined ? folder / "*.mp4" : folder / "2026-11-21_08-00-00.mp4"};
-        const auto source = video::open_sources(names, {}, {}, warnings);
+        const auto source = video::open_sources(names, {}, video::RecorderNames(), warnings);
         std::vector<double> all;
         while (const auto frame = source->next()) all.push_back(frame->pts);
         ASSERT_EQ(all.size(), joined ? 200U : 100U);

@@ -1,12 +1,18 @@
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/video/file_moment.h"
+#include "core/video/frame_gaps.h"
 #include "core/video/frame_sampler.h"
 #include "core/video/frame_source.h"
 #include "core/video/input_files.h"
 #include "core/video/live_source.h"
+#include "core/video/unseen.h"
 #include "core/video/video_reader.h"
 #include "tests/support/errors.h"
 
@@ -42,6 +48,67 @@ TEST(FrameNumbers, LeaveOutWhatIsMissing) {
     EXPECT_EQ(numbers(10, {0, 6, 12, 18}), (Numbers{0, 1, 2, 3})) << "a header with another rate";
     EXPECT_EQ(numbers(0, {0, 0.1, 60}), (Numbers{0, 1, 2})) << "an unknown rate";
     EXPECT_EQ(numbers(10, {0, 0.1, 1e9}), (Numbers{0, 1, 2})) << "a wrong timestamp";
+}
+
+TEST(FrameGaps, FindWhatIsMissingHoweverShort) {
+    const auto gaps = [](double rate, const std::vector<double>& times) {
+        video::FrameGaps find(rate);
+        std::vector<std::array<double, 3>> found;
+        for (const double time : times) {
+            if (const auto gap = find(time)) found.push_back({gap->begin, gap->end, static_cast<double>(gap->frames)});
+        }
+        return found;
+    };
+    using Gaps = std::vector<std::array<double, 3>>;
+    EXPECT_EQ(gaps(10, {0, 0.1, 0.2, 0.3}), Gaps());
+    EXPECT_EQ(gaps(10, {0, 0.1, 4.1, 4.2}), (Gaps{{0.1, 4.1, 39}}));
+    EXPECT_EQ(gaps(10, {0, 0.1, 0.4, 0.5}), (Gaps{{0.1, 0.4, 2}}));
+    EXPECT_EQ(gaps(10, {0, 0.1, 0.3, 0.4}), Gaps()) << "the rate may vary so much";
+    EXPECT_EQ(gaps(0, {0, 0.1, 0.2, 3.2}), (Gaps{{0.2, 3.2, 29}})) << "an unknown rate";
+    EXPECT_EQ(gaps(7.5, {0, 0.1, 0.2, 4.2}), (Gaps{{0.2, 4.2, 39}})) << "a rate that counts the gap";
+    EXPECT_EQ(gaps(10, {0, 0.1, 1.1, 2.1, 3.1, 4.1}).size(), 2) << "a camera that slows down";
+    EXPECT_FALSE(video::FrameGaps(10, true)(9)) << "before the first frame there is none";
+    video::FrameGaps key_frames(10, true);
+    key_frames(0);
+    EXPECT_FALSE(key_frames(3)) << "frames at any times";
+    EXPECT_TRUE(key_frames(9, true)->numbered);
+}
+
+TEST(Damage, IsListedByItsTime) {
+    std::vector<video::Damage> list;
+    add_damage(list, {1, 1.1, 2});
+    add_damage(list, {1.5, 1.6, 3});
+    add_damage(list, {7, 7.1, 1});
+    ASSERT_EQ(list.size(), 2);
+    EXPECT_EQ(list[0].packets, 5);
+    EXPECT_DOUBLE_EQ(list[0].end, 1.6);
+    for (int k = 0; k < 5000; ++k) add_damage(list, {100 + 10.0 * k, 101 + 10.0 * k, 1});
+    EXPECT_EQ(list.size(), 1000);
+    EXPECT_EQ(list.back().packets, 5000 - 997);
+}
+
+// As in tests/web/page_player.test.js, which asks the page's own function.
+TEST(FileAt, IsTheFirstThatHasNotEnded) {
+    const std::vector<video::SegmentPlace> files{{"a", 0, 10, 0}, {"b", 10, 20, 0}, {"c", 30, 35, 0}, {"d", 34, 40, 0}};
+    std::string names;
+    for (const double seconds : {-1.0, 0.0, 9.9, 9.999, 10.0, 25.0, 30.0, 34.5, 35.0, 99.0})
+        names += video::file_at(files, seconds).file->path;
+    EXPECT_EQ(names, "aaabbcccdd");
+    EXPECT_DOUBLE_EQ(video::file_at(files, 12.5).offset, 2.5);
+    EXPECT_DOUBLE_EQ(video::file_at(files, 25).offset, 0) << "the beginning of the next";
+    EXPECT_EQ(video::file_at({}, 1).file, nullptr);
+}
+
+TEST(Unseen, IsToldInWords) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(words_of(video::Unseen()), Words());
+    EXPECT_EQ(words_of(video::Unseen{.masked = 0.004}), Words()) << "a clock in a corner";
+    EXPECT_EQ(words_of(video::Unseen{.masked = std::nullopt}), Words{"a part of the scene masked"});
+    const video::Unseen much{
+        .masked = 0.5, .gaps = {{1, 5, 39}, {6, 60, 500, true}}, .damage = {{7, 8, 30}}, .damaged = 30, .dropped = 1};
+    EXPECT_EQ(words_of(much),
+              (Words{"50 % of the scene masked", "no frames for 4.0 s", "30 damaged packets", "1 frame dropped"}));
+    EXPECT_EQ(words_of(video::Unseen{.gaps = {{1, 1.4, 3}}}), Words()) << "a short gap is only listed";
 }
 
 TEST(StampClock, StartsAtTheFirstStamp) {
