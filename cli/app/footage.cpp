@@ -221,7 +221,7 @@ Footage find_footage(const InputOptions& options) {
     require_input(options);
     const video::RecorderNames layouts(options.name_patterns);
     if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
-    if (auto recording = video::find_recording(options.names, layouts, options.join))
+    if (auto recording = video::find_recording(options.names, layouts, options.join, options.rate))
         return {std::move(*recording), false};
     const std::string& name = options.names.front();
     check_single(name);

@@ -141,6 +141,7 @@ OpenedFields open_any(const RenderJob& job) {
     auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings, job.bricks.max_layers);
     fields::FieldOptions fields = field_options_of(job);
     fields.span = resolve_span(fields.span, job.look.start_time, clip->info(), opened.day_times);
+    clip->fit_size(fields.span.start);
     opened.span = fields.span;
     opened.source = std::make_unique<fields::ClipFields>(std::move(clip), std::move(fields));
     return opened;
@@ -199,6 +200,8 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.colour = colour;
     source.threads = threads;
     source.rate = options.rate;
+    source.track = options.track;
+    source.aspect = options.aspect;
     source.join = options.join;
     source.decode = options.decode;
     source.hwaccel = options.hwaccel;

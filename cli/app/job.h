@@ -127,7 +127,9 @@ struct InputOptions {
     Size field_size{0, 0};                   ///< as in SourceOptions
     Choice<video::FrameChoiceRow> decode{video::frame_choices().front()};
     Choice<video::HwaccelRow> hwaccel{video::hwaccels().front()};
-    double rate = 25;  ///< frames per second if the input has none
+    double rate = 0;                                                                         ///< as in SourceOptions
+    int track = 0;                                                                           ///< as in SourceOptions
+    std::optional<video::Aspect> aspect{};                                                   ///< as in SourceOptions
     std::function<std::unique_ptr<video::FrameSource>(const video::SourceOptions&)> open{};  ///< replaces the files
     std::string camera{};                 ///< named by the user; empty = from the names of files and folders
     std::vector<std::string> problems{};  ///< known before the files are read, one sentence each

@@ -120,7 +120,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
                                     "file by itself",
                                     part.file.path));
         }
-        video::Input input = video::open_input(part.file.path);
+        video::Input input = video::open_track(part.file.path, job.input.track);
         const video::PacketRange piece = video::find_packets(input, job.input.rate, part.span);
         if (piece.frames.empty() && piece.over) over = part.file.begin + *piece.over;
         if (!piece.frames.empty()) copied.push_back({std::move(input), piece, part.file.begin});

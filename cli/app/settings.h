@@ -175,7 +175,9 @@ NumberOrWord(Number&, std::string_view) -> NumberOrWord<Number>;
 template <class Input, class Each>
 void each_input_setting(Input& input, const Each& each) {
     each(setting::field_size, FieldSize{input.field_size});
-    each(setting::rate, input.rate);
+    each(setting::rate, NumberOrWord{input.rate, ""});
+    each(setting::track, NumberOrWord{input.track, ""});
+    each(setting::aspect, input.aspect);
 }
 
 /// How files become one recording.

@@ -90,6 +90,7 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     video::LiveOptions live;
     live.source.field_size = job.input.field_size;
     live.source.rate = job.input.rate;
+    live.source.aspect = job.input.aspect;
     live.source.hwaccel = job.input.hwaccel;
     live.source.colour = wants_colour(job);
     live.patience = options.patience;

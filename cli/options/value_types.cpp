@@ -242,6 +242,15 @@ std::string value_text(const Setting& setting, const app::FieldSize<const Size>&
     return value.value.width < 0 ? "source" : value_text(setting, value.value);
 }
 
+void set_value(const Setting& /*setting*/, const std::string& text, video::Aspect& value) {
+    const auto [width, height] = parse_pair(text, ':', {1, 10'000}, {1, 10'000});
+    value = {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::string value_text(const Setting& /*setting*/, const video::Aspect& value) {
+    return fmt::format("{}:{}", value.width, value.height);
+}
+
 void set_value(const Setting& /*setting*/, const std::string& text, space::View& direction) {
     std::tie(direction.azimuth, direction.elevation) = parse_pair(text, ',', azimuths, elevations);
 }

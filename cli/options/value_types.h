@@ -33,6 +33,7 @@ void set_value(const Setting& setting, const std::string& text, std::filesystem:
 void set_value(const Setting& setting, const std::string& text, std::chrono::seconds& value);
 void set_value(const Setting& setting, const std::string& text, std::pair<int, int>& share);
 void set_value(const Setting& setting, const std::string& text, Size& value);
+void set_value(const Setting& setting, const std::string& text, video::Aspect& value);
 void set_value(const Setting& setting, const std::string& text, glm::vec4& colour);
 void set_value(const Setting& setting, const std::string& text, space::View& direction);
 void set_value(const Setting& setting, const std::string& text, image::Tolerance& value);
@@ -90,6 +91,7 @@ std::string value_text(const Setting& setting, const app::Parts& value);
 std::string value_text(const Setting& setting, const app::NamedTransfer& value);
 std::string value_text(const Setting& setting, const fields::SeedSelection& value);
 std::string value_text(const Setting& setting, const fields::SeedFlags& value);
+std::string value_text(const Setting& setting, const video::Aspect& value);
 std::string value_text(const Setting& setting, const video::DayPart& value);
 std::string value_text(const Setting& setting, const archive::DayRule& value);
 std::string value_text(const Setting& setting, const events::EventChoice& value);

@@ -42,7 +42,10 @@ std::string describe_name(const std::string& clip, const ArchiveJob& job) {
     std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
     const auto begin =
         name.begin ? video::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
-    if (!begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
+    if (!begin) {
+        return fmt::format("{}, {}{}", text, row_of(ClockSource::none).words,
+                           name.no_clock ? ": the camera did not know it either" : "");
+    }
     text += ", " + labels::format_clock(*begin + local_offset(*begin));
     if (!name.begin) return fmt::format("{} {}", text, row_of(ClockSource::container).words);
     return fmt::format("{} {} ({})", text, row_of(ClockSource::file_name).words, name.layout);
@@ -178,6 +181,12 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
         all == 1 ? "1 clip has" : fmt::format("{} clips have", all), (job.in / first->path).string());
 }
 
+void warn_of_unset_clocks(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
+    const auto unset =
+        std::ranges::count_if(clips, [&](const archive::Clip& clip) { return job.names.read(clip.path).no_clock; });
+    if (unset > 0) log.warn("'{}': {}", job.in.string(), video::text_of_unset_clocks(unset));
+}
+
 void warn_of_undated(const ArchiveJob& job, spdlog::logger& log) {
     std::vector<std::string> undated;
     for (const auto& [path, day] : job.days) undated.insert(undated.end(), day.undated.begin(), day.undated.end());
@@ -218,6 +227,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     warn_of_unused_cameras(scan.clips, job, log);
+    warn_of_unset_clocks(scan.clips, job, log);
     std::vector<archive::Clip> wanted;
     if (options.grouping().days) {
         archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling, job.rules.day, job.in);

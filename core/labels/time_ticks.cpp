@@ -33,6 +33,7 @@ std::string wall_time(double seconds, const Clock& clock, double step, bool with
     const double at = clock.at(seconds);
     const auto whole = static_cast<std::time_t>(std::floor(at + 1e-6));
     const std::tm parts = fmt::gmtime(whole);
+    if (step > 7 * day) return fmt::format("{:%Y-%m-%d}", parts);
     if (step >= day) return fmt::format("{:%m-%d}", parts);
     if (with_day && clock.lasts > 7 * day) return fmt::format("{:%m-%d %H:%M}", parts);
     if (with_day && clock.lasts > day) return fmt::format("{:%a %H:%M}", parts);

@@ -24,10 +24,15 @@ namespace vvr::video {
 namespace {
 
 /// The size after rotation and with square pixels. The shorter side of a pixel is stretched, so no detail is lost.
-Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation) {
+/// \param shape of the whole picture, in place of the pixels' shape
+Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation, const std::optional<Aspect>& shape) {
     double width = frame.width;
     double height = frame.height;
-    const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 1;
+    double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 1;
+    if (shape) {
+        const double asked = static_cast<double>(shape->width) / shape->height;
+        ratio = (orientation.transpose ? 1 / asked : asked) * height / width;
+    }
     constexpr double plausible = 8;
     if (ratio > 1 && ratio < plausible) width *= ratio;
     if (ratio < 1 && ratio > 1 / plausible) height /= ratio;
@@ -69,7 +74,8 @@ Orientation orientation_of(const AVStream& stream) {
     return {false, a < 0, d < 0};
 }
 
-VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first) {
+VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first,
+                   const std::optional<Aspect>& shape) {
     AVFormatContext& format = demuxer.format();
     AVStream& stream = demuxer.stream();
     const std::string formats = format.iformat->name;
@@ -77,7 +83,8 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
     info.name = name;
     info.container = formats.substr(0, formats.find(','));
     info.codec = avcodec_get_name(stream.codecpar->codec_id);
-    info.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_of(stream));
+    info.size =
+        shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_of(stream), shape);
     const ClipHeader header = header_of(demuxer);
     info.rate = header.rate;
     info.duration = header.length;
@@ -90,8 +97,8 @@ ClipHeader header_of(const Demuxer& demuxer) {
     const AVStream& stream = demuxer.stream();
     ClipHeader header;
     header.picture = {stream.codecpar->width, stream.codecpar->height};
-    header.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
-    header.length = stated_duration(demuxer.format(), stream);
+    header.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) / demuxer.stretch() : 0;
+    header.length = stated_duration(demuxer.format(), stream) * demuxer.stretch();
     if (header.length > longest_clip) header.implausible_length = std::exchange(header.length, 0);
     header.frames = stream.nb_frames;
     header.created = creation_time(demuxer.format());

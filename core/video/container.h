@@ -16,7 +16,9 @@
 namespace vvr::video {
 
 /// Describes the video stream by its container, and by the display size of its first frame.
-VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
+/// \param shape as SourceOptions::aspect
+VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first,
+                   const std::optional<Aspect>& shape);
 
 /// Longest plausible duration of a clip, seconds: ten years. A header with more is wrong.
 inline constexpr double longest_clip = 10 * 365.25 * 86'400;

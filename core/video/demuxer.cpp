@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
+#include "core/base/text.h"
 
 extern "C" {
 #include <libavutil/opt.h>
@@ -274,6 +275,7 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
     if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
     if (code < 0) throw_unreadable(input, log_, code);
     choose_stream(input, kind);
+    if (rate > 0 && !watchdog_ && kind == Kind::video) stretch_ = 1 / (frame_duration() * rate);
 }
 
 int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
@@ -283,7 +285,7 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
     av::Dictionary options;
-    options.set("framerate", fmt::format("{:.6f}", rate));
+    options.set("framerate", fmt::format("{:.6f}", rate > 0 ? rate : assumed_rate));
     options.set("pattern_type", "none");
     options.set("max_pixels", std::to_string(av::max_pixels));
     if (is_remote(input) && watchdog_) {
@@ -308,6 +310,11 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
                     fmt::format("'{}' is not a picture: its format is {}", input.name, format_->iformat->name));
     }
 
+    for (unsigned i = 0; i < format_->nb_streams; ++i) {
+        AVStream* const each = format_->streams[i];
+        const bool is_cover = (each->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
+        if (each->codecpar->codec_type == AVMEDIA_TYPE_VIDEO && !is_cover) tracks_.push_back(each);
+    }
     const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC) {
         throw Error(ErrorCode::no_video_stream,
@@ -315,6 +322,12 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
                                 streams_found(*format_)));
     }
     stream_ = format_->streams[chosen];
+    if (input.track > tracks()) {
+        throw Error(ErrorCode::no_video_stream,
+                    fmt::format("track {}: '{}' has {}", input.track, input.name, counted(tracks(), "video track")),
+                    {"track"});
+    }
+    if (input.track > 0) stream_ = tracks_[static_cast<std::size_t>(input.track) - 1];
 
     const auto& codec = *stream_->codecpar;
     if (is_text_art(codec.codec_id)) throw_text_file(input.name);
@@ -361,14 +374,22 @@ bool Demuxer::read_any(AVPacket& packet) {
 
 std::optional<double> Demuxer::seconds(std::int64_t stamp) const {
     if (stamp == AV_NOPTS_VALUE) return std::nullopt;
-    return static_cast<double>(stamp) * av_q2d(stream_->time_base);
+    return static_cast<double>(stamp) * tick();
+}
+
+double Demuxer::tick() const {
+    return av_q2d(stream_->time_base) * stretch_;
+}
+
+int Demuxer::track() const {
+    return static_cast<int>(std::ranges::find(tracks_, stream_) - tracks_.begin()) + 1;
 }
 
 double Demuxer::frame_duration() const {
     for (const AVRational rate : {stream_->avg_frame_rate, stream_->r_frame_rate}) {
-        if (rate.num > 0 && rate.den > 0) return 1 / av_q2d(rate);
+        if (rate.num > 0 && rate.den > 0) return stretch_ / av_q2d(rate);
     }
-    return 1.0 / 25;
+    return stretch_ / assumed_rate;
 }
 
 }  // namespace vvr::video

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/video/av.h"
 #include "core/video/input.h"
@@ -24,6 +25,9 @@ std::int64_t stamp_of(const AVPacket& packet);
 /// A stream's type and codec, such as "audio (aac)".
 std::string name_of(const AVStream& stream);
 
+/// Frames per second of inputs without timestamps that state no rate.
+inline constexpr double assumed_rate = 25;
+
 /// Reads the packets of a container's video stream.
 class Demuxer {
   public:
@@ -32,7 +36,8 @@ class Demuxer {
         picture,  ///< a file with one picture; its format must be a picture format
     };
 
-    /// \param rate frames per second for formats without timestamps
+    /// \param rate frames per second in place of what the input states; 0 = as it states, or else `assumed_rate`. Of a
+    ///        live stream only if it states none
     /// \throws Error io if the input can't be opened, not_video if it has no video stream, limit if its pictures are
     ///         too large
     Demuxer(const Input& input, Kind kind, double rate);
@@ -59,6 +64,16 @@ class Demuxer {
     /// Average seconds per frame according to the container, or 1/25 if unknown.
     double frame_duration() const;
 
+    /// One unit of the timestamps, seconds.
+    double tick() const;
+
+    /// Seconds per second of the container's clock: other than 1 if the user gives a rate.
+    double stretch() const { return stretch_; }
+
+    /// How many video tracks there are, and which of them is read, from 1.
+    int tracks() const { return static_cast<int>(tracks_.size()); }
+    int track() const;
+
   private:
     int open(const Input& input, double rate, const std::string& rtsp_flags);
     void choose_stream(const Input& input, Kind kind);
@@ -68,6 +83,8 @@ class Demuxer {
     std::unique_ptr<PipeReader> pipe_;
     std::shared_ptr<Watchdog> watchdog_;  ///< live streams only
     av::Ptr<AVFormatContext> format_;
+    std::vector<AVStream*> tracks_;  ///< of video, without cover pictures
+    double stretch_ = 1;
     AVStream* stream_ = nullptr;
     std::int64_t damaged_ = 0;
 };

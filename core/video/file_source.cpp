@@ -12,6 +12,10 @@
 #include "core/video/frame_sampler.h"
 #include "core/video/input_files.h"
 
+extern "C" {
+#include <libavutil/opt.h>
+}
+
 namespace vvr::video {
 
 namespace {
@@ -45,6 +49,12 @@ PacketCount count_packets(const FrameChoiceRow& choice, const Input& input, doub
     return count;
 }
 
+/// Whether the format has no timestamps, so that libav asks for a rate.
+bool takes_rate(const AVInputFormat& format) {
+    const AVClass* options = format.priv_class;
+    return options != nullptr && av_opt_find(&options, "framerate", nullptr, 0, AV_OPT_SEARCH_FAKE_OBJ) != nullptr;
+}
+
 }  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
@@ -59,10 +69,20 @@ FileSource::FileSource(Input input, const SourceOptions& options)
                         reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
     }
     const Demuxer& demuxer = reader_.demuxer();
-    tick_ = av_q2d(demuxer.stream().time_base);
+    tick_ = demuxer.tick();
     orientation_ = orientation_of(demuxer.stream());
-    info_ = describe(demuxer, name, *first.image);
-    is_hdr_ = first.image->color_trc == AVCOL_TRC_SMPTE2084 || first.image->color_trc == AVCOL_TRC_ARIB_STD_B67;
+    info_ = describe(demuxer, name, *first.image, options.aspect);
+    // Without the name, so that a recording says it once.
+    if (options.rate == 0 && takes_rate(*demuxer.format().iformat)) {
+        notes_.push_back(
+            fmt::format("raw video has no timestamps; vvr reads it as {:.6g} frames per second (--rate "
+                        "gives another rate)",
+                        1 / demuxer.frame_duration()));
+    }
+    if (options.track == 0 && demuxer.tracks() > 1) {
+        notes_.push_back(fmt::format("there are {} video tracks; vvr draws track {} (--track chooses another)",
+                                     demuxer.tracks(), demuxer.track()));
+    }
     if (!reader_.fell_back()) info_.hwaccel = options.hwaccel;
     implausible_length_ = header_of(demuxer).implausible_length;
     if (options.begin) {
@@ -92,7 +112,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
 }
 
 std::vector<std::string> FileSource::problems() const {
-    std::vector<std::string> problems;
+    std::vector<std::string> problems = notes_;
     const auto years = [](double seconds) { return seconds / (365.25 * 86'400); };
     if (implausible_length_ > 0) {
         problems.push_back(fmt::format("'{}' has a duration of {:.0f} years in its header; vvr uses that of its frames",

@@ -42,13 +42,14 @@ class FileSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double tick_ = 0;                ///< one unit of the container's time base, seconds
-    double from_ = 0;                ///< seconds; earlier frames are skipped
-    double implausible_length_ = 0;  ///< duration in the header if no clip is that long, seconds
-    bool is_hdr_ = false;            ///< PQ or HLG
-    double last_time_ = 0;           ///< time of the last returned frame, seconds
-    double last_in_file_ = 0;        ///< time of the last frame, decoded or not, seconds
-    double jump_ = 0;                ///< longest implausible jump between two timestamps, seconds
+    double tick_ = 0;                 ///< one unit of the container's time base, seconds
+    double from_ = 0;                 ///< seconds; earlier frames are skipped
+    double implausible_length_ = 0;   ///< duration in the header if no clip is that long, seconds
+    bool is_hdr_ = false;             ///< PQ or HLG
+    double last_time_ = 0;            ///< time of the last returned frame, seconds
+    double last_in_file_ = 0;         ///< time of the last frame, decoded or not, seconds
+    double jump_ = 0;                 ///< longest implausible jump between two timestamps, seconds
+    std::vector<std::string> notes_;  ///< what vvr takes for true, one sentence each
     SeekPoint start_;
     std::int64_t unread_ = 0;  ///< packets that `sample` could not read
 

@@ -67,11 +67,21 @@ inline bool recording_time_is_known(const VideoInfo& info) {
     return info.began && is_recording_time(info.began_source);
 }
 
+/// The shape of a picture.
+struct Aspect {
+    int width = 0;
+    int height = 0;
+
+    friend bool operator==(const Aspect&, const Aspect&) = default;
+};
+
 struct SourceOptions {
-    Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
-    bool colour = false;    ///< also fill Frame::colour
-    int threads = 0;        ///< decoder threads; 0 = one per core, or a single one for small pictures
-    double rate = 25;       ///< frames per second of inputs without timestamps: image sequences, raw streams
+    Size field_size{0, 0};           ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
+    bool colour = false;             ///< also fill Frame::colour
+    int threads = 0;                 ///< decoder threads; 0 = one per core, or a single one for small pictures
+    double rate = 0;                 ///< frames per second; 0 = as the input states, or else `assumed_rate`
+    int track = 0;                   ///< as Input::track
+    std::optional<Aspect> aspect{};  ///< of the picture as it is shown; none = as the input states
     Choice<FrameChoiceRow> decode{frame_choices().front()};  ///< frames of files; other inputs have all
     Choice<HwaccelRow> hwaccel{hwaccels().front()};  ///< what decodes files and streams; pictures: the processor
     std::int64_t layers = 0;              ///< for `auto`: of the volume; 0 = unknown, and all frames are decoded
@@ -115,6 +125,9 @@ class FrameSource {
     /// that have them. Another read needs a `rewind`. \param times of frames that were read, ascending
     virtual void read_again(std::span<const double> times,
                             const std::function<void(std::shared_ptr<DecodedFrame>)>& sink);
+
+    /// Chooses the size of the fields by the first file that has frames at or after `seconds`. Before the first frame.
+    virtual void fit_size(double /*seconds*/) {}
 
     /// Samples at most `count` frames, spread in time over all frames that decode. Returns all frames if there are at
     /// most `count`, and otherwise more than count / 3. Restarts at the first frame. Holds at most `count` frames in

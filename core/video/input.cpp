@@ -174,6 +174,12 @@ Input open_input(const std::string& name) {
     return spooled;
 }
 
+Input open_track(const std::string& name, int track) {
+    Input input = open_input(name);
+    input.track = track;
+    return input;
+}
+
 Input open_file(const std::string& path) {
     Input input{path, {}, open_descriptor(path)};
     if (!S_ISREG(status_of(*input.file, path).st_mode)) {

@@ -19,10 +19,16 @@ struct Input {
     std::shared_ptr<const Descriptor> pipe{};  ///< read once, as data arrive
     std::string format{};                      ///< libav's name of a device's format; empty = probed
     std::shared_ptr<Watchdog> watchdog{};      ///< interrupts reads
+
+    int track = 0;  ///< of its video tracks, from 1; 0 = libav's choice
 };
 
 /// Whether the input is a local file, not a server.
 bool is_local(const Input& input);
+
+/// As `open_input`, and chooses one of its video tracks.
+/// \param track as Input::track
+Input open_track(const std::string& name, int track);
 
 /// Opens `-` (stdin), a file, a named pipe or a URL. Pipes are spooled, because they can be read only once.
 ///

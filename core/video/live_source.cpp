@@ -74,7 +74,7 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
         reconnects_ = false;
         waits_ = true;
     }
-    info_ = describe(*demuxer_, input_.name, *first_);
+    info_ = describe(*demuxer_, input_.name, *first_, options_.source.aspect);
     if (!decoder_->fell_back()) info_.hwaccel = options_.source.hwaccel;
     if (decoder_->fell_back()) options_.report(text_of_fallback(*options_.source.hwaccel, info_.codec));
     info_.rate = plausible_rate(*demuxer_, info_.rate);

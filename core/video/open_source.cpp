@@ -101,20 +101,28 @@ std::optional<std::string> videos_beside_pictures(const std::string& folder) {
 }  // namespace
 
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
-    check(setting::rate, options.rate);
+    if (options.rate != 0) check(setting::rate, options.rate);
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
-    return std::make_unique<FileSource>(open_input(name), options);
+    return std::make_unique<FileSource>(open_track(name, options.track), options);
 }
 
 std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings) {
-    if (auto recording = find_recording(names, layouts, options.join)) {
-        check(setting::rate, options.rate);
+    if (auto recording = find_recording(names, layouts, options.join, options.rate)) {
+        if (options.rate != 0) check(setting::rate, options.rate);
         warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
         return std::make_unique<RecordingSource>(std::move(*recording), options);
     }
     SourceOptions one = options;
-    one.begin = segment_from_name(names.front(), layouts).begin;
+    const Segment named = segment_from_name(names.front(), layouts);
+    one.begin = named.begin;
+    if (named.no_clock) warnings.push_back(fmt::format("'{}': {}", names.front(), text_of_unset_clocks(1)));
+    if ((layouts.has_patterns() || options.track > 0 || options.aspect) && list_pictures(names.front())) {
+        warnings.push_back(
+            fmt::format("'{}' has pictures, on which names, track and aspect have no effect; --rate and "
+                        "--start-time give their times",
+                        names.front()));
+    }
     if (const auto ignored = videos_beside_pictures(names.front())) warnings.push_back(*ignored);
     return open_source(names.front(), one);
 }

@@ -27,7 +27,7 @@ struct Picture {
 
 /// \throws Error io, not_video, limit
 Picture decode_picture(const std::string& path) {
-    Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 25);
+    Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 0);
     Decoder decoder(demuxer, path, 1);
     Picture picture{decoder.next(), avcodec_get_name(demuxer.stream().codecpar->codec_id)};
     if (!picture.image) throw Error(ErrorCode::no_frame, demuxer.log().text(AVERROR_INVALIDDATA));
@@ -54,7 +54,8 @@ std::size_t file_at(double time, double rate, std::size_t files) {
 
 PictureSource::PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options)
     : files_(std::move(files)), options_(options) {
-    const double duration = static_cast<double>(files_.size()) / options.rate;
+    if (options_.rate == 0) options_.rate = assumed_rate;
+    const double duration = static_cast<double>(files_.size()) / options_.rate;
     std::string why;
     for (const std::string& file : files_) {
         try {
@@ -63,7 +64,7 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
                      "pictures",
                      first.codec,
                      {first.image->width, first.image->height},
-                     options.rate,
+                     options_.rate,
                      duration,
                      static_cast<std::int64_t>(files_.size())};
             break;

@@ -12,6 +12,8 @@
 
 #include <re2/re2.h>
 
+#include <fmt/format.h>
+
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/video/camera_names.h"
@@ -58,6 +60,14 @@ std::string_view without_extension(std::string_view path) {
 
 bool all_digits(std::string_view text) {
     return std::ranges::all_of(text, is_digit);
+}
+
+/// Whether a clock shows such a time because it was never set: it began to count in 1970, 1980 or 2000.
+bool was_never_set(std::int64_t clock) {
+    constexpr std::int64_t year_1990 = 631'152'000;
+    constexpr std::int64_t year_2000 = 946'684'800;
+    constexpr std::int64_t two_days = 172'800;
+    return clock < year_1990 || (clock >= year_2000 && clock < year_2000 + two_days);
 }
 
 /// The folder of a path, with its '/'.
@@ -127,6 +137,8 @@ std::optional<RecorderName> RecorderNames::read_as(const NamingScheme& scheme, s
     const bool timed = std::ranges::any_of(std::array{"H", "I", "s", "ms"},
                                            [&](const char* field) { return fields->contains(field); });
     if (timed && !name.begin) return std::nullopt;  // such as February 31
+    name.no_clock = name.begin && was_never_set(name.begin->clock);
+    if (name.no_clock) name.begin.reset();
     return name;
 }
 
@@ -180,10 +192,11 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
         }
         name.begin = read->begin;
         name.ambiguous = read->ambiguous;
+        name.no_clock = read->no_clock;
         name.sub = name.sub || read->sub;
         name.shows_month = read->shows_month;
         // A pattern without a time leaves the time to later patterns.
-        if (name.begin || name.ambiguous) break;
+        if (name.begin || name.ambiguous || name.no_clock) break;
     }
     const bool is_camera = !name.numbered.empty() && (of_cameras_.contains(name.numbered) ||
                                                       numbered_.contains(numbered_with(whole_path, name.numbered)));
@@ -216,6 +229,11 @@ std::string RecorderNames::camera_of(const RecorderName& name, std::string_view 
     if (name.camera.empty() || folders == name.camera || folders.ends_with('/' + name.camera)) return folders;
     if (folders.empty() || is_generic_name(folders)) return name.camera;
     return folders + '/' + name.camera;
+}
+
+std::string text_of_unset_clocks(std::int64_t files) {
+    return fmt::format("{} dated 1970, or when another clock begins: the camera did not know the time",
+                       files == 1 ? "1 file is" : fmt::format("{} files are", files));
 }
 
 std::string name_of_camera(std::string_view camera, std::span<const std::string> names) {

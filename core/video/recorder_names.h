@@ -32,6 +32,7 @@ struct RecorderName {
     std::optional<NamedTime> begin{};  ///< start of the recording
     bool ambiguous = false;            ///< its time can be read in several ways
     bool shows_month = false;          ///< its day can't be a month
+    bool no_clock = false;             ///< its date is that of a camera without the time: 1970, 2000-01-01
     bool sub = false;                  ///< the small one of a camera's two streams
 };
 
@@ -47,6 +48,8 @@ class RecorderNames {
     /// \param base folder of relative paths, so that results don't depend on the working folder
     /// \throws Error usage as expression_of
     explicit RecorderNames(std::span<const std::string> patterns = {}, const std::filesystem::path& base = {});
+
+    bool has_patterns() const { return !own_.empty(); }
 
     /// The result of the first scheme that matches.
     /// \param path matched by its last folders, as many as a scheme has
@@ -88,6 +91,9 @@ class RecorderNames {
 /// The one of some names that means a camera: its whole name, or the end of it from a folder on ("gate" means
 /// "house/gate"). The longest one; empty if there is none.
 std::string name_of_camera(std::string_view camera, std::span<const std::string> names);
+
+/// "2 files are dated 1970, ..."
+std::string text_of_unset_clocks(std::int64_t files);
 
 /// The names of the known recorders, for help texts.
 std::vector<std::string> known_recorders();

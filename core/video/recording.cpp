@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <unordered_set>
@@ -106,7 +107,7 @@ std::size_t sort_once(Files& files) {
 void require_video(const std::string& name) {
     std::error_code none;
     if (!fs::is_regular_file(name, none) || is_list(name) || is_video_name(name)) return;
-    Demuxer(open_input(name), Demuxer::Kind::video, 25);  // throws
+    Demuxer(open_input(name), Demuxer::Kind::video, 0);  // throws
 }
 
 // ---- Related files
@@ -170,7 +171,8 @@ void require_related(const Recording& recording, std::span<const SegmentHeader> 
 // ---- Start times
 
 /// The headers of files whose names have no time, preceded by that of one file whose name has a time.
-std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
+/// \param rate as SourceOptions::rate
+std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments, double rate) {
     std::vector<Segment*> read;
     const auto dated = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
     if (dated != segments.end()) read.push_back(&*dated);
@@ -181,7 +183,7 @@ std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
     if (dated != segments.end() && read.size() == 1) return headers;
     for (Segment* const segment : read) {
         try {
-            headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
+            headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, rate))});
         } catch (const Error& error) {
             if (error.code() == ErrorCode::out_of_memory) throw;
             continue;  // reported when it is read
@@ -238,8 +240,8 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             return static_cast<double>(*file.header.created);
         })) {
         warn(
-            "; vvr orders them by the creation times in their containers, which only --start-time container shows as "
-            "times of day");
+            "; vvr orders them by the creation times in their containers, which are times of day only with "
+            "--start-time container");
         return;
     }
     // Copying sets a new modification time. Wrong times would make files overlap, and overlaps are omitted.
@@ -248,8 +250,8 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
             return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
         warn(
-            ", nor do their containers; vvr orders them by their modification times, which only --start-time modified "
-            "shows as times of day");
+            ", nor do their containers; vvr orders them by their modification times, which are times of day only with "
+            "--start-time modified");
         return;
     }
     warn(", and their creation and modification times contradict each other; vvr orders them by their names");
@@ -258,7 +260,7 @@ void set_times_of_containers(Recording& recording, std::span<const SegmentHeader
 /// The length in a file's header, seconds; 0 if it has none or can't be read.
 double length_in_header(const std::string& path) {
     try {
-        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, SourceOptions{}.rate)).length;
+        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 0)).length;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::out_of_memory) throw;
         return 0;  // reported when it is read
@@ -287,6 +289,25 @@ void sort_by_time(std::vector<Segment>& segments) {
     std::ranges::stable_sort(keyed, {}, [](const auto& entry) { return entry.first; });
     segments.clear();
     for (auto& entry : keyed) segments.push_back(std::move(entry.second));
+}
+
+/// Leaves out the files of a camera's small stream that begin with one of its large stream.
+void leave_out_sub_streams(Recording& recording) {
+    constexpr std::int64_t together = 5;  // seconds
+    std::set<std::int64_t> mains;
+    for (const Segment& each : recording.segments) {
+        if (each.begin && !each.sub) mains.insert(*each.begin);
+    }
+    const std::size_t files = std::erase_if(recording.segments, [&](const Segment& each) {
+        if (!each.sub || !each.begin) return false;
+        const auto near = mains.lower_bound(*each.begin - together);
+        return near != mains.end() && *near <= *each.begin + together;
+    });
+    if (files == 0) return;
+    recording.warnings.push_back(
+        fmt::format("'{}': {} of the camera's small stream {} not drawn: the large stream has "
+                    "the same times",
+                    recording.name, counted(static_cast<std::int64_t>(files), "file"), files == 1 ? "is" : "are"));
 }
 
 /// A name for the recording: the given name, or the common folder of all files.
@@ -319,6 +340,8 @@ Segment segment_from_name(const std::string& path, const RecorderNames& layouts)
     Segment segment{path};
     segment.camera = std::move(name.camera);
     segment.layout = std::move(name.layout);
+    segment.sub = name.sub;
+    segment.no_clock = name.no_clock;
     if (name.begin) {
         segment.begin = begin_from_name(path, *name.begin);
         segment.begin_source = ClockSource::file_name;
@@ -335,7 +358,8 @@ std::vector<std::string> files_of_inputs(std::span<const std::string> names) {
     return files;
 }
 
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join) {
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join,
+                                        double rate) {
     if (names.size() == 1) {
         std::error_code none;
         const bool single = fs::is_regular_file(names.front(), none) && !is_list(names.front());
@@ -363,7 +387,10 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     schemes.compare(paths);
     for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, schemes));
     recording.camera = find_camera(recording.name, recording.segments, schemes, join);
-    const std::vector<SegmentHeader> headers = headers_of(recording.segments);
+    leave_out_sub_streams(recording);
+    if (const auto unset = std::ranges::count_if(recording.segments, &Segment::no_clock); unset > 0)
+        recording.warnings.push_back(fmt::format("'{}': {}", recording.name, text_of_unset_clocks(unset)));
+    const std::vector<SegmentHeader> headers = headers_of(recording.segments, rate);
     if (!join) require_related(recording, headers);
     set_times_of_containers(recording, headers);
     sort_by_time(recording.segments);

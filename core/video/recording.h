@@ -41,10 +41,11 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
 /// these contradict each other, the files follow in the order of their names.
 ///
 /// \param join whether to accept files of several cameras or unrelated files as one recording
+/// \param rate as SourceOptions::rate
 /// \throws Error io if an input can't be read, usage if an input can't be a part of a recording, or if the files are of
 ///         several cameras or unrelated
 std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts,
-                                        bool join = false);
+                                        bool join = false, double rate = 0);
 
 /// The video files of a recording's inputs, each once, in natural order of their names. Inputs of other kinds have
 /// none.

@@ -80,7 +80,8 @@ void RecordingSource::estimate_length() {
     std::optional<double> end;
     for (const Segment& segment : segments) {
         try {
-            const ClipHeader header = header_of(Demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate));
+            const ClipHeader header =
+                header_of(Demuxer(open_track(segment.path, options_.track), Demuxer::Kind::video, options_.rate));
             const SegmentBegin begin = begin_of(segment, origin_, end);
             const double gap = end ? std::max(0.0, begin.time - *end) : 0;
             const double decoded = static_cast<double>(header.frames) * info_.decoded_share;
@@ -95,11 +96,33 @@ void RecordingSource::estimate_length() {
     info_.frames = frames;
 }
 
+void RecordingSource::fit_size(double seconds) {
+    if (seconds <= 0) return;
+    std::optional<double> end;
+    const std::vector<Segment>& segments = recording_.segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const bool next_known = origin_ && i + 1 < segments.size() && segments[i + 1].begin;
+        if (next_known && static_cast<double>(*segments[i + 1].begin - *origin_) <= seconds) continue;
+        try {
+            const FileSource file(open_track(segments[i].path, options_.track), options_);
+            const double begin = begin_of(segments[i], origin_, i == 0 ? 0 : end.value_or(seconds)).time;
+            end = begin + file.info().duration;
+            if (*end <= seconds && i + 1 < segments.size()) continue;
+            info_.size = file.info().size;
+            field_size_ = file.field_size();
+            return;
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::limit) throw;
+            continue;  // reported when it is read
+        }
+    }
+}
+
 bool RecordingSource::open_next() {
     while (next_segment_ < recording_.segments.size()) {
         const Segment& segment = recording_.segments[next_segment_++];
         try {
-            segment_ = std::make_unique<FileSource>(open_input(segment.path), options_);
+            segment_ = std::make_unique<FileSource>(open_track(segment.path, options_.track), options_);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
             problems_.emplace_back(error.what());
@@ -184,7 +207,7 @@ void RecordingSource::close() {
                         segment_end_, info.duration));
     }
     for (std::string& problem : segment_->problems()) {
-        // That the processor decodes holds for many files, and is told once.
+        // What holds for many files, such as that the processor decodes, is told once.
         if (std::ranges::find(problems_, problem) == problems_.end()) problems_.push_back(std::move(problem));
     }
     segment_.reset();
@@ -297,7 +320,7 @@ std::vector<Frame> RecordingSource::sample_segments(int count) const {
     for (std::int64_t i = 0; i < count; ++i) {
         const auto place = static_cast<std::size_t>(i * (segments - 1) / std::max(1, count - 1));
         try {
-            FileSource source(open_input(recording_.segments[place].path), options);
+            FileSource source(open_track(recording_.segments[place].path, options_.track), options);
             frames.push_back(scale(*source.next()));
         } catch (const Error& error) {
             if (error.kind() == ErrorKind::limit) throw;
@@ -312,7 +335,8 @@ std::vector<Frame> RecordingSource::sample_key_frames(int count) {
     std::optional<double> end;
     for (const Segment& segment : recording_.segments) {
         try {
-            end = keys.scan(open_input(segment.path), options_.rate, begin_of(segment, origin_, end).time);
+            end = keys.scan(open_track(segment.path, options_.track), options_.rate,
+                            begin_of(segment, origin_, end).time);
         } catch (const Error& error) {
             if (error.kind() == ErrorKind::limit) throw;
         }

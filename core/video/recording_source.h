@@ -18,7 +18,7 @@ namespace vvr::video {
 ///
 /// A file that begins within a second of the previous file's end follows it. If it begins later, there is a gap, and
 /// the frame index skips the missing frames. If it begins earlier, the frames that overlap are omitted. All frames are
-/// scaled to the field size of the first file. A file that can't be read becomes a problem and leaves a gap. A hole
+/// scaled to the field size of the first file, or of the one that `fit_size` finds. A file that can't be read becomes a problem and leaves a gap. A hole
 /// within a file is a gap too (`FrameNumbers`).
 class RecordingSource final : public FrameSource {
   public:
@@ -35,6 +35,7 @@ class RecordingSource final : public FrameSource {
     std::vector<Frame> sample(int count) override;
     void read_again(std::span<const double> times,
                     const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) override;
+    void fit_size(double seconds) override;
 
   private:
     bool open_next();

@@ -15,6 +15,8 @@ struct Segment {
     ClockSource begin_source = ClockSource::none;  ///< source of `begin`
     std::string camera{};                          ///< empty = unknown
     std::string layout{};                          ///< as RecorderName::layout
+    bool sub = false;                              ///< as RecorderName::sub
+    bool no_clock = false;                         ///< as RecorderName::no_clock
 };
 
 }  // namespace vvr::video

@@ -9,8 +9,21 @@ inline constexpr Setting field_size{"field-size", "WxH",
                                     "size of the fields, or 'source' for the video's own size; default: long side 384"};
 inline constexpr Setting rate{.name = "rate",
                               .unit = "FPS",
-                              .help = "frames per second of inputs that state none: pictures, some raw streams",
-                              .range = {0.001, 100'000}};
+                              .help = "frames per second, in place of those that the file states",
+                              .range = {0.001, 100'000},
+                              .default_text = "as stated, or 25"};
+inline constexpr Setting track{.name = "track",
+                               .unit = "NUMBER",
+                               .help = "which video track of a file with several, counted from 1",
+                               .range = {1, 1000},
+                               .default_text = "the best one",
+                               .not_live_reason = "a stream has one video track"};
+inline constexpr Setting aspect{
+    .name = "aspect",
+    .unit = "W:H",
+    .help =
+        "shape of the picture, such as 16:9, in place of the one that the video states; for "
+        "recorders that store half of the width (1080N)"};
 inline constexpr Setting decode{
     .name = "decode",
     .unit = "NAME",

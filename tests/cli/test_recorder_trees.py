@@ -154,3 +154,77 @@ def test_dry_run_shows_what_names_hide(t):
     out = t.archive("in", "-o", "out", "--dry-run").expect(0, out=None).out
     check("\u202e" not in out and len(out.splitlines()) == 1 and "\\u202e" in out, repr(out))
     check(out.endswith("camera not known, time of day not known\n"), repr(out))
+
+
+LOOK = ("-o", "x.png", "--size", "160x100", "--backend", "software", "--report", "r.json")
+
+
+def size_of(t):
+    field = t.json("r.json")["field"]
+    return [field["width"], field["height"]]
+
+
+def test_streams_and_times_that_recorders_confuse(t):
+    t.zone("UTC")
+    little_clip(t, seconds=2)
+    little_clip(t, "small.avi", size="16x12", seconds=2)
+    # Of a camera's two streams the large one is drawn, and that is said, without a status.
+    for moment in ("080007_080009", "080009_080011"):
+        t.copy("clip.avi", f"yard/RecM01_20261121_{moment}_1.avi")
+        t.copy("small.avi", f"yard/RecS01_20261121_{moment}_2.avi")
+    t.vvr("render", "yard", *LOOK).expect(0, "2 files", "small stream are not drawn")
+    check(t.json("r.json")["left_out"]["files"] == 0, "left out")
+    # One alone is drawn.
+    t.copy("small.avi", *[f"sub/RecS01_20261121_08000{n}_1.avi" for n in (1, 3)])
+    check("small stream" not in t.vvr("render", "sub", *LOOK).expect(0, out=None).err, "the small stream is all there is")
+    # A camera that had no clock has no times.
+    t.copy("clip.avi", *[f"gate/1970-01-01/02-0{n}-36.avi" for n in (0, 1)], "gate/2026-11-21/14-02-10.avi")
+    t.vvr("render", "gate", *LOOK).expect(0, "2 files are dated 1970")
+    t.vvr("render", "gate/1970-01-01/02-00-36.avi", *LOOK).expect(0, "1 file is dated 1970")
+    done = t.archive("gate", "-o", "days", "--per", "day", "--dry-run").expect(0, "2 files are dated 1970", out=None)
+    check("/1970-" not in done.out.replace("1970-01-01/02", "") and "time of day not known: the camera did not know it" in done.out, done.out)
+
+
+def test_size_is_that_of_the_first_file_that_is_drawn(t):
+    t.zone("UTC")
+    little_clip(t, "day.avi", size="64x36", seconds=2)
+    little_clip(t, "night.avi", size="48x54", seconds=2)
+    t.copy("day.avi", "in/2026-11-21_08-00-00.avi")
+    t.copy("night.avi", "in/2026-11-21_20-00-00.avi")
+    t.vvr("render", "in", *LOOK).expect(0, out=None)
+    check(size_of(t) == [64, 36], f"{t.json('r.json')['field']}")
+    t.vvr("render", "in", "--start", "@19:00", *LOOK).expect(0, out=None)
+    check(size_of(t) == [48, 54], f"{t.json('r.json')['field']}")
+
+
+def test_rate_aspect_and_track_hold_or_say_why_not(t):
+    little_clip(t, "ten.avi", rate=10, seconds=2)
+    t.ffmpeg("-i", "ten.avi", "-c:v", "libx264", "-r", "10", "in/hour002.h264")
+    t.ffmpeg("-i", "ten.avi", "-c:v", "mpeg4", "-r", "20", "in/hour001.m4v")
+    shown = t.vvr("info", "ten.avi", "--rate", "2", "--quick").expect(0, out=None).out
+    check("2 frames per second" in shown and "10.000 s" in shown, shown)
+    t.vvr("render", "in/hour002.h264", *LOOK).expect(0, "no timestamps", "--rate")
+    check("no timestamps" not in t.vvr("render", "in/hour002.h264", "--rate", "40", *LOOK).expect(0, out=None).err, "asked")
+    check(abs(t.json("r.json")["span"]["last"] - 19 / 40) < 0.01, f"{t.json('r.json')['span']}")
+    # A recording of two that state different rates.
+    t.vvr("render", "in", *LOOK).expect(1, code="recording-mixed")
+    t.vvr("render", "in", "--rate", "40", *LOOK).expect(0, out=None)
+    # Seeking and sampling use the same clock.
+    t.vvr("render", "ten.avi", "--rate", "1", "--start", "5s", "--end", "15s", *LOOK).expect(0, out=None)
+    check(t.json("r.json")["frames"]["used"] == 10, f"{t.json('r.json')['frames']}")
+    t.vvr("cut", "ten.avi", "--rate", "1", "--start", "5s", "--end", "15s", "-o", "piece.avi").expect(0, out=None)
+    # Half of the width.
+    little_clip(t, "half.avi", size="48x54")
+    t.vvr("render", "half.avi", "--aspect", "16:9", *LOOK).expect(0, out=None)
+    check(size_of(t) == [96, 54], f"{t.json('r.json')['field']}")
+    t.vvr("render", "half.avi", "--aspect", "16", *LOOK).expect(1, "'16'", code="option-value")
+    # Two tracks.
+    t.ffmpeg("-i", "ten.avi", "-i", "half.avi", "-map", "0:v", "-map", "1:v", "-c", "copy", "two.mkv")
+    t.vvr("render", "two.mkv", *LOOK).expect(0, "2 video tracks", "--track")
+    for track, size in ((1, [32, 24]), (2, [48, 54])):
+        said = t.vvr("render", "two.mkv", "--track", str(track), *LOOK).expect(0, out=None).err
+        check("video tracks" not in said and size_of(t) == size, f"{said} {t.json('r.json')['field']}")
+    t.vvr("render", "two.mkv", "--track", "3", *LOOK).expect(2, "track 3", "2 video tracks", code="no-video-stream")
+    # Pictures.
+    t.ffmpeg("-i", "half.avi", "pictures/%d.png")
+    t.vvr("render", "pictures", "--names", "{camera}_%s", *LOOK).expect(0, "names, track and aspect have no effect")

@@ -107,7 +107,7 @@ TEST_F(VideoErrors, Address) {
 
 TEST_F(VideoErrors, RateThatCannotBe) {
     expect_open_error(counting_clip(folder, "clip.mkv", "-c:v ffv1"), ErrorCode::option_value_out_of_range,
-                      {"rate: 0 "}, {.rate = 0});
+                      {"rate: -1 "}, {.rate = -1});
 }
 
 TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
