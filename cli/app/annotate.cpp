@@ -323,7 +323,7 @@ std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation&
     constexpr std::size_t most = 4;
     if (gaps.size() > most) gaps.resize(most);
     for (labels::TimeGap& gap : gaps)
-        gap.reason = video::reason_for_gap(plan.job.fields.span, seen.info.segments, gap.begin, gap.end);
+        gap.reason = video::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end);
     return gaps;
 }
 

@@ -9,7 +9,10 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/fields/settings.h"
+#include "core/labels/time_ticks.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {
@@ -145,6 +148,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
         if (passed > before) seen.keyframes.push_back({frame, number});
         observer.frames(number + 1, expected);
     });
+    seen.summary.problems.insert(seen.summary.problems.end(), seen.relearnt.begin(), seen.relearnt.end());
     require_frames(seen.volume.frames(), source.info());
     seen.info = source.info();
     seen.scene = scene_of(seen);
@@ -201,6 +205,7 @@ const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fiel
 ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
       find_gap_(plan.clip.info.rate, plan.clip.info.decoded_share < 1),
+      plan_(plan),
       keeps_crops_(needs.full_size),
       keeps_boxes_(!plan.job.output.tracks.empty()),
       voxel_colours_(plan) {
@@ -235,9 +240,17 @@ fields::LivingFinder ObservationBuilder::living_finder() {
 
 const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field) {
     std::optional<double> busy_since;
+    if (field.before != video::Absence::no_signal && seen.volume.frames() > 0)
+        seen.missing.push_back({seen.last->pts, field.pts, field.before});
+    if (field.scene) {
+        seen.relearnt.push_back(fmt::format(
+            "most of the picture changed at {}; the empty scene was learnt anew until {}, and nothing is known of what "
+            "happened meanwhile",
+            labels::format_moment(field.scene->changed, plan_.clock), labels::format_moment(field.pts, plan_.clock)));
+    }
     if (finder) {
-        events::TrackedFrame tracked =
-            finder->add({field.scalar, frame->grey, frame->colour, field.infrared}, {field.index, field.pts});
+        events::TrackedFrame tracked = finder->add(
+            {field.scalar, frame->grey, frame->colour, field.infrared, field.scene.get()}, {field.index, field.pts});
         labels_ = std::move(tracked.labels);
         busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
@@ -275,7 +288,8 @@ video::Unseen unseen_of(const Plan& plan, const Observation& seen) {
     video::Unseen unseen{.areas = plan.areas, .masked = plan.masked};
     std::ranges::copy_if(seen.gaps, std::back_inserter(unseen.gaps), [&](const video::FrameGap& gap) {
         return gap.end > seen.begin.seconds && gap.begin < seen.end().seconds &&
-               video::reason_for_gap(plan.job.fields.span, seen.info.segments, gap.begin, gap.end) != "left out";
+               video::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end) !=
+                   "left out";
     });
     unseen.damage = seen.summary.damage;
     unseen.damaged = seen.summary.damaged;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/app/identify.h"
@@ -20,6 +21,7 @@
 #include "core/glance/time_strip.h"
 #include "core/video/frame.h"
 #include "core/video/frame_gaps.h"
+#include "core/video/frame_span.h"
 
 // Reading a clip into an observation.
 namespace vvr::app {
@@ -48,6 +50,8 @@ struct Observation {
     std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                 ///< the scene without objects
     std::vector<video::FrameGap> gaps{};                ///< where frames are missing
+    std::vector<video::MissingFrames> missing{};        ///< whose reason is known
+    std::vector<std::string> relearnt{};                ///< when the empty scene was learnt anew, one sentence each
     fields::FieldSummary summary{};
 
     Moment end() const { return {last->index, last->pts}; }
@@ -110,6 +114,7 @@ class ObservationBuilder {
 
   private:
     video::FrameGaps find_gap_;
+    const Plan& plan_;
     bool keeps_crops_;
     bool keeps_boxes_;
     VoxelColours voxel_colours_;

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <ctime>
 #include <deque>
+#include <exception>
 #include <filesystem>
 #include <iterator>
+#include <mutex>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,6 +31,7 @@
 #include "core/base/text.h"
 #include "core/fields/running_reference.h"
 #include "core/image/text.h"
+#include "core/labels/lettering.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/html.h"
 #include "core/page/moments.h"
@@ -109,20 +116,26 @@ class LivePictures {
           stream_(stream),
           moments_(moments),
           observer_(observer),
-          files_(plan.job.output, observer) {}
+          files_(plan.job.output, observer),
+          outages_([this](const std::stop_token& stop) { look_for_outages(stop); }) {}
 
     void add(FinishedPicture&& finished) {
         const RunContext& context = finished.context;
         const Observation& seen = context.seen;
-        const image::Metadata record = record_of(context);
+        for (; told_ < seen.relearnt.size(); ++told_) observer_.warn(seen.relearnt[told_]);
+        const std::lock_guard lock(mutex_);
+        if (failure_) std::rethrow_exception(failure_);
+        record_ = record_of(context);
         add_lettering(finished);
         if (is_page(plan_.job.output.path)) {
-            page_ = page_text(context, std::move(finished.picture), record,
+            page_ = page_text(context, std::move(finished.picture), record_,
                               moments_.since(seen.begin.frame, seen.end().frame), state_of(context));
-            files_.add_page(page_);
         } else {
-            files_.add(finished.number, std::move(finished.picture), record);
+            picture_ = std::move(finished.picture);
         }
+        number_ = finished.number;
+        text_size_ = context.composed.framing.sheet.text;
+        write();
         ++count_;
         check_clock(seen.end().seconds);
         const auto came = stream_.arrival(seen.end().frame);
@@ -136,6 +149,9 @@ class LivePictures {
 
     /// Call it after the stream's last picture: whoever looks at the page learns that there will be no other.
     void end() {
+        outages_.request_stop();
+        outages_.join();
+        if (failure_) std::rethrow_exception(failure_);
         if (!page_.empty()) files_.add_page(page::with_ended_stream(std::move(page_)));
     }
 
@@ -151,6 +167,39 @@ class LivePictures {
     }
 
   private:
+    /// Writes the last picture or page. While there is no signal, it says so. Call it with the mutex held.
+    void write() {
+        lost_ = stream_.lost_since();
+        const std::string text =
+            lost_ ? fmt::format("no signal since {}", labels::format_moment(*lost_, plan_.clock)) : std::string();
+        if (!page_.empty()) {
+            files_.add_page(lost_ ? page::with_state(page_, text) : page_);
+        } else {
+            image::Picture picture{picture_.pixels};
+            const Size size = picture.pixels.size();
+            const scene::Theme& theme = plan_.job.look.theme;
+            labels::Label label = labels::make_centred_label(text, 2 * text_size_, size.width / 2.0, size.height / 2.0,
+                                                             image::Rgba(theme.fast, 1));
+            label.halo = image::Rgba(theme.background, 1);
+            labels::draw(picture, {.labels = {label}});
+            files_.add(number_, std::move(picture), record_);
+        }
+    }
+
+    /// Writes the last picture again when the signal is lost or comes back. A series keeps its pictures.
+    void look_for_outages(const std::stop_token& stop) {
+        constexpr std::chrono::milliseconds often{200};
+        std::unique_lock lock(mutex_);
+        while (!stopped_.wait_for(lock, stop, often, [] { return false; }) && !stop.stop_requested() && !failure_) {
+            if (count_ == 0 || name_.has_field() || stream_.lost_since() == lost_) continue;
+            try {
+                write();
+            } catch (...) {
+                failure_ = std::current_exception();
+            }
+        }
+    }
+
     /// Warns once if the stream comes faster than it was recorded: then its end can't be now.
     /// \param end of the picture, seconds of the stream
     void check_clock(double end) {
@@ -176,9 +225,9 @@ class LivePictures {
 
     /// Whether the reference may still contain objects that were there when the stream began.
     bool is_learning(const Observation& seen) const {
-        constexpr std::int64_t first_look = 2 * 25;  // frames; ghosts disappear afterwards
+        constexpr double first_look = 2;  // seconds; ghosts disappear afterwards
         return plan_.reference != nullptr && plan_.reference->adapts &&
-               seen.end().frame < first_look + fields::RunningReference::ghost_frames;
+               seen.end().seconds < first_look + fields::RunningReference::ghost_seconds;
     }
 
     const Plan& plan_;
@@ -188,10 +237,21 @@ class LivePictures {
     Observer& observer_;
     PictureOutput files_;
     Latency latency_;
-    std::string page_;  ///< the last one
     std::int64_t count_ = 0;
+    std::size_t told_ = 0;  ///< of the observation's sentences about the empty scene
     Clock::time_point began_ = Clock::now();
     bool is_ahead_ = false;
+
+    std::mutex mutex_;  ///< of the following
+    std::condition_variable_any stopped_;
+    std::string page_;        ///< the last one
+    image::Picture picture_;  ///< the last one, if there is no page
+    image::Metadata record_;
+    int number_ = 0;
+    int text_size_ = 0;
+    std::optional<double> lost_;  ///< as the picture says
+    std::exception_ptr failure_;
+    std::jthread outages_;  ///< last member, so it is joined first
 };
 
 /// The job with the name and start time of the stream.

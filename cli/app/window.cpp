@@ -55,6 +55,7 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
         }
     }
     seen_.summary = std::move(summary);
+    seen_.summary.problems.insert(seen_.summary.problems.end(), seen_.relearnt.begin(), seen_.relearnt.end());
     seen_.info = source.info();              // only now complete for a recording of several files
     seen_.identify = bricks::no_identities;  // the other one refers to the objects of this window
     return std::move(seen_);
@@ -76,6 +77,8 @@ void Window::drop_oldest() {
     // Nobody lists those of a stream of days.
     if (!plan_.products.events)
         std::erase_if(seen_.gaps, [&](const video::FrameGap& gap) { return gap.end < seen_.begin.seconds; });
+    if (!first_of_bricks_.empty())
+        std::erase_if(seen_.missing, [&](const auto& some) { return some.end < first_of_bricks_.front()->pts; });
 }
 
 /// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is

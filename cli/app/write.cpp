@@ -195,6 +195,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.time_direction = job.layout->time_direction;
     content.moments = std::move(moments);
     content.span = job.fields.span;
+    content.missing = seen.missing;
     content.clock = plan.clock;
     if (seen.events) {
         content.events = seen.events->events;

@@ -47,6 +47,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
         stretches_.push_back({now, now, sight.infrared});
         infrared_ = sight.infrared;
     }
+    if (sight.new_scene != nullptr) scene_ = sight.new_scene->planes;
     last_ = stretches_.back().last = now;
     record_share(sight.field, now);
     clocks_.add(sight.grey.empty() ? brightness_of(sight.colour) : sight.grey, now);

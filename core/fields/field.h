@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/plane.h"
+#include "core/fields/planes.h"
+#include "core/video/frame.h"
 
 namespace vvr::fields {
 
@@ -111,6 +114,12 @@ struct Seed {
     friend bool operator==(const Seed&, const Seed&) = default;
 };
 
+/// An empty scene that was learnt anew, because most of the picture had changed and stayed so.
+struct NewScene {
+    Planes planes;
+    double changed = 0;  ///< when, seconds
+};
+
 /// The output of the video sub-system for one frame.
 struct Field {
     std::int64_t index = 0;        ///< number of the frame in the clip
@@ -120,6 +129,8 @@ struct Field {
     std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
     bool infrared = false;         ///< compared with the empty scene of the camera's infrared mode
+    video::Absence before = video::Absence::no_signal;  ///< why frames before it are missing, if some are
+    std::shared_ptr<const NewScene> scene{};            ///< with which it is the first to be compared; usually null
 };
 
 }  // namespace vvr::fields

@@ -298,7 +298,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
         if (here == nullptr) return nullptr;
         // Its later neighbours keep the frame, but not the picture.
         std::shared_ptr<const video::DecodedFrame> decoded = std::move(here->decoded);
-        if (!is_wanted(*here->frame)) return nullptr;
+        if (here->learning || !is_wanted(*here->frame)) return nullptr;
         return std::make_shared<Result>(Result{here->frame, work.finish(neighbours), std::move(decoded)});
     };
     const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(

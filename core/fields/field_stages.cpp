@@ -111,7 +111,13 @@ void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) {
 
 Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     if (shot) {
-        if (scene_.object && scene_.object->adapts()) store_object(*shot, scene_.object->find_and_adapt(shot->smooth));
+        if (scene_.object && scene_.object->adapts()) {
+            FoundObject found = scene_.object->find_and_adapt(shot->smooth, shot->frame->pts);
+            shot->learning = found.learning;
+            shot->scene = found.scene;
+            store_object(*shot, std::move(found));
+        }
+        shot->before = std::exchange(learning_, shot->learning) ? video::Absence::unlearnt : shot->frame->before;
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
@@ -134,6 +140,8 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     field.index = here.frame->index;
     field.pts = here.frame->pts;
     field.infrared = here.infrared;
+    field.before = here.before;
+    field.scene = here.scene;
     field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (second_) field.second = second_traits.in_order ? here.second : filtered(*second_, here, before, {});

@@ -23,14 +23,17 @@ struct PipelineFrame {
     std::shared_ptr<const video::DecodedFrame> decoded;  ///< the frame's picture in full size, if kept
     std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
     Planes smooth;
-    Plane<std::uint8_t> object;      ///< the difference object, if needed
-    Plane<std::uint8_t> darker;      ///< as FoundObject::darker
-    bool infrared = false;           ///< compared with the empty scene of the camera's infrared mode
-    Quantiles levels{};              ///< of the frame's grey; they show jumps of the light
-    Plane<std::uint8_t> foreground;  ///< output of a filter that needs the frames in order
-    Plane<std::uint8_t> second;      ///< output of the second filter
-    Plane<std::uint16_t> age;        ///< number of frames for which each pixel has been part of an object
-    FlowFrame flow_frame;            ///< made by the first neighbour that needs it
+    Plane<std::uint8_t> object;             ///< the difference object, if needed
+    Plane<std::uint8_t> darker;             ///< as FoundObject::darker
+    bool infrared = false;                  ///< compared with the empty scene of the camera's infrared mode
+    bool learning = false;                  ///< it serves only to learn the empty scene anew
+    video::Absence before{};                ///< as Field::before
+    std::shared_ptr<const NewScene> scene;  ///< as Field::scene
+    Quantiles levels{};                     ///< of the frame's grey; they show jumps of the light
+    Plane<std::uint8_t> foreground;         ///< output of a filter that needs the frames in order
+    Plane<std::uint8_t> second;             ///< output of the second filter
+    Plane<std::uint16_t> age;               ///< number of frames for which each pixel has been part of an object
+    FlowFrame flow_frame;                   ///< made by the first neighbour that needs it
     std::once_flag flow_frame_made;
 };
 
@@ -98,6 +101,7 @@ class FieldStages {
     std::optional<SceneStage> infrared_;  ///< if the camera changes to infrared and back
     bool needs_age_ = false;
     bool stateful_ = false;
+    bool learning_ = false;  ///< as of the last gathered frame
     int reach_ = 0;
     std::deque<std::shared_ptr<PipelineFrame>> last_;  ///< the last 2 reach + 1 gathered frames
 };

@@ -6,7 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
+#include "core/base/cv_view.h"
 #include "core/fields/blobs.h"
+#include "core/fields/median_scene.h"
+#include "core/fields/scene_noise.h"
 #include "core/fields/shadows.h"
 
 namespace vvr::fields {
@@ -44,6 +49,21 @@ Plane<std::uint8_t> thresholds(Size size, const Plane<std::uint8_t>& noise, doub
         return static_cast<std::uint8_t>(std::lround(std::min(level, 255.0)));
     });
     return result;
+}
+
+// Shares of the picture. If so much stays changed, or the colours have come or gone and a little has changed, it is
+// another scene, not an object. Most people and vehicles are smaller, and don't stand still for so long.
+constexpr double most_changed = 0.4;
+constexpr double some_changed = 0.1;
+
+// A changed scene is learnt from frames of this time, at least this far apart, seconds.
+constexpr double learning_seconds = 10;
+constexpr double learning_step = 0.4;
+
+/// Whether one of two pictures is in colour and the other has none, as when a camera changes to infrared or back.
+bool is_other_mode(const Planes& a, const Planes& b) {
+    return (has_colours_everywhere(a.colour) && !has_colours(b.colour)) ||
+           (has_colours_everywhere(b.colour) && !has_colours(a.colour));
 }
 
 std::uint8_t value_of(int difference) {
@@ -92,25 +112,32 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
                            const Plane<std::uint8_t>& region, bool marks_darker)
     : illumination_(*options.illumination),
       norm_(norm_for(*options.norm, reference)),
+      threshold_(threshold),
       min_area_(options.min_area),
       least_strong_(std::clamp(options.min_area / 5, 1, 4)),
       threshold_value_(value_of(threshold)),
       removes_shadows_(options.shadows->removes),
       marks_darker_(marks_darker),
-      region_(region) {
-    static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
-    reference_.noise = reference.noise;
+      region_(region),
+      looked_at_(region.empty() ? static_cast<double>(reference.grey.pixels().size())
+                                : std::max(1, cv::countNonZero(cv_view(region)))) {
     const Size size = reference.grey.size();
     // The largest hole is the size of a head in a usual picture. If small blobs are kept, holes are too.
     holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
               .least = static_cast<int>(std::lround(hole_share * threshold)),
               .value = threshold_value_};
-    const double scale = threshold / usual_threshold;
-    weak_ = thresholds(size, reference.noise, weak_share * threshold, scale * weak_noise, scale * most_weak);
-    strong_ = thresholds(size, reference.noise, threshold, scale * strong_noise, scale * most_strong);
-    std::ranges::transform(strong_.pixels(), strong_.pixels().begin(), value_of);
+    set_scene(smoothed(reference.grey, reference.colour, options.smooth), reference.noise);
     const ReferenceRow* const row = options.reference.row();
     if (row != nullptr && row->adapts) running_.emplace(reference_);
+}
+
+void ObjectFinder::set_scene(const Planes& scene, const Plane<std::uint8_t>& noise) {
+    reference_ = scene;
+    const Size size = scene.grey.size();
+    const double scale = threshold_ / usual_threshold;
+    weak_ = thresholds(size, noise, weak_share * threshold_, scale * weak_noise, scale * most_weak);
+    strong_ = thresholds(size, noise, threshold_, scale * strong_noise, scale * most_strong);
+    std::ranges::transform(strong_.pixels(), strong_.pixels().begin(), value_of);
 }
 
 IlluminationChange ObjectFinder::light_of(const Planes& frame, const Planes& reference) const {
@@ -145,10 +172,37 @@ FoundObject ObjectFinder::find(const Planes& frame) const {
     return compare(frame, reference_, light_of(frame, reference_));
 }
 
-FoundObject ObjectFinder::find_and_adapt(const Planes& frame) {
+FoundObject ObjectFinder::find_and_adapt(const Planes& frame, double seconds) {
     const IlluminationChange light = light_of(frame, running_->now());
     FoundObject found = compare(frame, running_->now(), light);
-    running_->adapt(frame, found.values, light);
+    const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
+    if (share < some_changed) {
+        changed_.reset();  // the scene is as before
+        learnt_.clear();
+    } else if (!changed_ && is_other_mode(frame, running_->now())) {
+        changed_ = seconds;
+    }
+    if (changed_) return learn(frame, seconds);
+    running_->adapt(frame, found.values, light, seconds);
+    if (std::min(share, running_->steady_pixels() / looked_at_) >= most_changed)
+        changed_ = seconds - RunningReference::ghost_seconds;
+    return found;
+}
+
+/// Collects frames of the changed scene. Nothing is found in them until there are enough.
+FoundObject ObjectFinder::learn(const Planes& frame, double seconds) {
+    if (learnt_.empty() || seconds - learnt_.back().pts >= learning_step)
+        learnt_.push_back({.pts = seconds, .grey = frame.grey, .colour = frame.colour});
+    if (seconds - learnt_.front().pts < learning_seconds || learnt_.size() < fewest_for_lasting) {
+        const Plane<std::uint8_t> nothing(frame.grey.size());
+        return {nothing, marks_darker_ ? nothing : Plane<std::uint8_t>{}, true};
+    }
+    const Planes scene = lasting_reference(learnt_);
+    set_scene(scene, noise_of(learnt_, scene, 0));
+    running_.emplace(scene);
+    learnt_.clear();
+    FoundObject found = find(frame);
+    found.scene = std::make_shared<const NewScene>(NewScene{scene, *std::exchange(changed_, {})});
     return found;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/fields/blobs.h"
+#include "core/fields/field.h"
 #include "core/fields/illumination.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
@@ -16,6 +19,8 @@ namespace vvr::fields {
 struct FoundObject {
     Plane<std::uint8_t> values;
     Plane<std::uint8_t> darker;  ///< not 0 where the frame is darker than the empty scene; empty unless requested
+    bool learning = false;       ///< most of the picture has changed, so nothing is known of objects
+    std::shared_ptr<const NewScene> scene{};  ///< as Field::scene
 };
 
 /// Background subtraction: finds the difference object of §4 (Fig. 4a), the pixels that differ from the empty scene
@@ -38,16 +43,21 @@ class ObjectFinder {
     /// \param frame smoothed by the setting
     FoundObject find(const Planes& frame) const;
 
-    /// The same, and then the reference follows the frame.
-    FoundObject find_and_adapt(const Planes& frame);
+    /// The same, and then the reference follows the frame. If most of the picture has changed and stays so, or its
+    /// colours have come or gone, the reference begins again from the frames after.
+    /// \param seconds of the clip
+    FoundObject find_and_adapt(const Planes& frame, double seconds);
 
   private:
+    void set_scene(const Planes& scene, const Plane<std::uint8_t>& noise);
+    FoundObject learn(const Planes& frame, double seconds);
     IlluminationChange light_of(const Planes& frame, const Planes& reference) const;
     FoundObject compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const;
     Plane<std::uint8_t> without_shadows(Plane<std::uint8_t> object, const Planes& frame, const Planes& empty) const;
 
     const IlluminationRow& illumination_;
     const NormRow& norm_;
+    int threshold_;
     int min_area_;
     int least_strong_;              ///< number of pixels of a blob that must reach `strong_`
     std::uint8_t threshold_value_;  ///< value of a difference equal to the threshold; smaller ones are faint
@@ -55,10 +65,13 @@ class ObjectFinder {
     bool removes_shadows_;
     bool marks_darker_;
     const Plane<std::uint8_t>& region_;
-    Reference reference_;
+    double looked_at_;  ///< pixels of it
+    Planes reference_;
     Plane<std::uint8_t> weak_;    ///< lower hysteresis threshold, as a difference
     Plane<std::uint8_t> strong_;  ///< upper hysteresis threshold, as a value of the object
     std::optional<RunningReference> running_;
+    std::optional<double> changed_{};     ///< seconds; when most of the picture changed, until that is learnt
+    std::vector<video::Frame> learnt_{};  ///< since then
 };
 
 }  // namespace vvr::fields

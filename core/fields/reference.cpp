@@ -8,6 +8,8 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <oneapi/tbb/parallel_for_each.h>
 
@@ -53,34 +55,39 @@ std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
     return clip.sample(frames_for_median);
 }
 
-/// Every `step`-th frame from the clip's start.
-std::vector<video::Frame> first_frames(video::FrameSource& clip, int count, int step) {
+/// Frames from the clip's start.
+/// \param seconds of the clip that are read
+/// \param step seconds between the frames, at least
+/// \param fewest frames, also if that takes longer
+std::vector<video::Frame> first_frames(video::FrameSource& clip, double seconds, double step, std::size_t fewest) {
+    constexpr double slack = 0.001;  // containers round times
     video::Scaler scale(clip);
     std::vector<video::Frame> frames;
+    std::optional<double> first;
+    double before = 0;
     clip.rewind();
-    for (int f = 0; f < count * step; ++f) {
+    for (double passed = 0; frames.size() < fewest || passed + (passed - before) < seconds - slack;) {
         const std::unique_ptr<video::DecodedFrame> decoded = clip.next();
         if (!decoded) break;
-        if (f % step == 0) frames.push_back(scale(*decoded));
+        if (!first) first = decoded->pts;
+        before = std::exchange(passed, decoded->pts - *first);
+        const bool is_due = passed >= static_cast<double>(frames.size()) * step - slack;
+        if (is_due) frames.push_back(scale(*decoded));
     }
     clip.rewind();
     return frames;
 }
 
 std::vector<video::Frame> first_frame(video::FrameSource& clip) {
-    return first_frames(clip, 1, 1);
+    return first_frames(clip, 0, 0, 1);
 }
 
-// A live stream can't wait, so two seconds at 25 frames per second must be enough. A clip can be read again, so its
-// first twenty seconds are used: passers-by are absent for most of them.
+// A live stream can't wait, so two seconds must be enough, or a few frames. A clip can be read again, so its first
+// twenty seconds are used: passers-by are absent for most of them.
 std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
-    const video::VideoInfo& info = clip.info();
-    constexpr double seconds = 20;
-    const bool is_live = info.duration <= 0 && info.frames <= 0;
-    if (is_live) return first_frames(clip, 25, 2);
-    const double rate = info.rate > 0 ? info.rate : 25;
-    const int step = std::clamp(static_cast<int>(seconds * rate / frames_for_median), 2, 50);
-    return first_frames(clip, frames_for_median, step);
+    const bool is_live = clip.info().duration <= 0 && clip.info().frames <= 0;
+    return is_live ? first_frames(clip, 2, 0.08, fewest_for_lasting)
+                   : first_frames(clip, frames_for_median * 0.64, 0.64, fewest_for_lasting);
 }
 
 constexpr std::array reference_rows{
@@ -95,9 +102,6 @@ constexpr std::array reference_rows{
 
 // A scene of fewer frames would hold whoever passes in one of them.
 constexpr std::ptrdiff_t fewest_of_mode = 3;
-
-// A quarter of fewer frames is one frame, which doesn't show what lasts.
-constexpr std::size_t fewest_for_lasting = 8;
 
 // Grey levels between the darkest and the brightest twentieth of a picture; with less, the camera is covered.
 constexpr float least_contrast = 20;

@@ -13,21 +13,21 @@
 namespace vvr::fields {
 namespace {
 
-// Learning rate of the reference per frame: it adapts in about four seconds at 25 frames per second.
-constexpr float learning_rate = 1.F / 32;
+// Time constant of the reference, seconds: it adapts in about four seconds.
+constexpr double slowness = 1.24;
 
 // Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
 constexpr int edge = 3;
 
 template <class T>
 void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
-            std::size_t channels, const IlluminationChange& light, std::uint8_t* out) {
+            std::size_t channels, const IlluminationChange& light, float rate, std::uint8_t* out) {
     const auto gain = static_cast<float>(light.gain);
     const auto offset = static_cast<float>(light.offset);
     const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
     for (std::size_t i = 0; i < exact.size(); ++i) {
         exact[i] = std::clamp(gain * exact[i] + offset, 0.F, 255.F);
-        if (near_object[i / channels] == 0) exact[i] += learning_rate * (levels[i] - exact[i]);
+        if (near_object[i / channels] == 0) exact[i] += rate * (levels[i] - exact[i]);
         out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
     }
 }
@@ -35,7 +35,10 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
 // Grey levels by which a stationary pixel may vary.
 constexpr int steady_tolerance = 12;
 
-constexpr int ghost_check_interval = 25;
+// Milliseconds.
+constexpr int ghost_check_interval = 1000;
+constexpr int ghost_after = 1000 * RunningReference::ghost_seconds;
+constexpr int first_passed = 40;
 
 // A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
 // levels.
@@ -101,32 +104,41 @@ RunningReference::RunningReference(const Planes& start)
     for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
 }
 
-void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light) {
-    absorb_ghosts(frame, object);
+void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light,
+                             double seconds) {
+    const double since = adapted_ ? seconds - *adapted_ : first_passed / 1000.0;
+    adapted_ = seconds;
+    absorb_ghosts(frame, object, static_cast<int>(std::lround(1000 * std::clamp(since, 0.001, 2.0 * ghost_seconds))));
+    const auto rate = static_cast<float>(since / (since + slowness));
     Plane<std::uint8_t> near_object(object.size());
     cv::Mat out = cv_view(near_object);
     cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
-    follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, now_.grey.pixels().data());
+    follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, rate, now_.grey.pixels().data());
     if (colour_.empty() || frame.colour.empty()) return;
-    follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
+    follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, rate,
+                now_.colour.pixels().front().data());
 }
 
-void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object) {
+/// \param passed milliseconds since the last frame
+void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object, int passed) {
     for (std::size_t i = 0; i < object.pixels().size(); ++i) {
         std::uint16_t& steady = steady_for_.pixels()[i];
         std::uint8_t& last = last_level_.pixels()[i];
         const std::uint8_t level = frame.grey.pixels()[i];
         const bool is_same = steady > 0 && std::abs(level - last) <= steady_tolerance;
         if (!is_same) last = level;
-        const int count = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + 1, 2 * ghost_frames) : 1;
-        steady = static_cast<std::uint16_t>(count);
+        const int time = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + passed, 2 * ghost_after) : passed;
+        steady = static_cast<std::uint16_t>(time);
     }
-    if (++frames_ % ghost_check_interval != 0) return;
+    if ((since_check_ += passed) < ghost_check_interval) return;
+    since_check_ = 0;
     Plane<std::uint8_t> steady(object.size());
     std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),
-                           [](int frames) { return static_cast<std::uint8_t>(frames >= ghost_frames ? 255 : 0); });
+                           [](int time) { return static_cast<std::uint8_t>(time >= ghost_after ? 255 : 0); });
     const Plane<std::uint8_t> ghosts = find_ghosts(steady, frame.grey, now_.grey);
+    steady_pixels_ = cv::countNonZero(cv_view(steady));
     if (ghosts.empty()) return;
+    steady_pixels_ = 0;  // the others are counted next time
     for (std::size_t i = 0; i < grey_.size(); ++i) {
         if (ghosts.pixels()[i] == 0) continue;
         grey_[i] = frame.grey.pixels()[i];

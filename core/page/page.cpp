@@ -176,6 +176,14 @@ std::string with_ended_stream(std::string page) {
     return page;
 }
 
+std::string with_state(std::string page, const std::string& state) {
+    constexpr std::string_view before = "\"live\":{\"state\":\"";
+    const std::size_t place = page.find(before);
+    if (place == std::string::npos) return page;
+    const std::size_t begin = place + before.size();
+    return page.replace(begin, page.find('"', begin) - begin, state);
+}
+
 std::string make_region_editor(const RegionEditorContent& content) {
     constexpr int quality = 88;
     const bool masks = content.roi.empty() && !content.mask.empty();

@@ -14,6 +14,9 @@ std::string make_page(const PageContent& content);
 /// The last page of a stream that has ended.
 std::string with_ended_stream(std::string page);
 
+/// A stream's page with other words for what the stream does. They must need no escape in JSON.
+std::string with_state(std::string page, const std::string& state);
+
 /// The content of a page for drawing regions.
 struct RegionEditorContent {
     std::string name;    ///< display name of the clip

@@ -163,7 +163,8 @@ Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const PageConten
     for (std::size_t k = 1; k < times.size(); ++k) {
         const std::int64_t next = times[k - 1].first + times[k - 1].count;
         if (times[k].first > next)
-            json.push_back(video::reason_for_gap(content.span, files, times[k - 1].at(next), times[k].begin));
+            json.push_back(
+                video::reason_for_gap(content.span, files, content.missing, times[k - 1].at(next), times[k].begin));
     }
     return json;
 }

@@ -42,6 +42,11 @@ std::int64_t stamp_of(const AVPacket& packet) {
     return packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts;
 }
 
+void throw_timeout(const Input& input) {
+    throw Error(ErrorCode::stream_timeout,
+                fmt::format("cannot read '{}': no data arrived in time; check that the stream is running", input.name));
+}
+
 std::string name_of(const AVStream& stream) {
     const char* const kind = av_get_media_type_string(stream.codecpar->codec_type);
     const bool cover = (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
@@ -171,11 +176,7 @@ bool is_text(const Input& input) {
             ErrorCode::too_many_open_files,
             fmt::format("cannot read '{}': {}; raise the limit of open files (`ulimit -n`)", input.name, words));
     }
-    if (code == AVERROR_EXIT) {
-        throw Error(
-            ErrorCode::stream_timeout,
-            fmt::format("cannot read '{}': no data arrived in time; check that the stream is running", input.name));
-    }
+    if (code == AVERROR_EXIT) throw_timeout(input);
     if (is_local(input)) throw_unreadable_file(input, log, code);
     // A device that is not a camera fails with ENOTTY.
     if (code != AVERROR_INVALIDDATA && code != AVERROR(ENOTTY))

@@ -28,6 +28,9 @@ std::string name_of(const AVStream& stream);
 /// Frames per second of inputs without timestamps that state no rate.
 inline constexpr double assumed_rate = 25;
 
+/// \throws Error stream_timeout
+[[noreturn]] void throw_timeout(const Input& input);
+
 /// Reads the packets of a container's video stream.
 class Demuxer {
   public:

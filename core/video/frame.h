@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include "core/base/av_writer.h"
 #include "core/base/plane.h"
@@ -19,6 +22,15 @@ struct FullSize {
     double top = 0;
 };
 
+/// Why frames before a frame are missing.
+enum class Absence { no_signal, dropped, unlearnt };
+
+/// The words for it on a picture.
+constexpr std::string_view words_of(Absence absence) {
+    constexpr std::array<std::string_view, 3> words{"no signal", "frames dropped", "learning the scene"};
+    return words[static_cast<std::size_t>(absence)];
+}
+
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
     std::int64_t index = 0;
@@ -26,6 +38,7 @@ struct Frame {
     Plane<std::uint8_t> grey;  ///< luma
     Plane<Bgr> colour;         ///< same size as `grey`; empty unless requested
     FullSize full_size{};
+    Absence before = Absence::no_signal;  ///< why frames before it are missing, if some are
 };
 
 /// An immutable frame with several readers.
@@ -58,6 +71,7 @@ struct DecodedFrame {
     double pts = 0;  ///< seconds from the clip's first frame
     Orientation orientation;
     AvFrame image;  ///< in the decoder's pixel format and size
+    Absence before = Absence::no_signal;
 };
 
 }  // namespace vvr::video

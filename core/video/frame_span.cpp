@@ -142,8 +142,12 @@ bool is_between_parts(const FrameSpan& span, double pts) {
         span.parts, [pts](const FrameSpan::Part& part) { return pts >= part.begin - slack && pts < part.end - slack; });
 }
 
-std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files, double begin, double end) {
+std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files,
+                           std::span<const MissingFrames> known, double begin, double end) {
     constexpr double little = 1;  // seconds
+    for (const MissingFrames& some : known) {
+        if (some.begin < end && some.end > begin) return std::string(words_of(some.why));
+    }
     const bool is_within = files.empty() || std::ranges::any_of(files, [&](const SegmentPlace& file) {
                                return std::min(file.end, end) - std::max(file.begin, begin) > little / 2;
                            });

@@ -28,9 +28,17 @@ double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::ti
     return std::chrono::duration<double>(to - from).count();
 }
 
+// Frames per second of the fastest cameras.
+constexpr double fastest = 240;
+
+/// Whether libav makes timestamps up: the format has none.
+bool has_no_stamps(const Demuxer& demuxer) {
+    const int flags = demuxer.format().iformat->flags;
+    return (flags & AVFMT_NOTIMESTAMPS) != 0 || flags == AVFMT_GENERIC_INDEX;  // HTTP MJPEG, or a raw stream
+}
+
 /// The stated frame rate is often wrong, so it is checked against the fastest cameras.
 double plausible_rate(const Demuxer& demuxer, double stated) {
-    constexpr double fastest = 240;
     const double rate = stated > 0 && stated <= fastest ? stated : 1 / demuxer.frame_duration();
     return rate > 0 && rate <= fastest ? rate : 25;
 }
@@ -48,6 +56,7 @@ bool is_finished(const Demuxer& demuxer) {
 }  // namespace
 
 double LiveClock::operator()(std::optional<double> stamp, double arrival) {
+    if (!time_) first_arrival_ = arrival;
     time_ = time_ ? *time_ + step(stamp, arrival) : 0;
     stamp_ = stamp;
     arrival_ = arrival;
@@ -55,6 +64,8 @@ double LiveClock::operator()(std::optional<double> stamp, double arrival) {
 }
 
 double LiveClock::step(const std::optional<double>& stamp, double arrival) const {
+    constexpr double least = 0.001;  // of frames that arrive together
+    if (by_arrival_) return std::max(least, arrival - first_arrival_ - *time_);
     const double passed = std::max(duration_, arrival - arrival_);
     if (!stamp) return duration_;
     // A file may be read faster than real time, so the reader's clock says nothing about a hole in it.
@@ -74,7 +85,7 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
         reconnects_ = false;
         waits_ = true;
     }
-    info_ = describe(*demuxer_, input_.name, *first_, options_.source.aspect);
+    info_ = describe(*demuxer_, input_.name, *first_.front().image, options_.source.aspect);
     if (!decoder_->fell_back()) info_.hwaccel = options_.source.hwaccel;
     if (decoder_->fell_back()) options_.report(text_of_fallback(*options_.source.hwaccel, info_.codec));
     info_.rate = plausible_rate(*demuxer_, info_.rate);
@@ -82,39 +93,67 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
     info_.duration = 0;
     field_size_ = field_size_for(info_.size, options_.source.field_size);
     clock_ = LiveClock(1 / info_.rate, waits_);
-    begin_ = Clock::now();
+    begin_ = first_.front().when;
+    if (has_no_stamps(*demuxer_) && (reconnects_ || input_.pipe)) learn_rate();
     reader_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
 void LiveSource::connect() {
-    decoder_.reset();
     watchdog_->feed();
+    first_.clear();
+    decoder_.reset();
+    demuxer_.reset();  // first: its socket may be in use, or the camera may serve only one
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.source.rate);
     // A single thread returns a frame as soon as its packet arrives. Each further thread would delay it by one frame.
     const HwaccelRow& hwaccel = *options_.source.hwaccel;
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1, std::function<bool(const AVPacket&)>(), hwaccel);
-    first_ = decoder_->next();
-    if (!first_) {
+    AvFrame first = decoder_->next();
+    if (!first && watchdog_->expired()) throw_timeout(input_);
+    if (!first) {
         throw Error(
             ErrorCode::no_frame,
             fmt::format("no frame of '{}' can be decoded: {} damaged packets, {}; run `ffplay` on it for details",
                         input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
     }
+    first_.push_back({std::move(first), Clock::now()});
     orientation_ = orientation_of(demuxer_->stream());
     clock_.restart();
+}
+
+/// Reads the first frames of a stream without timestamps: only their arrival tells how many come per second. Frames of
+/// a pipe that come faster than stated are those of a file.
+void LiveSource::learn_rate() {
+    constexpr std::size_t most = 16;
+    constexpr double longest = 2;  // seconds
+    std::vector<double> steps;
+    while (first_.size() < most && seconds_between(begin_, Clock::now()) < longest) {
+        AvFrame image = decoder_->next();
+        if (!image) break;
+        steps.push_back(seconds_between(first_.back().when, Clock::now()));
+        first_.push_back({std::move(image), Clock::now()});
+    }
+    if (steps.empty()) return;
+    const auto middle = steps.begin() + std::ssize(steps) / 2;
+    std::ranges::nth_element(steps, middle);
+    const double rate = 1 / *middle;
+    constexpr double faster = 1.5;
+    if (waits_ && rate > faster * info_.rate) return;
+    if (rate <= fastest) info_.rate = rate;
+    clock_ = LiveClock(1 / info_.rate, waits_, true);
 }
 
 void LiveSource::run(const std::stop_token& stop) {
     try {
         do {
-            AvFrame image = std::move(first_);
             const std::int64_t damaged_before = damaged();
-            while (image && add(std::move(image), stop)) {
+            while (!first_.empty() && add(std::move(first_.front().image), first_.front().when, stop)) {
                 {
                     const std::lock_guard lock(mutex_);
                     damaged_ = damaged_before + decoder_->damaged();
                 }
-                image = decoder_->next();
+                first_.pop_front();
+                if (!first_.empty()) continue;
+                if (AvFrame image = decoder_->next()) first_.push_back({std::move(image), Clock::now()});
             }
         } while (reconnect(stop));
     } catch (...) {
@@ -135,8 +174,7 @@ bool LiveSource::is_over() const {
 }
 
 /// \returns whether the stream goes on
-bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
-    const Clock::time_point now = Clock::now();
+bool LiveSource::add(AvFrame image, Clock::time_point now, const std::stop_token& stop) {
     const double before = time_;
     time_ = clock_(demuxer_->seconds(image->best_effort_timestamp), seconds_between(begin_, now));
     if (is_over()) return false;
@@ -153,8 +191,7 @@ bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
         });
     }
     while (waiting_.size() > 1 && waiting_pixels() + pixels > pixels_waiting) {
-        waiting_.pop_front();
-        ++dropped_;
+        drop_oldest();
     }
     waiting_.push_back({std::move(frame), now});
     arrivals_.push_back({index_, now});
@@ -180,7 +217,12 @@ bool LiveSource::reconnect(const std::stop_token& stop) {
     if (!reconnects_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
     options_.report(fmt::format("lost the connection to '{}' after {:.0f} s: {}", input_.name, time_,
-                                demuxer_->log().text(AVERROR_EOF)));
+                                watchdog_->expired() ? fmt::format("no data for {:g} s", options_.patience)
+                                                     : demuxer_->log().text(AVERROR_EOF)));
+    {
+        const std::lock_guard lock(mutex_);
+        lost_since_ = time_;
+    }
     std::string reported;
     for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
         try {
@@ -195,6 +237,7 @@ bool LiveSource::reconnect(const std::stop_token& stop) {
             fmt::format("reconnected to '{}' after {:.1f} s", input_.name, seconds_between(lost, Clock::now())));
         const std::lock_guard lock(mutex_);
         ++reconnections_;
+        lost_since_.reset();
         return true;
     }
     return false;
@@ -207,13 +250,19 @@ std::int64_t LiveSource::waiting_pixels() const {
     return pixels;
 }
 
+/// Call with the mutex held, if there are two or more. The next frame tells that this one is missing.
+void LiveSource::drop_oldest() {
+    const std::int64_t dropped = waiting_.front().frame->index;
+    waiting_.pop_front();
+    DecodedFrame& next = *waiting_.front().frame;
+    if (next.index == dropped + 1) next.before = Absence::dropped;
+    ++dropped_;
+}
+
 /// Call with the mutex held.
 void LiveSource::drop_late_frames() {
     const Clock::time_point now = Clock::now();
-    while (waiting_.size() > 1 && seconds_between(waiting_.front().since, now) > options_.lag) {
-        waiting_.pop_front();
-        ++dropped_;
-    }
+    while (waiting_.size() > 1 && seconds_between(waiting_.front().since, now) > options_.lag) drop_oldest();
 }
 
 std::unique_ptr<DecodedFrame> LiveSource::next() {
@@ -256,6 +305,11 @@ std::int64_t LiveSource::dropped() const {
 std::int64_t LiveSource::reconnections() const {
     const std::lock_guard lock(mutex_);
     return reconnections_;
+}
+
+std::optional<double> LiveSource::lost_since() const {
+    const std::lock_guard lock(mutex_);
+    return lost_since_;
 }
 
 std::optional<LiveSource::Clock::time_point> LiveSource::arrival(std::int64_t index) const {

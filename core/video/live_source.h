@@ -28,7 +28,9 @@ class LiveClock {
     /// \param duration seconds per frame
     /// \param waits whether the sender waits for the reader, as a file does: then only the timestamps tell how long a
     ///     gap is
-    explicit LiveClock(double duration, bool waits = false) : duration_(duration), waits_(waits) {}
+    /// \param by_arrival whether the stream has no timestamps, so that only the arrival tells the time
+    explicit LiveClock(double duration, bool waits = false, bool by_arrival = false)
+        : duration_(duration), waits_(waits), by_arrival_(by_arrival) {}
 
     /// Call it after a reconnection: later timestamps are unrelated to earlier ones.
     void restart() { stamp_.reset(); }
@@ -43,9 +45,11 @@ class LiveClock {
 
     double duration_;
     bool waits_;
+    bool by_arrival_;
     std::optional<double> time_;
     std::optional<double> stamp_;
     double arrival_ = 0;
+    double first_arrival_ = 0;
 };
 
 struct LiveOptions {
@@ -92,6 +96,9 @@ class LiveSource final : public FrameSource {
     std::int64_t dropped() const;
     std::int64_t reconnections() const;
 
+    /// While the connection is lost, the time of the last frame, seconds.
+    std::optional<double> lost_since() const;
+
     /// When a frame arrived. Known for the last few hundred frames.
     std::optional<Clock::time_point> arrival(std::int64_t index) const;
 
@@ -105,10 +112,17 @@ class LiveSource final : public FrameSource {
         Clock::time_point since;
     };
 
+    struct Early {
+        AvFrame image;
+        Clock::time_point when;
+    };
+
     void connect();
+    void learn_rate();
+    void drop_oldest();
     void run(const std::stop_token& stop);
     bool reconnect(const std::stop_token& stop);
-    bool add(AvFrame image, const std::stop_token& stop);
+    bool add(AvFrame image, Clock::time_point now, const std::stop_token& stop);
     bool pause(const std::stop_token& stop, double seconds);
     bool is_over() const;
     void drop_late_frames();
@@ -121,7 +135,7 @@ class LiveSource final : public FrameSource {
     bool waits_ = false;       ///< the sender waits for the reader
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
-    AvFrame first_;
+    std::deque<Early> first_;  ///< frames of this connection that were read before `run`
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
@@ -137,6 +151,7 @@ class LiveSource final : public FrameSource {
     std::int64_t dropped_ = 0;
     std::int64_t reconnections_ = 0;
     std::int64_t damaged_ = 0;  ///< in all connections so far
+    std::optional<double> lost_since_;
     bool ended_ = false;
     std::exception_ptr failure_;
 

@@ -240,6 +240,7 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     const auto row = [width](const cv::Mat& plane, int j) { return std::span(plane.ptr<std::uint8_t>(j), width); };
 
     Frame frame{decoded.index, decoded.pts, Plane<std::uint8_t>::for_overwrite(size_), {}};
+    frame.before = decoded.before;
     const cv::Mat luma = upright(fit(0, {image.width, image.height}, CV_8UC1), orientation);
     if (is_full_range(image)) {
         luma.copyTo(cv_view(frame.grey));

@@ -145,19 +145,19 @@ TEST(RequestedTime, HasToBeInTheClip) {
 
 TEST(FrameSpan, TellsWhatWasLeftOutFromLossesOfSignal) {
     const video::FrameSpan span{.parts = {{10, 20}, {100, 120}}};
-    EXPECT_EQ(video::reason_for_gap({}, {}, 20, 100), "no signal");
-    EXPECT_EQ(video::reason_for_gap(span, {}, 12, 18), "no signal");
-    EXPECT_EQ(video::reason_for_gap(span, {}, 20, 100), "left out");
-    EXPECT_EQ(video::reason_for_gap(span, {}, 19.5, 100), "left out") << "a part has frames up to its end, about";
-    EXPECT_EQ(video::reason_for_gap(span, {}, 15, 100), "left out, no signal");
-    EXPECT_EQ(video::reason_for_gap(span, {}, 15, 20.5), "no signal");
+    EXPECT_EQ(video::reason_for_gap({}, {}, {}, 20, 100), "no signal");
+    EXPECT_EQ(video::reason_for_gap(span, {}, {}, 12, 18), "no signal");
+    EXPECT_EQ(video::reason_for_gap(span, {}, {}, 20, 100), "left out");
+    EXPECT_EQ(video::reason_for_gap(span, {}, {}, 19.5, 100), "left out") << "a part has frames up to its end, about";
+    EXPECT_EQ(video::reason_for_gap(span, {}, {}, 15, 100), "left out, no signal");
+    EXPECT_EQ(video::reason_for_gap(span, {}, {}, 15, 20.5), "no signal");
     // Nobody knows whether a camera without a file between two files had no signal: it may record only motion.
     const std::vector<video::SegmentPlace> files{{"a", 0, 60}, {"b", 90, 130}};
-    EXPECT_EQ(video::reason_for_gap({}, files, 60, 89.9), "no footage");
-    EXPECT_EQ(video::reason_for_gap({}, files, 60.1, 80), "no footage") << "the layers beside it have the rest";
-    EXPECT_EQ(video::reason_for_gap({}, files, 95, 105), "no signal") << "within a file";
-    EXPECT_EQ(video::reason_for_gap(span, files, 60, 90), "left out");
-    EXPECT_EQ(video::reason_for_gap({.parts = {{0, 70}, {80, 120}}}, files, 60, 90), "left out, no footage");
+    EXPECT_EQ(video::reason_for_gap({}, files, {}, 60, 89.9), "no footage");
+    EXPECT_EQ(video::reason_for_gap({}, files, {}, 60.1, 80), "no footage") << "the layers beside it have the rest";
+    EXPECT_EQ(video::reason_for_gap({}, files, {}, 95, 105), "no signal") << "within a file";
+    EXPECT_EQ(video::reason_for_gap(span, files, {}, 60, 90), "left out");
+    EXPECT_EQ(video::reason_for_gap({.parts = {{0, 70}, {80, 120}}}, files, {}, 60, 90), "left out, no footage");
 }
 
 TEST(FrameSpan, ToleratesTimesThatWereRounded) {

@@ -170,6 +170,16 @@ TEST(LiveClock, KeepsTheHoleOfAFileThatIsReadAtOnce) {
     EXPECT_NEAR(clock(3.0, 0.004), 60.12, 1e-9);   // its camera's clock went back
 }
 
+TEST(LiveClock, GoesByTheArrivalWhereThereAreNoStamps) {
+    video::LiveClock clock(0.04, false, true);
+    EXPECT_EQ(clock(100.0, 3), 0);
+    EXPECT_NEAR(clock(100.04, 3.1), 0.1, 1e-9);  // the stamps are made up
+    EXPECT_NEAR(clock(100.08, 3.1), 0.101, 1e-9);
+    EXPECT_NEAR(clock(100.12, 3.3), 0.3, 1e-9);
+    clock.restart();
+    EXPECT_NEAR(clock(std::nullopt, 23), 20, 1e-9);
+}
+
 TEST(LiveClock, NeverRunsBackwards) {
     video::LiveClock clock(0.04);
     double last = -1;
