@@ -218,8 +218,11 @@ class Annotator {
     void add_ruler() {
         if (!plan_.shows(Part::ruler)) return;
         const labels::TimeEdge& edge = composed_.framing.edge;
-        labels::label_gaps(explained_gaps(plan_, seen_), *plan_.layout, edge, camera_, sheet_,
-                           rgba(plan_.job.look.theme.fast), lettering_);
+        const std::vector<labels::TimeGap> gaps = explained_gaps(plan_, seen_);
+        const bool is_lost =
+            std::ranges::any_of(gaps, [](const labels::TimeGap& gap) { return gap.reason.ends_with("no signal"); });
+        labels::label_gaps(gaps, *plan_.layout, edge, camera_, sheet_,
+                           is_lost ? rgba(plan_.job.look.theme.fast) : pale_, lettering_);
         const std::span<const labels::TimeTick> ticks = composed_.ticks;
         const auto label = [&](std::span<const labels::TimeTick> some) {
             labels::label_ticks(seen_.volume, *plan_.layout, edge, some, camera_, sheet_, ink_, lettering_);

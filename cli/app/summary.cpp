@@ -62,7 +62,8 @@ std::optional<std::string> advice_on_rate(const Observation& seen) {
 /// Why no time is compressed in a long clip.
 std::optional<std::string> advice_on_time(const Plan& plan, const Observation& seen) {
     constexpr double is_long = 600;  // seconds
-    const double all = seen.end().seconds - seen.begin.seconds;
+    const double missing = static_cast<double>(seen.volume.missing()) / static_cast<double>(seen.volume.frames());
+    const double all = (1 - missing) * (seen.end().seconds - seen.begin.seconds);
     if (!plan.nonuniform || all <= is_long || !bricks::compressed_stretches(seen.volume).empty()) return std::nullopt;
     const std::string found = !seen.events ? fmt::format("the filter {} finds no objects", plan.filter->name)
                               : seen.events->events.empty() ? "vvr found no event"

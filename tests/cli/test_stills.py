@@ -54,3 +54,21 @@ def test_portraits_show_what_the_small_frame_cannot_hold(t):
     blurred = portraits(t, "data.html")
     check(len(blurred) == 1, f"{len(blurred)} portraits of data files")
     check(contrast(t, blurred[0]) < 25, f"at field size the checkerboard has a contrast of {contrast(t, blurred[0])}")
+
+
+@pytest.mark.nightly
+def test_every_event_of_a_long_clip_has_its_still(t):
+    """Flashes are sharper than somebody in the dark, and there are thousands: his still has to make room, and is read again."""
+    flashes = "format=gray,geq=lum='if(gt(N,120)*gt(random(1),0.95),255,128)',scale=160:120:flags=neighbor"
+    t.ffmpeg("-f", "lavfi", "-i", f"nullsrc=size=8x6:rate=10:duration=400,{flashes}", "-f", "lavfi", "-i",
+             "color=0x707070:size=10x16:rate=10:duration=400", "-filter_complex",
+             "[0][1]overlay=x='if(between(t,3,11),20*(t-3)-14,-50)':y=50:eval=frame,format=gray", "-c:v", "ffv1", "-g", "50", "flashes.mkv")
+    t.render("flashes.mkv", "--threshold", "12", "--report", "r.json", output="page.html").expect(0)
+    first = t.json("r.json")["events"][0]
+    check(first["first"]["seconds"] < 4 and first["last"]["seconds"] > 10, f"{first}")
+    found = portraits(t, "page.html")
+    check(len(found) == len(t.json("r.json")["events"]), f"{len(found)} stills")
+    # He is darker than the grey around him, and the flashes are white.
+    rows = t.rgb(t.write("portrait.jpg", found[0]))
+    middle = rows[len(rows) // 2][len(rows) // 2]
+    check(100 < middle[0] < 122, f"{middle}")

@@ -127,7 +127,7 @@ export function openFilm(place, why = '') {
         const plays = isPlaying();
         set({film, source: because + film.says});
         if (state.moved) show(state.now, plays);
-        else goToFrame(video, state.now);
+        else if (state.time.secondsOf(state.now) > film.segment[1] + 0.002) goToFrame(video, state.now);
     };
     video.onerror = () => next(whyNot(video.error?.message ?? '', film.segment[0]));
     video.onloadedmetadata = () => {
