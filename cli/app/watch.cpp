@@ -181,7 +181,9 @@ class LivePictures {
             labels::Label label = labels::make_centred_label(text, 2 * text_size_, size.width / 2.0, size.height / 2.0,
                                                              image::Rgba(theme.fast, 1));
             label.halo = image::Rgba(theme.background, 1);
-            labels::draw(picture, {.labels = {label}});
+            labels::Lettering words;
+            words.labels.push_back(label);
+            labels::draw(picture, words);
             files_.add(number_, std::move(picture), record_);
         }
     }

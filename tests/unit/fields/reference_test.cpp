@@ -163,8 +163,12 @@ TEST_P(AtRate, AGhostIsLetGoAfterFiveSecondsAndWhatWasLeftIsNot) {
     for (int f = 0; f < 20 * rate; ++f) {
         stood.adapt({bare, {}}, object, {}, f / rate);
         left.adapt({with_thing, {}}, object, {}, f / rate);
-        if (f < 4 * rate) ASSERT_EQ(stood.now().grey.at(30, 30), 160) << "too early to know: " << f / rate << " s";
-        if (f > 7 * rate) ASSERT_EQ(stood.now().grey.at(30, 30), 100) << f / rate << " s";
+        if (f < 4 * rate) {
+            ASSERT_EQ(stood.now().grey.at(30, 30), 160) << "too early to know: " << f / rate << " s";
+        }
+        if (f > 7 * rate) {
+            ASSERT_EQ(stood.now().grey.at(30, 30), 100) << f / rate << " s";
+        }
     }
     EXPECT_EQ(stood.now().grey.at(20, 20), 100);
     EXPECT_EQ(left.now().grey.at(30, 30), 100);
@@ -180,7 +184,7 @@ int frames_to_learn(double rate, std::optional<int> seconds) {
     frames.read = [&](std::int64_t index, video::MemoryFrame& frame) {
         frame = {pixels.data(), 32, static_cast<double>(index) / rate};
         read = index + 1;
-        return index < 60 * rate;
+        return static_cast<double>(index) < 60 * rate;
     };
     video::MemorySource source(std::move(frames), {});
     fields::FieldOptions options;
@@ -252,7 +256,7 @@ TEST_P(NewScene, InfraredIsLearntAndNothingIsFoundMeanwhile) {
     EXPECT_FALSE(found.learning);
     EXPECT_NEAR(found.scene->changed, changed + 1 / GetParam(), 1e-9);
     EXPECT_EQ(test::lit(see(room(false, 90)).values), 0);
-    EXPECT_NEAR(test::lit(see(with_person(room(false, 90), 40)).values), 360, 100);
+    EXPECT_NEAR(static_cast<double>(test::lit(see(with_person(room(false, 90), 40)).values)), 360, 100);
 }
 
 TEST_P(NewScene, ALampAndAnotherViewAreLearntIfTheyStay) {
