@@ -25,6 +25,7 @@ bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan
     room.keep_flow = needs.flow;
     room.keep_owners = plan.colours_objects();
     room.nonuniform = plan.nonuniform;
+    room.marked_late = plan.finds_objects;
     return room;
 }
 

@@ -262,7 +262,8 @@ void set_areas(Plan& plan) {
         if (is_extracted ? value.empty() : area.empty()) continue;
         plan.areas.push_back({std::string(name), value, {}});
         if (!is_extracted)
-            plan.areas.back().sha256 = fields::is_polygon_list(area) ? hex_sha256(area) : hex_sha256_of_file(area);
+            plan.areas.back().sha256 =
+                fields::is_polygon_list(area) ? hex_sha256(area) : hex_sha256(read_file(area, most_bytes::data));
     }
     if (plan.areas.empty()) return;
     plan.masked.reset();

@@ -46,8 +46,10 @@ void Volume::add_layer(Layer layer) {
         return;
     }
     const auto most = static_cast<std::size_t>(room());
-    if (layers_.size() >= most)
-        merger_.merge_cheapest(layers_, most / idle_share_read, layers_.size() - most / undecided_share);
+    if (layers_.size() >= most) {
+        const std::size_t undecided = options_.marked_late ? most / undecided_share : 0;
+        merger_.merge_cheapest(layers_, most / idle_share_read, layers_.size() - undecided);
+    }
     layers_.push_back(std::move(layer));
     merger_.add(layers_);
 }

@@ -31,6 +31,7 @@ struct VolumeOptions {
     bool keep_flow = false;                            ///< for tracelines: keep the flow of frames whose seeds are kept
     bool keep_owners = false;                          ///< keep the owner of each voxel
     bool nonuniform = false;                           ///< layers of unequal length
+    bool marked_late = false;                          ///< `mark_motion` says later what moves
 };
 
 /// The scalar fields of a clip in bounded memory. Initially, a layer has `step` frames. When there are `capacity`

@@ -72,6 +72,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = demuxer.tick();
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image, options.aspect);
+    is_hdr_ = first.image->color_trc == AVCOL_TRC_SMPTE2084 || first.image->color_trc == AVCOL_TRC_ARIB_STD_B67;
     // Without the name, so that a recording says it once.
     if (options.rate == 0 && takes_rate(*demuxer.format().iformat)) {
         notes_.push_back(

@@ -148,9 +148,17 @@ std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> 
     for (const MissingFrames& some : known) {
         if (some.begin < end && some.end > begin) return std::string(words_of(some.why));
     }
-    const bool is_within = files.empty() || std::ranges::any_of(files, [&](const SegmentPlace& file) {
-                               return std::min(file.end, end) - std::max(file.begin, begin) > little / 2;
-                           });
+    // What a file has of the stretch, as far as that was requested.
+    const auto is_in_file = [&](double first, double last) {
+        return std::ranges::any_of(files, [&](const SegmentPlace& file) {
+            return std::min(file.end, last) - std::max(file.begin, first) > little / 2;
+        });
+    };
+    const bool is_within =
+        files.empty() ||
+        (span.parts.empty() ? is_in_file(begin, end) : std::ranges::any_of(span.parts, [&](const auto& part) {
+            return is_in_file(std::max(part.begin, begin), std::min(part.end, end));
+        }));
     const std::string lacks = is_within ? "no signal" : "no footage";
     if (span.parts.empty()) return lacks;
     double asked = 0;

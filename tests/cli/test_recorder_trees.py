@@ -208,7 +208,7 @@ def test_rate_aspect_and_track_hold_or_say_why_not(t):
     check(abs(t.json("r.json")["span"]["last"] - 19 / 40) < 0.01, f"{t.json('r.json')['span']}")
     # A recording of two that state different rates.
     t.vvr("render", "in", *LOOK).expect(1, code="recording-mixed")
-    t.vvr("render", "in", "--rate", "40", *LOOK).expect(0, out=None)
+    t.vvr("render", "in", "--rate", "40", "--join", *LOOK).expect(0, out=None)
     # Seeking and sampling use the same clock.
     t.vvr("render", "ten.avi", "--rate", "1", "--start", "5s", "--end", "15s", *LOOK).expect(0, out=None)
     check(t.json("r.json")["frames"]["used"] == 10, f"{t.json('r.json')['frames']}")
@@ -224,7 +224,7 @@ def test_rate_aspect_and_track_hold_or_say_why_not(t):
     for track, size in ((1, [32, 24]), (2, [48, 54])):
         said = t.vvr("render", "two.mkv", "--track", str(track), *LOOK).expect(0, out=None).err
         check("video tracks" not in said and size_of(t) == size, f"{said} {t.json('r.json')['field']}")
-    t.vvr("render", "two.mkv", "--track", "3", *LOOK).expect(2, "track 3", "2 video tracks", code="no-video-stream")
+    t.vvr("render", "two.mkv", "--track", "3", *LOOK).expect(3, "track 3", "2 video tracks", code="no-video-stream")
     # Pictures.
     t.ffmpeg("-i", "half.avi", "pictures/%d.png")
     t.vvr("render", "pictures", "--names", "{camera}_%s", *LOOK).expect(0, "names, track and aspect have no effect")
