@@ -18,8 +18,8 @@ namespace vvr::video {
 ///
 /// A file that begins within a second of the previous file's end follows it. If it begins later, there is a gap, and
 /// the frame index skips the missing frames. If it begins earlier, the frames that overlap are omitted. All frames are
-/// scaled to the field size of the first file, or of the one that `fit_size` finds. A file that can't be read becomes a problem and leaves a gap. A hole
-/// within a file is a gap too (`FrameNumbers`).
+/// scaled to the field size of the first file, or of the one that `fit_size` finds. A file that can't be read becomes a
+/// problem and leaves a gap. A hole within a file is a gap too (`FrameNumbers`).
 class RecordingSource final : public FrameSource {
   public:
     /// \throws Error not_video if no file can be read
