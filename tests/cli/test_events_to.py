@@ -87,6 +87,7 @@ def test_a_clip_without_its_sidecar_tells_no_event_again(t):
 def test_a_day_tells_the_events_of_its_new_files(t):
     t.zone("UTC")
     clips(t, "in/gate/2026-11-21_20-00-00.avi")
+    t.stamp("in/gate/2026-11-21_20-00-00.avi", -7200)
     archive(t, "--per", "day").expect(0)
     first = lines(t)
     clips(t, "in/gate/2026-11-21_20-00-16.avi")

@@ -377,6 +377,9 @@ def test_logs_for_machines(t):
     check(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z", lines[-1]["time"]), f"{lines}")
     told = t.render("clip.avi", "--log-format", "json").expect(0)
     check(json.loads(told.err)["level"] == "info", str(told))
+    for order in (["--log-format", "json", "--nonsense"], ["--nonsense", "--log-format=json"]):
+        told = t.render("clip.avi", *order).expect(1)
+        check(json.loads(told.err)["code"] == "option-unknown", str(told))
     t.render("missing.avi", "--log-file", "log.txt", "--quiet").expect(2, code="file-not-found")
     t.render("clip.avi", "--log-file", "log.txt").expect(0, "vvr: 'out.png'")
     text = t.path("log.txt").read_text(encoding="utf-8")
