@@ -70,7 +70,7 @@ def sample(option):
     if option["range"] and option["value"] not in ("IN:OUT", "WxH"):
         return [str(option["range"][end]) + ("s" if option["value"] == "TIME" else "") for end in ("low", "high")]
     return {
-        None: [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
+        None: [None], "TIME": ["1s"], "TIME-TIME": ["02:00-05:00"], "WxH": ["64x48"], "W:H": ["16:9"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
         "TEXT": ["Hall"], "DATETIME": ["2026-11-21 08:00:00"], "AREA": ["0,0 9,0 9,9"], "HOW": ["first:2"], "DIGITS": ["10"],
         "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [], "HH:MM": ["12:00"], "AGE": ["30d"],
         "FILE": [], "DIR": [], "MODEL": [],  # have to be there
