@@ -1,7 +1,5 @@
 #include "cli/app/settings.h"
 
-#include <type_traits>
-
 #include "core/base/error.h"
 #include "core/fields/options.h"
 #include "core/image/text.h"
@@ -11,19 +9,10 @@ namespace vvr::app {
 namespace {
 
 /// Checks that numbers are within the range of their setting. Values of other types have no range.
-struct CheckRange {
-    template <class Value, class... Rest>
-    void operator()(const Setting& setting, const Value& value, const Rest&...) const {
-        if constexpr (!std::is_same_v<Value, bool>) check(setting, value);
-    }
-    template <class Number>
-    void operator()(const Setting& setting, const NumberOrWord<Number>& number) const {
-        if (number.value != 0) check(setting, number.value);
-    }
-    template <class Shape>
-    void operator()(const Setting& setting, const Radii<Shape>& radii) const {
-        check(setting, radii.shape.r_min);
-        check(setting, radii.shape.r_max);
+struct InRange {
+    void operator()(const Setting& setting, const auto& value, const auto&...) const { check(setting, value); }
+    void operator()(const Setting& setting, const auto& value, const Word&) const {
+        if (value != 0) check(setting, value);
     }
 };
 
@@ -41,7 +30,15 @@ void validate(const RenderJob& job) {
     if (job.input.names.empty())
         throw Error(ErrorCode::input_missing, "no input: name a video, a folder of pictures, or - for stdin");
     fields::validate(job.fields);
-    each_picture_setting(job, CheckRange());
+    constexpr InRange in_range;
+    in_range(setting::rate, job.input.rate, Word{""});
+    in_range(setting::track, job.input.track, Word{""});
+    in_range(setting::step, job.bricks.step);
+    each_brick_setting(job.bricks, in_range);
+    each_view_setting(job, in_range);
+    each_look_setting(job, in_range);
+    in_range(setting::radius, job.shape.r_min);
+    in_range(setting::radius, job.shape.r_max);
     if (job.bricks.length && job.bricks.length->value <= 0) {
         throw Error(ErrorCode::option_value_out_of_range, "brick: its length must be greater than 0",
                     {setting::brick.name});

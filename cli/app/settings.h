@@ -12,10 +12,10 @@
 #include "gl/render_options.h"
 
 // The registry of settings. A setting is a row, and a line of the list below that visits it with the member of the job
-// that holds its value. The type of that member decides how the value is parsed and printed
-// (cli/options/value_types.h); the list decides the group in the help. The command line, config files, the checks of a
-// job and the record in files all visit these lists. The settings of fields are in core/fields/settings.h, those of
-// video in core/video/settings.h.
+// that holds its value. The type of that member decides how the value is parsed and printed (cli/options/value.h);
+// the list decides the group in the help. The options of the commands and the checks of a job visit these lists.
+// Settings of other groups are added in cli/options/job_options.cpp and output.cpp. The settings of fields are in
+// core/fields/settings.h, those of video in core/video/settings.h.
 namespace vvr::setting {
 
 inline constexpr Setting events{
@@ -59,7 +59,7 @@ inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
                                 "direction of the camera: degrees to the right, degrees above the floor"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
 inline constexpr Setting slices{
-    "slices", "COUNT", "number of slices of the volume; auto = one per two voxels", {0, 16'384}, "auto"};
+    "slices", "COUNT", "number of slices of the volume; auto = one per two voxels", {0, 16'384}};
 inline constexpr Setting samples{
     "samples", "COUNT", "samples per pixel (antialiasing); OpenGL may support fewer", {1, 64}};
 
@@ -117,96 +117,14 @@ inline constexpr Setting tolerance{
 
 namespace vvr::app {
 
-// Values that are several members, or a member with a special value. They refer to the options that they are part of.
-
-/// The size of the fields, or "source".
-template <class Value>
-struct FieldSize {
-    Value& value;
+/// A word for what no number says. It stands for 0, or for the size below it.
+struct Word {
+    std::string_view text;  ///< empty = 0 means that none is given
 };
-template <class Value>
-FieldSize(Value&) -> FieldSize<Value>;
-
-/// Where a span starts: frames, seconds, or a wall-clock time.
-template <class Span>
-struct SpanStart {
-    Span& span;
-};
-template <class Span>
-SpanStart(Span&) -> SpanStart<Span>;
-
-/// Where a span ends.
-template <class Span>
-struct SpanEnd {
-    Span& span;
-};
-template <class Span>
-SpanEnd(Span&) -> SpanEnd<Span>;
-
-/// The inner and the outer radius.
-template <class Shape>
-struct Radii {
-    Shape& shape;
-};
-template <class Shape>
-Radii(Shape&) -> Radii<Shape>;
-
-/// A backend, and the device that it opens.
-template <class Options>
-struct BackendAndDevice {
-    Options& backend;
-};
-template <class Options>
-BackendAndDevice(Options&) -> BackendAndDevice<Options>;
-
-/// A number for which 0 has a word.
-template <class Number>
-struct NumberOrWord {
-    Number& value;
-    std::string_view zero;  ///< empty = 0 means that none is given
-};
-template <class Number>
-NumberOrWord(Number&, std::string_view) -> NumberOrWord<Number>;
 
 // The lists. Each calls `each` with the row and the member. Further arguments are, for the name of a row of a table,
 // the table; for an enum, also the table's member of that type; for a number whose default depends on another setting,
-// that setting's row, its table, and the default of a row.
-
-template <class Input, class Each>
-void each_input_setting(Input& input, const Each& each) {
-    each(setting::field_size, FieldSize{input.field_size});
-    each(setting::rate, NumberOrWord{input.rate, ""});
-    each(setting::track, NumberOrWord{input.track, ""});
-    each(setting::aspect, input.aspect);
-}
-
-/// How files become one recording.
-template <class Input, class Each>
-void each_recording_setting(Input& input, const Each& each) {
-    each(setting::names, input.name_patterns);
-    each(setting::join, input.join);
-    each(setting::decode, input.decode, video::frame_choices());
-}
-
-template <class Span, class Each>
-void each_span_setting(Span& span, const Each& each) {
-    each(setting::start, SpanStart{span});
-    each(setting::end, SpanEnd{span});
-    each(setting::between, span.asked.between);
-}
-
-/// Seeds that are read, and the bricks that have some.
-template <class Job, class Each>
-void each_seed_list_setting(Job& job, const Each& each) {
-    each(setting::seeds, job.seeds);
-    each(setting::seed_flags, job.seed_flags);
-}
-
-/// What finds out about events.
-template <class Job, class Each>
-void each_event_setting(Job& job, const Each& each) {
-    each(setting::detector, job.detector.model);
-}
+// that setting, its table, and the default of a row; or a word.
 
 template <class Bricks, class Each>
 void each_brick_setting(Bricks& bricks, const Each& each) {
@@ -222,11 +140,11 @@ void each_view_setting(Job& job, const Each& each) {
     each(setting::layout, job.layout, space::layouts());
     each(setting::fov, picture.view.fov);
     each(setting::samples, picture.samples);
-    each(setting::radius, Radii{job.shape});
-    each(setting::height, NumberOrWord{job.shape.height, ""});
+    each(setting::radius, job.shape);
+    each(setting::height, job.shape.height, Word{""});
     each(setting::size, picture.size);
     each(setting::camera, picture.view);
-    each(setting::slices, NumberOrWord{picture.slices, "auto"});
+    each(setting::slices, picture.slices, Word{"auto"});
 }
 
 template <class Job, class Each>
@@ -245,26 +163,6 @@ void each_look_setting(Job& job, const Each& each) {
     each(setting::glyph_scale, look.glyph_scale);
     each(setting::trace_steps, look.traces.steps);
     each(setting::time_velocity, look.traces.time_velocity);
-}
-
-template <class Options, class Each>
-void each_backend_setting(Options& backend, const Each& each) {
-    each(setting::backend, BackendAndDevice{backend});
-}
-
-/// The settings of a job that change its picture. The record of a picture has them in this order.
-template <class Job, class Each>
-void each_picture_setting(Job& job, const Each& each) {
-    each_input_setting(job.input, each);
-    each_recording_setting(job.input, each);
-    each_span_setting(job.fields.span, each);
-    each(setting::step, job.bricks.step);
-    fields::each_field_setting(job.fields, each);
-    each_seed_list_setting(job, each);
-    each_event_setting(job, each);
-    each_brick_setting(job.bricks, each);
-    each_view_setting(job, each);
-    each_look_setting(job, each);
 }
 
 /// \throws Error usage when a value is out of range or values contradict each other

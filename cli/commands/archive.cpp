@@ -212,10 +212,9 @@ class Archive final : public Command {
             options_.shard = {static_cast<std::uint64_t>(part_->first - 1), static_cast<std::uint64_t>(part_->second)};
         }
         options_.pictures = pictures_of(line);
-        for (const std::string& camera : line.cameras().names) {
+        for (const std::string& camera : line.cameras()) {
             CommandAndLine own(find_command("archive"));
-            own.line.set_camera(camera);
-            own.line.parse(line.parsed());
+            own.line.parse_for_camera(line, camera);
             auto& archive = static_cast<Archive&>(*own.command);
             archive.options_.write = options_.write;
             archive.options_.keep_events = options_.keep_events;

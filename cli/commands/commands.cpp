@@ -77,21 +77,22 @@ cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::
 
 CommandAndLine::CommandAndLine(const CommandRow& row)
     : command(row.make()), line(std::string(row.name), std::string(row.help)) {
-    line.set_commands(names_of_commands);
     command->add_options(line);
     const options::AddOptions add(line, options::Group::run);
     add(log_text::quiet, log.quiet, {.letter = 'q'});
     add(log_text::verbose, log.verbose, {.letter = 'v'});
-    line.exclude(log_text::verbose, log_text::quiet);
+    line.exclude(log_text::quiet, log_text::verbose);
     add(log_text::log_file, log.log_file, {.use = options::FileUse::written});
     add(log_text::log_format, log.log_format, cli::log_formats());
+    line.add_common(names_of_commands);
 }
 
 std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : command_rows) {
-        names.push_back({std::string(row.name), [&row] { return CommandAndLine(row).line.configurable(); },
-                         [&row] { return CommandAndLine(row).line.configurable(options::picture_groups); }});
+        const CommandAndLine one(row);
+        names.push_back(
+            {std::string(row.name), one.line.configurable(), one.line.configurable(options::picture_groups)});
     }
     return names;
 }

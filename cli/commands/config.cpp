@@ -41,50 +41,44 @@ std::string file_line(const options::ConfigChoice& choice) {
     return text + "\n";
 }
 
-/// For each command, the options that the config file sets.
-std::string settings_of_all(const options::ConfigChoice& choice) {
+/// The options that the config file sets, at least with this precedence.
+/// \param read sets the command's options
+template <class Read>
+std::string settings_from(const std::string& whose, CommandAndLine& command, options::Source least, const Read& read) {
     std::string text;
-    for (const CommandRow& row : command_rows) {
-        CommandAndLine command(row);
-        try {
-            read(command.line, choice);
-        } catch (const Error& error) {
-            // An unknown name is an error for all commands; an invalid value may be one for this command only.
-            if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
-            text += fmt::format("vvr {}: {}\n", row.name, error.what());
-            continue;
-        }
-        for (const options::OptionValue& option : command.line.given(options::all_groups)) {
-            if (option.name != "config")
-                text += fmt::format("vvr {}: {} = {}\n", row.name, option.name, shown_text(option.value));
-        }
+    try {
+        read(command.line);
+    } catch (const Error& error) {
+        // An unknown name is an error for all commands; an invalid value may be one for this command only.
+        if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
+        return fmt::format("{}: {}\n", whose, error.what());
+    }
+    for (const options::OptionValue& option : command.line.given(options::all_groups)) {
+        if (option.source >= least && options::is_config(option.source))
+            text += fmt::format("{}: {} = {}\n", whose, option.name, shown_text(option.value));
     }
     return text;
 }
 
-/// For each camera with a section, the options that it sets for an archive, which has all of them.
-std::string settings_of_cameras(const options::ConfigChoice& choice) {
-    CommandAndLine archive(find_command("archive"));
+/// For each command, the options that the config file sets, and for each camera with a section those that it sets for
+/// an archive, which has all of them.
+std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
+    for (const CommandRow& row : command_rows) {
+        CommandAndLine command(row);
+        text += settings_from(fmt::format("vvr {}", row.name), command, options::Source::config,
+                              [&](options::CommandLine& line) { read(line, choice); });
+    }
+    CommandAndLine archive(find_command("archive"));
     try {
         read(archive.line, choice);
     } catch (const Error&) {
-        return {};  // the command's own lines say it
+        return text;  // the command's own line says it
     }
-    for (const std::string& camera : archive.line.cameras().names) {
+    for (const std::string& camera : archive.line.cameras()) {
         CommandAndLine own(find_command("archive"));
-        try {
-            read(own.line, choice, {}, camera);
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
-            text += fmt::format("camera {}: {}\n", shown_text(camera), error.what());
-            continue;
-        }
-        const std::vector<std::string>& sets = own.line.cameras().sets;
-        for (const options::OptionValue& option : own.line.given(options::all_groups)) {
-            if (std::ranges::find(sets, option.name) != sets.end())
-                text += fmt::format("camera {}: {} = {}\n", shown_text(camera), option.name, shown_text(option.value));
-        }
+        text += settings_from(fmt::format("camera {}", shown_text(camera)), own, options::Source::camera,
+                              [&](options::CommandLine& line) { line.parse_for_camera(archive.line, camera); });
     }
     return text;
 }
@@ -95,22 +89,15 @@ std::string settings_of(const CommandRow& row, const options::ConfigChoice& choi
     CommandAndLine command(row);
     options::CommandLine& line = command.line;
     read(line, choice, preset, camera);
-    const std::vector<std::string>& of_camera = line.cameras().sets;
+    const std::vector<std::string> names = line.configurable();
     std::string text;
-    const auto of_preset = options::settings_of_preset(preset);
-    const std::vector<options::OptionValue> given = line.given(options::all_groups);
     for (const options::OptionValue& option : line.values(options::all_groups)) {
-        if (option.name == "config" || option.name == "camera-name" || option.name == "help") continue;
-        const bool set = std::ranges::find(given, option.name, &options::OptionValue::name) != given.end();
-        // The preset given here takes precedence over the config file.
-        const bool preset_sets =
-            (!preset.empty() && option.name == setting::preset.name) ||
-            std::ranges::any_of(of_preset, [&](const auto& one) { return one.first == option.name; });
-        const bool camera_sets = std::ranges::find(of_camera, option.name) != of_camera.end();
-        const std::string by = preset_sets   ? fmt::format("preset {}", preset)
-                               : camera_sets ? fmt::format("config file, [camera.{}]", line.cameras().chosen)
-                               : set         ? "config file"
-                                             : "default";
+        if (std::ranges::find(names, option.name) == names.end()) continue;
+        const std::string by = option.source == options::Source::none ? "default"
+                               : option.source == options::Source::camera
+                                   ? fmt::format("config file, [camera.{}]", line.camera())
+                               : options::is_config(option.source) ? "config file"
+                                                                   : fmt::format("preset {}", preset);
         text += fmt::format("{:<20} {} ({})\n", option.name, option.value.empty() ? "-" : shown_text(option.value), by);
     }
     return text;
@@ -122,11 +109,10 @@ class Config final : public Command {
         line.arguments(names_, "[COMMAND]",
                        "list the options of this command and their values; default: list what the config file sets");
         line.only_find_config();
-        line.value(options::Group::output, setting::preset, "",
-                   [this](const std::string& given) {
-                       preset_ = choose(setting::preset.name, given, options::presets()).name;
-                   },
-                   {.values = options::values_of(options::presets())});
+        line.add(options::Group::output, setting::preset,
+                 options::choice_of(
+                     setting::preset, options::presets(), false,
+                     [this](const options::Preset& preset) { preset_ = preset.name; }, [] { return std::string(); }));
         options::AddOptions(line, options::Group::run)(camera_name, camera_, options::OptionExtra{});
         line.examples({{"vvr config", "the active config file, and what it sets"},
                        {"vvr config render", "every option of render, and what sets it"},
@@ -150,7 +136,7 @@ class Config final : public Command {
                                     camera_));
         }
         if (names_.empty()) {
-            if (!choice.file.empty()) text += settings_of_all(choice) + settings_of_cameras(choice);
+            if (!choice.file.empty()) text += settings_of_all(choice);
         } else {
             text += settings_of(find_command(names_.front()), choice, preset_, camera_);
         }

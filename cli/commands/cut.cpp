@@ -302,7 +302,7 @@ class Cut final : public Command {
                         "no piece chosen; choose one with --event N, or with --start TIME and --end TIME");
         }
         refuse_search_options(line);
-        job_.search.settings = options::record_of(job_.search.input, job_.search.fields);
+        job_.search.settings = options::record_of_fields(line);
         cli::Console console(environment);
         cli::run_stoppable(environment.signals, [&](const std::stop_token& stop) { return cut(job_, console, stop); });
         return cli::ExitStatus::done;

@@ -144,11 +144,11 @@ class Extract final : public Command {
                        {"vvr extract clip.avi -o part --part 2/8", "one of eight parts of a long clip"}});
     }
 
-    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (job_.folder.empty())
             throw Error(ErrorCode::output_missing, "no output given; name the folder for the files with -o DIR");
         app::require_input(job_.input);
-        job_.settings = options::record_of(job_.input, job_.fields);
+        job_.settings = options::record_of_fields(line);
         cli::Console console(environment);
         extract(job_, console);
         return cli::ExitStatus::done;

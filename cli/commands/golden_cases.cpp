@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -69,21 +67,6 @@ void check_name(const std::string& name, const fs::path& list) {
     throw invalid(list, fmt::format("the section [{}] is not usable as the name of a file; rename it", name));
 }
 
-/// Two sections of one name would be joined to one picture.
-void check_sections_once(const fs::path& list) {
-    std::istringstream text(read_file(list.string(), most_bytes::text));
-    std::map<std::string, int> lines;
-    std::string line;
-    for (int number = 1; std::getline(text, line); ++number) {
-        line.erase(0, line.find_first_not_of(" \t"));
-        if (!line.starts_with('[')) continue;
-        const auto [first, is_new] = lines.emplace(line.substr(0, line.find(']')) + "]", number);
-        if (is_new) continue;
-        throw invalid(list, fmt::format("lines {} and {} both begin the section {}; rename one of them", first->second,
-                                        number, first->first));
-    }
-}
-
 std::unique_ptr<GoldenCase> make_case(const options::Section& general, const options::Section& own,
                                       const fs::path& list, const GoldenRun& run) {
     auto one = std::make_unique<GoldenCase>(own.name);
@@ -117,7 +100,6 @@ std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run,
                                                            std::vector<std::string>& reads) {
     const fs::path list = run.folder / golden_list;
     const std::vector<options::Section> sections = options::read_sections(list);
-    check_sections_once(list);
     std::vector<std::string> names;
     for (const options::Section& section : sections) {
         if (section.name.empty()) continue;
@@ -131,12 +113,10 @@ std::vector<std::unique_ptr<GoldenCase>> read_golden_cases(const GoldenRun& run,
             throw invalid(list, fmt::format("it has no section [{}]{}", name, did_you_mean(name, names)));
     }
     std::vector<std::unique_ptr<GoldenCase>> cases;
-    const options::Section none;
-    const auto general = std::ranges::find(sections, std::string(), &options::Section::name);
     for (const options::Section& section : sections) {
         const bool is_wanted = wanted.empty() || std::ranges::find(wanted, section.name) != wanted.end();
         if (section.name.empty() || !is_wanted) continue;
-        cases.push_back(make_case(general == sections.end() ? none : *general, section, list, run));
+        cases.push_back(make_case(sections.front(), section, list, run));
         std::ranges::copy(options::inputs_of(cases.back()->line), std::back_inserter(reads));
     }
     reads.push_back(list.string());

@@ -1,23 +1,16 @@
 #include "cli/options/command_line.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <sstream>
+#include <iterator>
 
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/console.h"
-#include "cli/options/help.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/setting.h"
 #include "core/base/text.h"
-#include "core/video/input.h"
-#include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
-#include "core/video/recording.h"
 
 namespace vvr::options {
 
@@ -28,93 +21,42 @@ constexpr Setting camera_name_option{"camera-name", "NAME",
                                      "config file; default: from the names of files and folders"};
 constexpr Setting help_option{"help", "", "print this help"};
 
-std::vector<std::string> option_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    return names;
+/// \returns null if the command does not have it
+template <class Options>
+auto* find_in(Options& options, std::string_view name) {
+    const auto found = std::ranges::find_if(
+        options, [&](const Option& option) { return option.help.name == name && option.is_visible(); });
+    return found == options.end() ? nullptr : &*found;
 }
 
-FileUse file_use(const Setting& setting, const OptionExtra& extra) {
-    return setting.may_be_file ? FileUse::read : extra.use;
+bool is_in(const Option& option, std::span<const Group> groups) {
+    return std::ranges::find(groups, option.help.group) != groups.end();
 }
 
-/// The option's names in CLI11's syntax.
-std::string flag_of(const Setting& setting, char letter = 0) {
-    return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
-}
-
-HelpOption help_of(Group group, const Setting& setting, const std::string& shown, const OptionExtra& extra) {
-    return {.group = group,
-            .letter = extra.letter,
-            .name = std::string(setting.name),
-            .unit = std::string(setting.unit),
-            .text = std::string(setting.help) + extra.help,
-            .range = setting.range,
-            .default_text = extra.defaults.empty() ? shown : extra.defaults,
-            .values = extra.values,
-            .file = file_use(setting, extra)};
-}
-
-/// Whether the arguments contain an option.
-bool is_given(const CLI::Option& option, std::span<const std::string> all) {
-    const std::span<const std::string> arguments(all.begin(), std::ranges::find(all, "--"));
-    return std::ranges::any_of(arguments, [&](const std::string& argument) {
-        return std::ranges::any_of(option.get_lnames(),
-                                   [&](const std::string& name) {
-                                       return argument == "--" + name || argument.starts_with("--" + name + "=");
-                                   }) ||
-               std::ranges::any_of(option.get_snames(),
-                                   [&](const std::string& name) { return argument.starts_with("-" + name); });
-    });
-}
-
-/// Calls `action`. Adds the setting to any error that it throws.
+/// Calls `action`. Adds the option to any error that it throws.
 template <class Action>
-void as_setting(const Setting& setting, Action action) {
+void as_option(const Option& option, const Action& action) {
+    const std::string& name = option.help.name;
     try {
         action();
     } catch (const Error& error) {
-        if (!error.about().names().empty() && error.about().names().front() == setting.name) throw;
-        throw Error(error.code(), fmt::format("{}: {}", setting.name, error.what()), {setting.name});
+        if (!error.about().names().empty() && error.about().names().front() == name) throw;
+        throw Error(error.code(), fmt::format("{}: {}", name, error.what()), {name});
     }
 }
 
-}  // namespace
-
-struct CommandLine::Impl {
-    std::string command;
-    CLI::App app;
-    CommandHelp help{};
-    std::vector<Setting> absent{};  ///< that a live stream can't have
-    std::set<const CLI::Option*> files{};
-    NamesOfCommands names_of_commands{};
-    std::map<const CLI::Option*, FileUse> uses{};
-    std::vector<std::string>* arguments = nullptr;
-    std::map<std::string, std::function<void(const std::string&)>> plan_settings{};
-    ConfigChoice config{};
-    bool reads_config = true;
-    bool finds_camera = false;
-    std::string camera{};  ///< given
-    std::string* found_camera = nullptr;
-    CameraSections cameras{};
-    std::vector<std::string> parsed{};
-
-    CLI::Option* option(const Setting& setting) { return app.get_option("--" + std::string(setting.name)); }
-
-    std::optional<OptionValue> value_of(const CLI::Option& option, std::span<const Group> groups) const {
-        const bool asked =
-            std::ranges::any_of(groups, [&](Group group) { return option.get_group() == title_of(group); });
-        if (!asked || option.get_lnames().empty()) return std::nullopt;
-        const bool all = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
-        return OptionValue{option.get_lnames().front(),
-                           option.empty() ? option.get_default_str()
-                           : all          ? fmt::format("{}", fmt::join(option.results(), " "))
-                                          : option.results().back(),
-                           files.contains(&option), uses.contains(&option) ? uses.at(&option) : FileUse::none};
+void set_variable(const Option& option) {
+    if (option.refuses_dash && option.given.back() == "-") {
+        throw Error(ErrorCode::option_value,
+                    "'-' means standard input or output, which is not possible here; write ./- for a file of that "
+                    "name");
     }
-};
+    const bool all = option.value.shape == Value::Shape::list;
+    for (const std::string& text : all ? std::span(option.given) : std::span(option.given).last(1))
+        option.value.set(text);
+}
+
+}  // namespace
 
 std::string OptionValue::shown() const {
     if (!may_be_file) return redact_secrets(value);
@@ -122,312 +64,275 @@ std::string OptionValue::shown() const {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-CommandLine::CommandLine(const std::string& command, const std::string& help)
-    : impl_(new Impl{command, CLI::App(help)}) {
-    impl_->app.name("vvr " + command);
-    impl_->help.name = command;
-    impl_->help.text = help;
-    // Report unknown arguments in refuse_leftovers, which can suggest the nearest option.
-    impl_->app.allow_extras();
+void Option::give(std::span<const std::string> texts, Source by) {
+    if (texts.empty() || by < source) return;
+    if (by > source) given.clear();
+    source = by;
+    given.insert(given.end(), texts.begin(), texts.end());
 }
 
-CommandLine::~CommandLine() = default;
+OptionValue Option::as_text() const {
+    const std::string text = !is_given()                         ? default_value
+                             : value.shape == Value::Shape::list ? fmt::format("{}", fmt::join(given, " "))
+                                                                 : given.back();
+    return {help.name, text, may_be_file, help.file, source};
+}
+
+CommandLine::CommandLine(std::string command, std::string help)
+    : help_{.name = std::move(command),
+            .text = std::move(help),
+            .arguments = {},
+            .arguments_text = {},
+            .options = {},
+            .examples = {}} {}
 
 CommandHelp CommandLine::help() const {
-    CommandHelp help = impl_->help;
-    help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
-    help.options.push_back(help_of(Group::run, config_option, "", {.use = FileUse::read}));
-    if (impl_->finds_camera) help.options.push_back(help_of(Group::run, camera_name_option, "", {}));
+    CommandHelp help = help_;
+    for (const Option& option : options_) {
+        if (option.is_visible()) help.options.push_back(option.help);
+    }
     return help;
 }
 
 void CommandLine::arguments(std::vector<std::string>& target, const std::string& name, const std::string& help) {
-    impl_->app.add_option("INPUT", target)->type_name("");
-    impl_->arguments = &target;
-    impl_->help.arguments = name;
-    impl_->help.arguments_text = help;
+    arguments_ = &target;
+    help_.arguments = name;
+    help_.arguments_text = help;
 }
 
 std::vector<std::string> CommandLine::arguments() const {
-    return impl_->arguments == nullptr ? std::vector<std::string>() : *impl_->arguments;
+    return arguments_ == nullptr ? std::vector<std::string>() : *arguments_;
 }
 
-void CommandLine::examples(std::initializer_list<Example> examples) {
-    impl_->help.examples = examples;
+void CommandLine::add(Group group, const Setting& setting, Value value, const OptionExtra& extra) {
+    const bool has_default = value.shape == Value::Shape::one;
+    Option option{.help = {.group = group,
+                           .letter = extra.letter,
+                           .name = std::string(setting.name),
+                           .unit = std::string(setting.unit),
+                           .text = std::string(setting.help) + value.help + extra.help,
+                           .range = setting.range,
+                           .default_text = {},
+                           .values = value.choices,
+                           .file = setting.may_be_file ? FileUse::read : extra.use,
+                           .repeats = value.shape == Value::Shape::list},
+                  .value = std::move(value),
+                  .default_value = {},
+                  .may_be_file = setting.may_be_file};
+    if (has_default)
+        option.default_value = setting.default_text.empty() ? option.value.text() : std::string(setting.default_text);
+    option.help.default_text = option.value.defaults.empty() ? option.default_value : option.value.defaults;
+    const bool is_output = extra.letter == 'o' || extra.use != FileUse::none;
+    option.refuses_dash = option.value.is_path && is_output && !extra.standard_output;
+    if (for_streams_) option.not_live_reason = setting.not_live_reason;
+    options_.push_back(std::move(option));
 }
 
-void CommandLine::value(Group group, const Setting& setting, const std::string& shown,
-                        const std::function<void(const std::string&)>& set, const OptionExtra& extra) {
-    if (for_streams_ && !setting.not_live_reason.empty()) {
-        impl_->absent.push_back(setting);
-        return;
+void CommandLine::after(const Setting& setting, const std::function<void()>& action) {
+    Option* const option = find_in(options_, setting.name);
+    if (option == nullptr) return;
+    option->value.set = [set = option->value.set, action](const std::string& text) {
+        set(text);
+        action();
+    };
+}
+
+void CommandLine::add_common(NamesOfCommands names) {
+    names_of_commands_ = std::move(names);
+    const auto nothing = [](const std::string&) {};
+    const auto none = [] { return std::string(); };
+    add(Group::run, help_option, {nothing, none, Value::Shape::flag}, {.letter = 'h'});
+    add(Group::run, config_option, {nothing, none}, {.use = FileUse::read});
+    if (found_camera_ != nullptr) add(Group::run, camera_name_option, value_of(camera_name_option, camera_));
+    for (const Setting& setting : {help_option, config_option, camera_name_option}) {
+        if (Option* const option = find_in(options_, setting.name)) option->is_configurable = false;
     }
-    CLI::Option* const option = impl_->app.add_option_function<std::string>(
-        flag_of(setting, extra.letter),
-        [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); });
-    option->type_name(std::string(setting.unit))->default_str(shown)->group(title_of(group))->take_last();
-    if (setting.may_be_file) impl_->files.insert(option);
-    const FileUse use = file_use(setting, extra);
-    if (use != FileUse::none) impl_->uses.emplace(option, use);
-    impl_->help.options.push_back(help_of(group, setting, shown, extra));
-}
-
-void CommandLine::flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra) {
-    impl_->app.add_flag(flag_of(setting, extra.letter), target)->group(title_of(group));
-    impl_->help.options.push_back(help_of(group, setting, "", extra));
-}
-
-void CommandLine::list(Group group, std::vector<std::string>& target, const Setting& setting,
-                       const OptionExtra& extra) {
-    impl_->help.options.push_back(help_of(group, setting, "", extra));
-    impl_->help.options.back().repeats = true;
-    impl_->app.add_option(flag_of(setting, extra.letter), target)
-        ->type_name(std::string(setting.unit))
-        ->group(title_of(group))
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void CommandLine::plan_setting(const std::string& name, std::function<void(const std::string&)> set) {
-    impl_->plan_settings.emplace(name, std::move(set));
-}
-
-void CommandLine::exclude(const Setting& a, const Setting& b) {
-    impl_->option(a)->excludes(impl_->option(b));
-}
-
-void CommandLine::set_commands(NamesOfCommands names) {
-    impl_->names_of_commands = std::move(names);
-}
-
-std::vector<std::string> CommandLine::configurable() const {
-    return configurable_names(impl_->app);
 }
 
 std::vector<std::string> CommandLine::configurable(std::span<const Group> groups) const {
     std::vector<std::string> names;
-    for (const OptionValue& value : values(groups)) names.push_back(value.name);
-    std::erase_if(names, [known = configurable()](const std::string& name) {
-        return std::ranges::find(known, name) == known.end();
-    });
+    for (const Option& option : options_) {
+        if (is_in(option, groups) && option.is_visible() && option.is_configurable) names.push_back(option.help.name);
+    }
     return names;
 }
 
-void CommandLine::find_camera(std::string& found) {
-    impl_->finds_camera = true;
-    impl_->found_camera = &found;
-}
-
-void CommandLine::set_camera(const std::string& name) {
-    impl_->camera = name;
-}
-
-const CameraSections& CommandLine::cameras() const {
-    return impl_->cameras;
-}
-
-std::span<const std::string> CommandLine::parsed() const {
-    return impl_->parsed;
-}
-
-/// The camera of all files of the input, which need not be that of an archive: it may have more folders in front. Empty
-/// if they differ.
-std::string CommandLine::camera_of_input(const std::vector<std::string>& patterns) const {
-    const std::vector<std::string> inputs = impl_->app.get_option("INPUT")->results();
-    if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
-    std::vector<std::string> files;
-    try {
-        files = video::files_of_inputs(inputs);
-    } catch (const Error&) {
-        return {};  // opening the input reports it
-    }
-    // Folders in front of a recording may name the camera too.
-    std::error_code none;
-    const std::string& input = inputs.front();
-    if (files.empty()) files.push_back(std::filesystem::is_directory(input, none) ? input + "/clip" : input);
-    for (std::string& file : files) file = std::filesystem::absolute(file, none).lexically_normal().string();
-    video::RecorderNames names(patterns);
-    names.compare(files);
-    for (const std::string& section : impl_->cameras.names) names.describe_camera(section, {});
-    const std::string camera = names.camera_of(files.front());
-    const bool is_one = std::ranges::all_of(files, [&](const auto& file) { return names.camera_of(file) == camera; });
-    return is_one ? camera : std::string();
-}
-
-void CommandLine::refuse_unknown_camera() const {
-    if (impl_->camera.empty() || !impl_->cameras.chosen.empty()) return;
-    // Without sections, it only names the camera.
-    if (impl_->finds_camera && impl_->cameras.names.empty()) return;
-    throw Error(
-        ErrorCode::option_value,
-        fmt::format("camera-name: {} has no section [camera.{}]{}",
-                    impl_->config.file.empty() ? "no config file is in use, so it"
-                                               : fmt::format("the config file '{}'", impl_->config.file.string()),
-                    impl_->camera, did_you_mean(impl_->camera, impl_->cameras.names)),
-        {camera_name_option.name});
-}
-
-void CommandLine::only_find_config() {
-    impl_->reads_config = false;
-}
-
-const ConfigChoice& CommandLine::config() const {
-    return impl_->config;
-}
-
 bool CommandLine::parse(std::span<const std::string> arguments) {
-    CLI::App& app = impl_->app;
-    // Added last, so that help lists them last.
-    CLI::Option* const help = app.set_help_flag("-h,--help");
-    impl_->config = find_config(arguments);
-    impl_->parsed.assign(arguments.begin(), arguments.end());
-    if (impl_->finds_camera) {
-        app.add_option(flag_of(camera_name_option), impl_->camera)
-            ->type_name(std::string(camera_name_option.unit))
-            ->group(title_of(Group::run))
-            ->take_last()
-            ->configurable(false);
-    }
-    const bool reads_config = impl_->reads_config && !impl_->config.is_refused();
-    CLI::Option* const file = reads_config ? app.set_config(flag_of(config_option))
-                                           : app.add_option(flag_of(config_option))->configurable(false);
-    file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
-    const std::string config_name = impl_->config.file.string();
-    // If the file can't be read, parsing it reports that.
-    if (!config_name.empty() && reads_config) check_is_file(config_name, most_bytes::text);
-    NamesOfCommands commands = impl_->names_of_commands;
-    if (!commands)
-        commands = [this] { return std::vector<CommandNames>{{impl_->command, [this] { return configurable(); }}}; };
-    FindCamera find;
-    if (impl_->finds_camera || !impl_->camera.empty()) {
-        find = [this](const std::vector<std::string>& patterns) {
-            const CLI::Option* const given =
-                impl_->app.get_option_no_throw("--" + std::string(camera_name_option.name));
-            if (given != nullptr && !given->empty()) return given->results().back();
-            return impl_->camera.empty() ? camera_of_input(patterns) : impl_->camera;
-        };
-    }
-    app.config_formatter(
-        config_file_reader(app, impl_->command, config_name, std::move(commands), std::move(find), impl_->cameras));
-    std::vector<std::string> reversed = with_preset(
-        arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
-    // Show help even if the config file has errors.
-    const bool found = !config_name.empty() && !is_given(*file, arguments);
-    if (found && reads_config && !is_given(*help, arguments)) {
-        reversed.insert(reversed.begin(), "--config=" + config_name);
-    }
-    // CLI11 expects the arguments in reverse order.
-    std::ranges::reverse(reversed);
-    try {
-        app.parse(std::move(reversed));
-    } catch (const CLI::CallForHelp&) {
+    const std::vector<std::string> unknown = read_arguments(arguments);
+    if (has(help_option)) {
         const bool is_short = std::ranges::find(arguments, "-h") != arguments.end();
-        cli::print((is_short ? short_help_text : help_text)(this->help(), help_width()));
+        cli::print((is_short ? short_help_text : help_text)(help(), help_width()));
         return false;
+    }
+    refuse(unknown);
+    const Option* const file = find_in(options_, config_option.name);
+    config_ = find_config(file->is_given() ? std::optional(file->given.back()) : std::nullopt);
+    if (reads_config_ && !config_.file.empty()) sections_ = read_config(config_, names_of_commands_());
+    give_config();
+    return true;
+}
+
+void CommandLine::parse_for_camera(const CommandLine& parsed, const std::string& camera) {
+    inputs_ = parsed.inputs_;
+    config_ = parsed.config_;
+    sections_ = parsed.sections_;
+    camera_ = camera;
+    for (const Option& option : parsed.options_) {
+        if (option.source != Source::argument || option.help.name == camera_name_option.name) continue;
+        if (Option* const own = find_in(options_, option.help.name)) own->give(option.given, Source::argument);
+    }
+    give_config();
+}
+
+void CommandLine::give(const Section& section, Source source) {
+    for (const auto& [name, values] : section.settings) {
+        Option* const option = find_in(options_, name);
+        if (option != nullptr && option->is_configurable) option->give(values, source);
+    }
+}
+
+/// Gives what the config file and a preset set, then sets all variables.
+void CommandLine::give_config() {
+    try {
+        for (const Section& section : sections_) {
+            if (section.name.empty()) give(section, Source::config);
+            if (section.name == help_.name) give(section, Source::section);
+        }
+        give_camera();
+        give_preset();
+        set_variables();
     } catch (const Error& error) {
         // The user may not know that a config file sets this option.
         const auto names = error.about().names();
-        const CLI::Option* const wrong = names.empty() ? nullptr : app.get_option_no_throw("--" + names.front());
-        if (config_name.empty() || wrong == nullptr || is_given(*wrong, arguments)) throw;
-        const CameraSections& cameras = impl_->cameras;
-        const bool of_camera = std::ranges::find(cameras.sets, names.front()) != cameras.sets.end();
+        const Option* const wrong = names.empty() ? nullptr : find_in(options_, names.front());
+        if (wrong == nullptr || !is_config(wrong->source)) throw;
         throw Error(error.code(),
-                    fmt::format("{}; the config file '{}' sets it{}", error.what(), config_name,
-                                of_camera ? fmt::format(" in [camera.{}]", cameras.chosen) : ""),
+                    fmt::format("{}; the config file '{}' sets it{}", error.what(), config_.file.string(),
+                                wrong->source == Source::camera ? fmt::format(" in [camera.{}]", section_) : ""),
                     error.about());
-    } catch (const CLI::FileError&) {
-        throw Error(ErrorCode::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
-                                               config_name, impl_->config.why));
-    } catch (const CLI::ParseError& error) {
-        throw Error(ErrorCode::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
     }
-    refuse_leftovers();
     refuse_two_outputs();
-    refuse_unknown_camera();
-    if (impl_->found_camera != nullptr) {
-        *impl_->found_camera = impl_->camera.empty() ? impl_->cameras.chosen : impl_->camera;
+    check_camera();
+}
+
+void CommandLine::give_camera() {
+    if (found_camera_ != nullptr && has(camera_name_option))
+        camera_ = find_in(options_, camera_name_option.name)->given.back();
+    const std::vector<std::string> known = cameras();
+    if (!known.empty() && (found_camera_ != nullptr || !camera_.empty())) {
+        const Option* const patterns = find_in(options_, setting::names.name);
+        section_ = video::name_of_camera(
+            !camera_.empty() ? camera_
+                             : camera_of_input(inputs_, patterns == nullptr ? inputs_ : patterns->given, known),
+            known);
     }
-    return true;
+    for (const Section& section : sections_) {
+        if (!section_.empty() && camera_of(section) == section_) give(section, Source::camera);
+    }
+    if (found_camera_ != nullptr) *found_camera_ = camera_.empty() ? section_ : camera_;
+}
+
+void CommandLine::check_camera() const {
+    const std::vector<std::string> known = cameras();
+    // Without sections, it only names the camera.
+    if (camera_.empty() || !section_.empty() || (found_camera_ != nullptr && known.empty())) return;
+    throw Error(ErrorCode::option_value,
+                fmt::format("camera-name: {} has no section [camera.{}]{}",
+                            config_.file.empty() ? "no config file is in use, so it"
+                                                 : fmt::format("the config file '{}'", config_.file.string()),
+                            camera_, did_you_mean(camera_, known)),
+                {camera_name_option.name});
+}
+
+/// The options of the preset take the place of those with less precedence than the preset itself.
+void CommandLine::give_preset() {
+    const Option* const preset = find_in(options_, setting::preset.name);
+    if (preset == nullptr || !preset->is_given()) return;
+    const Source source = preset->source == Source::argument ? Source::preset
+                          : preset->source == Source::camera ? Source::camera
+                                                             : Source::config;
+    for (const auto& [name, value] : settings_of_preset(preset->given.back())) {
+        Option* const option = find_in(options_, name);
+        if (option != nullptr && option->source < source) option->give(std::array{std::string(value)}, source);
+    }
+}
+
+void CommandLine::set_variables() {
+    for (const auto& [a, b] : excluded_) {
+        if (!has(a) || !has(b)) continue;
+        throw Error(ErrorCode::usage,
+                    fmt::format("--{} excludes --{}; `vvr {} --help` lists the options", a, b, help_.name));
+    }
+    for (const Option& option : options_) {
+        if (option.is_given()) as_option(option, [&] { set_variable(option); });
+    }
+    if (arguments_ != nullptr) *arguments_ = inputs_;
 }
 
 void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings,
                        bool of_worker) {
-    CLI::App& app = impl_->app;
-    std::vector<std::pair<std::string, std::string>> of_options;
+    inputs_ = std::move(inputs);
     for (const auto& [name, value] : settings) {
-        const auto of_plan = impl_->plan_settings.find(name);
-        if (of_worker && of_plan != impl_->plan_settings.end()) {
-            of_plan->second(value);
-        } else {
-            of_options.emplace_back(name, value);
+        const auto option = std::ranges::find_if(options_, [&, &known = name](const Option& one) {
+            const bool is_possible = one.is_visible() || (of_worker && one.help.group == Group::plan);
+            return one.help.name == known && is_possible && one.is_configurable;
+        });
+        if (option == options_.end()) {
+            throw Error(ErrorCode::option_unknown,
+                        fmt::format("there is no setting '{}'{}", name, did_you_mean(name, configurable())));
         }
+        option->give(std::array{value}, Source::argument);
     }
-    app.config_formatter(given_settings_reader(app, of_options));
-    std::istringstream nothing;
-    try {
-        app.parse_from_stream(nothing);
-    } catch (const CLI::ParseError& error) {
-        throw Error(ErrorCode::options_conflict, error.what());
-    }
-    if (impl_->arguments != nullptr) *impl_->arguments = std::move(inputs);
+    give_preset();
+    set_variables();
 }
 
 void CommandLine::refuse_two_outputs() const {
-    for (const auto& [option, use] : impl_->uses) {
-        if (use != FileUse::written && use != FileUse::filled) continue;
-        const std::vector<std::string>& values = option->results();
+    for (const Option& option : options_) {
+        if (option.help.file != FileUse::written && option.help.file != FileUse::filled) continue;
         const auto other =
-            std::ranges::find_if(values, [&](const std::string& value) { return value != values.front(); });
-        if (other == values.end()) continue;
+            std::ranges::find_if(option.given, [&](const std::string& value) { return value != option.given.front(); });
+        if (other == option.given.end()) continue;
         throw Error(ErrorCode::options_conflict,
-                    fmt::format("--{} is given twice, as '{}' and as '{}'; drop one of them",
-                                option->get_lnames().front(), values.front(), *other));
+                    fmt::format("--{} is given twice, as '{}' and as '{}'; drop one of them", option.help.name,
+                                option.given.front(), *other));
     }
-}
-
-void CommandLine::refuse_leftovers() const {
-    const CLI::App& app = impl_->app;
-    std::vector<std::string> leftovers = app.remaining();
-    std::erase(leftovers, "--");  // CLI11 keeps this mark for the end of the options
-    if (leftovers.empty()) return;
-    const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
-    if (option == leftovers.end()) {
-        throw Error(ErrorCode::input_unsuitable,
-                    fmt::format("'{}' is one argument too many; `{} --help` lists the arguments", leftovers.front(),
-                                app.get_name()));
-    }
-    const std::string name = option->substr(0, option->find('='));
-    for (const Setting& setting : impl_->absent) {
-        if (name != fmt::format("--{}", setting.name)) continue;
-        throw Error(ErrorCode::option_unknown, fmt::format("{}: {}", name, setting.not_live_reason));
-    }
-    throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
-                                                       did_you_mean(name, option_names(app)), app.get_name()));
 }
 
 std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {
     std::vector<OptionValue> values;
-    for (const CLI::Option* option : std::as_const(impl_->app).get_options()) {
-        const auto value = impl_->value_of(*option, groups);
-        if (value) values.push_back(*value);
+    for (const Option& option : options_) {
+        if (is_in(option, groups) && option.is_visible()) values.push_back(option.as_text());
     }
     return values;
 }
 
 std::vector<OptionValue> CommandLine::given(std::span<const Group> groups) const {
     std::vector<OptionValue> given = values(groups);
-    std::erase_if(given, [&](const OptionValue& value) { return impl_->app.get_option("--" + value.name)->empty(); });
+    std::erase_if(given, [&](const OptionValue& value) { return value.source == Source::none; });
     return given;
 }
 
-bool CommandLine::has(const Setting& setting) const {
-    const CLI::Option* const option = impl_->app.get_option_no_throw("--" + std::string(setting.name));
-    return option != nullptr && !option->empty();
+image::Metadata CommandLine::record(std::span<const Group> groups) const {
+    image::Metadata record;
+    for (const Option& option : options_) {
+        // A command for streams may have another option in place of one.
+        if (!is_in(option, groups) || find_in(options_, option.help.name) == nullptr) continue;
+        OptionValue text = option.as_text();
+        text.value = option.value.text();
+        image::put(record, text.name, text.shown());
+    }
+    return record;
+}
+
+bool CommandLine::has(std::string_view name) const {
+    const Option* const option = find_in(options_, name);
+    return option != nullptr && option->is_given();
 }
 
 bool CommandLine::is_argument(std::string_view name) const {
-    const CLI::Option* const option = impl_->app.get_option_no_throw("--" + std::string(name));
-    return option != nullptr && is_given(*option, impl_->parsed);
+    const Option* const option = find_in(options_, name);
+    return option != nullptr && option->source == Source::argument;
 }
 
 }  // namespace vvr::options

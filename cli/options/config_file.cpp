@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <istream>
-#include <optional>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -12,37 +11,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/setting.h"
+#include "core/video/input.h"
+#include "core/video/input_files.h"
 #include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 
 namespace vvr::options {
 
 namespace {
 
 constexpr std::string_view no_config = "none";
-constexpr std::string_view camera_section = "camera";
+constexpr std::string_view camera_section = "camera.";
 
-/// Whether CLI11 marks the beginning or the end of a section with it.
-bool is_mark(const CLI::ConfigItem& item) {
-    return item.name == "++" || item.name == "--";
-}
-
-/// The last one wins, as with every option.
-std::optional<std::string> given_file(std::span<const std::string> arguments) {
-    std::optional<std::string> file;
-    const auto config_flag = fmt::format("--{}", config_option.name);
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == "--") break;
-        if (argument == config_flag && i + 1 < arguments.size()) file = arguments[i + 1];
-        if (argument.starts_with(config_flag) && argument.substr(config_flag.size()).starts_with('=')) {
-            file = argument.substr(config_flag.size() + 1);
-        }
-    }
-    return file;
+Error invalid_config(const std::string& file, const std::string& what) {
+    return {ErrorCode::config_invalid, fmt::format("the config file '{}' {}", file, what)};
 }
 
 std::vector<std::filesystem::path> usual_places() {
@@ -59,26 +43,9 @@ std::vector<std::filesystem::path> usual_places() {
     return places;
 }
 
-const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
-    const CLI::Option* const option = app.get_option_no_throw("--" + name);
-    return option != nullptr && option->get_configurable() ? option : nullptr;
-}
-
-/// Adds the options of the config file's preset that the file does not set. The command line wins over both.
-void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
-    const auto named = std::ranges::find(items, std::string(setting::preset.name), &CLI::ConfigItem::name);
-    const CLI::Option* const option = option_of(app, std::string(setting::preset.name));
-    if (named == items.end() || named->inputs.empty() || option == nullptr || !option->empty()) return;
-    for (const auto& [name, value] : settings_of_preset(named->inputs.back())) {
-        const CLI::Option* const of_preset = option_of(app, name);
-        const bool is_set = std::ranges::any_of(
-            items, [&](const CLI::ConfigItem& item) { return option_of(app, item.name) == of_preset; });
-        if (of_preset != nullptr && !is_set) items.push_back({{}, name, {value}});
-    }
-}
-
 /// The file without comments. CLI11 would take any # for a comment, even the one of a quoted colour.
-std::istringstream without_comments(std::istream& input) {
+std::istringstream without_comments(const std::string& file) {
+    std::istringstream input(file);
     std::string text;
     for (std::string line; std::getline(input, line); text += line + '\n') {
         char quote = 0;
@@ -99,47 +66,6 @@ std::istringstream without_comments(std::istream& input) {
     return std::istringstream(text);
 }
 
-class ConfigFile : public CLI::ConfigTOML {
-  public:
-    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names,
-               FindCamera find_camera, CameraSections& cameras)
-        : app_(app),
-          command_(std::move(command)),
-          file_(std::move(file)),
-          names_(std::move(names)),
-          find_camera_(std::move(find_camera)),
-          cameras_(cameras) {
-        comment('\0');  // removed before CLI11 parses the file
-    }
-
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
-
-  private:
-    void check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
-    void refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
-    void refuse_for_camera(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
-    void apply_camera(std::vector<CLI::ConfigItem>& general, const std::vector<CLI::ConfigItem>& of_cameras) const;
-
-    const CLI::App& app_;
-    std::string command_;
-    std::string file_;  ///< for error texts
-    NamesOfCommands names_;
-    FindCamera find_camera_;
-    CameraSections& cameras_;
-};
-
-class GivenSettings : public CLI::ConfigTOML {
-  public:
-    GivenSettings(const CLI::App& app, std::span<const std::pair<std::string, std::string>> settings)
-        : app_(app), settings_(settings) {}
-
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
-
-  private:
-    const CLI::App& app_;
-    std::span<const std::pair<std::string, std::string>> settings_;
-};
-
 /// The name of a section, which may have quotes.
 std::string unquoted(const std::string& name) {
     const bool is_quoted =
@@ -147,164 +73,114 @@ std::string unquoted(const std::string& name) {
     return is_quoted ? name.substr(1, name.size() - 2) : name;
 }
 
-/// The camera of a section [camera.NAME]; a name may have quotes and dots. Empty for other sections.
-std::string camera_of(const CLI::ConfigItem& item) {
-    if (item.parents.size() < 2 || item.parents.front() != camera_section) return {};
-    return unquoted(fmt::format("{}", fmt::join(item.parents.begin() + 1, item.parents.end(), ".")));
-}
-
-void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
-    if (item.parents.empty() || !camera_of(item).empty()) return;
-    if (item.parents.front() == camera_section) {
-        if (is_mark(item)) return;
+/// A section that is there twice would be joined without a word.
+void refuse_sections_twice(const std::string& text, const std::string& file) {
+    std::istringstream lines(text);
+    std::map<std::string, int> first_lines;
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        line.erase(0, line.find_first_not_of(" \t"));
+        if (!line.starts_with('[')) continue;
+        std::string section = line.substr(0, line.find(']')) + "]";
+        std::erase_if(section, [](char letter) { return letter == '"' || letter == '\''; });
+        const auto [first, is_new] = first_lines.emplace(section, number);
+        if (is_new) continue;
         throw Error(ErrorCode::config_invalid,
-                    fmt::format("the config file '{}' has a section [camera] without the name of a camera; write "
-                                "[camera.NAME]",
-                                file_));
+                    fmt::format("'{}': lines {} and {} both begin the section {}; rename one of them", file,
+                                first->second, number, first->first));
     }
-    std::vector<std::string> names;
-    for (const CommandNames& row : commands) names.push_back(row.command);
-    const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
-    if (std::ranges::find(names, section) != names.end()) return;
-    throw Error(ErrorCode::config_invalid,
-                fmt::format("the config file '{}' has a section [{}], but there is no such command{}", file_, section,
-                            did_you_mean(section, names)));
 }
 
-void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
-    std::vector<std::string> names;
-    for (const CommandNames& row : commands) {
-        if (!item.parents.empty() && item.parents.front() != row.command) continue;
-        const std::vector<std::string> options = row.options();
-        if (std::ranges::find(options, item.name) != options.end()) return;
-        names.insert(names.end(), options.begin(), options.end());
-    }
-    const std::string whose = item.parents.empty() ? std::string("which no command has")
-                                                   : fmt::format("which `vvr {}` does not have", item.parents.front());
-    throw Error(ErrorCode::config_invalid, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
-                                                       did_you_mean(item.name, names)));
-}
-
-void ConfigFile::refuse_for_camera(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
-    std::vector<std::string> names;
-    for (const CommandNames& row : commands) {
-        if (!row.camera_options) continue;
-        const std::vector<std::string> options = row.camera_options();
-        if (std::ranges::find(options, item.name) != options.end()) return;
-        names.insert(names.end(), options.begin(), options.end());
-    }
-    throw Error(
-        ErrorCode::config_invalid,
-        fmt::format("the config file '{}' sets '{}' in [camera.{}], which is not an option for the videos of one "
-                    "camera{}",
-                    file_, item.name, camera_of(item), did_you_mean(item.name, names)));
-}
-
-std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
-    const std::vector<CommandNames> commands = names_();
-    std::vector<CLI::ConfigItem> kept;
-    std::vector<CLI::ConfigItem> of_cameras;
-    std::istringstream plain = without_comments(input);
-    for (CLI::ConfigItem& item : CLI::ConfigTOML::from_config(plain)) {
-        check_section(item, commands);
-        if (const std::string camera = camera_of(item); !camera.empty()) {
-            if (std::ranges::find(cameras_.names, camera) == cameras_.names.end()) cameras_.names.push_back(camera);
-            if (is_mark(item)) continue;
-            refuse_for_camera(item, commands);
-            of_cameras.push_back(std::move(item));
-            continue;
-        }
-        if (is_mark(item)) continue;
-        const bool is_for_this = item.parents.empty() || item.parents.front() == command_;
-        if (!is_for_this || option_of(app_, item.name) == nullptr) {
-            refuse(item, commands);
-            continue;
-        }
-        item.parents.clear();
-        kept.push_back(std::move(item));
-    }
-    apply_camera(kept, of_cameras);
-    add_preset(app_, kept);
-    return kept;
-}
-
-/// Replaces settings by those of the camera's section.
-void ConfigFile::apply_camera(std::vector<CLI::ConfigItem>& general,
-                              const std::vector<CLI::ConfigItem>& of_cameras) const {
-    if (!find_camera_ || cameras_.names.empty()) return;
-    std::vector<std::string> patterns;
-    if (const CLI::Option* const names = option_of(app_, "names")) {
-        patterns = names->results();
-        for (const CLI::ConfigItem& item : general) {
-            if (names->empty() && item.name == "names")
-                patterns.insert(patterns.end(), item.inputs.begin(), item.inputs.end());
-        }
-    }
-    cameras_.chosen = video::name_of_camera(find_camera_(patterns), cameras_.names);
-    if (cameras_.chosen.empty()) return;
-    std::vector<CLI::ConfigItem> own;
-    for (const CLI::ConfigItem& item : of_cameras) {
-        if (camera_of(item) == cameras_.chosen && option_of(app_, item.name) != nullptr)
-            own.push_back({{}, item.name, item.inputs});
-    }
-    add_preset(app_, own);
-    for (const CLI::ConfigItem& item : own) {
-        cameras_.sets.push_back(option_of(app_, item.name)->get_lnames().front());
-        std::erase_if(general, [&](const CLI::ConfigItem& other) {
-            return option_of(app_, other.name) == option_of(app_, item.name);
-        });
-    }
-    general.insert(general.end(), own.begin(), own.end());
-}
-
-std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/) const {
-    std::vector<CLI::ConfigItem> taken;
-    for (const auto& [name, value] : settings_) {
-        const CLI::Option* const option = option_of(app_, name);
-        if (option == nullptr) {
-            throw Error(ErrorCode::option_unknown,
-                        fmt::format("there is no setting '{}'{}", name, did_you_mean(name, configurable_names(app_))));
-        }
-        const std::string& known = option->get_lnames().front();
-        auto item = std::ranges::find(taken, known, &CLI::ConfigItem::name);
-        if (item == taken.end()) item = taken.insert(taken.end(), {{}, known, {}});
-        if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll) item->inputs.clear();
-        item->inputs.push_back(value);
-    }
-    add_preset(app_, taken);
-    return taken;
+/// Refuses a name that is not among the known ones.
+void check_name(const std::string& name, std::span<const std::string> known, const std::string& file,
+                const std::string& whose) {
+    if (std::ranges::find(known, name) != known.end()) return;
+    throw invalid_config(file, fmt::format("sets '{}'{}{}", name, whose, did_you_mean(name, known)));
 }
 
 }  // namespace
 
-std::vector<Section> read_sections(const std::filesystem::path& file) {
-    std::istringstream text(read_file(file.string(), most_bytes::text));
+std::vector<Section> sections_of(const std::string& text, const std::string& file) {
+    refuse_sections_twice(text, file);
     CLI::ConfigTOML format;
-    format.comment('\0');
-    std::vector<Section> sections;
-    const auto section = [&](const std::vector<std::string>& parents) -> Section& {
-        const std::string name = unquoted(fmt::format("{}", fmt::join(parents, ".")));
-        const auto known = std::ranges::find(sections, name, &Section::name);
-        return known == sections.end() ? sections.emplace_back(Section{name}) : *known;
-    };
+    format.comment('\0');  // removed before CLI11 parses the file
+    std::vector<Section> sections{{}};
     try {
         std::istringstream plain = without_comments(text);
-        for (const CLI::ConfigItem& item : format.from_config(plain)) {
-            // Marks have no values.
-            Section& in = section(item.parents);
-            if (!is_mark(item)) in.settings.emplace_back(item.name, item.inputs);
+        const std::vector<CLI::ConfigItem> items = format.from_config(plain);
+        for (auto one = items.begin(); one != items.end(); ++one) {
+            const CLI::ConfigItem& item = *one;
+            // CLI11 marks the beginning and the end of a section with these, and of those that contain it.
+            const bool begins = item.name == "++";
+            const auto next = one + 1;
+            const bool contains =
+                next != items.end() && next->name == "++" && next->parents.size() > item.parents.size();
+            if (item.name == "--" || (begins && contains)) continue;
+            const std::string name = unquoted(fmt::format("{}", fmt::join(item.parents, ".")));
+            auto section = std::ranges::find(sections, name, &Section::name);
+            if (section == sections.end()) section = sections.insert(sections.end(), {name});
+            if (!begins) section->settings.emplace_back(item.name, item.inputs);
         }
     } catch (const CLI::Error& error) {
-        throw Error(ErrorCode::config_invalid, fmt::format("cannot read '{}': {}; write lines such as `size = 320x200`",
-                                                           file.string(), error.what()));
+        throw Error(ErrorCode::config_invalid,
+                    fmt::format("cannot read '{}': {}; write lines such as `size = 320x200`", file, error.what()));
     }
     return sections;
 }
 
-ConfigChoice find_config(std::span<const std::string> arguments) {
-    if (const auto file = given_file(arguments)) {
-        if (file->empty() || *file == no_config) return {{}, "because of --config none", {}, true};
-        return {*file, "named by --config", {}, true};
+std::vector<Section> read_sections(const std::filesystem::path& file) {
+    return sections_of(read_file(file.string(), most_bytes::text), file.string());
+}
+
+std::string camera_of(const Section& section) {
+    return section.name.starts_with(camera_section) ? unquoted(section.name.substr(camera_section.size())) : "";
+}
+
+std::vector<std::string> cameras_of(std::span<const Section> sections) {
+    std::vector<std::string> cameras;
+    for (const Section& section : sections) {
+        if (std::string camera = camera_of(section); !camera.empty()) cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+void check_sections(std::span<const Section> sections, const std::string& file,
+                    const std::vector<CommandNames>& commands) {
+    std::vector<std::string> all;
+    std::vector<std::string> of_cameras;
+    std::vector<std::string> names;
+    for (const CommandNames& row : commands) {
+        all.insert(all.end(), row.options.begin(), row.options.end());
+        of_cameras.insert(of_cameras.end(), row.camera_options.begin(), row.camera_options.end());
+        names.push_back(row.command);
+    }
+    for (const Section& section : sections) {
+        const auto command = std::ranges::find(commands, section.name, &CommandNames::command);
+        const std::string camera = camera_of(section);
+        if (section.name == "camera" && !section.settings.empty()) {
+            throw invalid_config(file, "has a section [camera] without the name of a camera; write [camera.NAME]");
+        }
+        if (!section.name.empty() && section.name != "camera" && camera.empty() && command == commands.end()) {
+            throw invalid_config(file, fmt::format("has a section [{}], but there is no such command{}", section.name,
+                                                   did_you_mean(section.name, names)));
+        }
+        for (const auto& [name, values] : section.settings) {
+            if (!camera.empty()) {
+                check_name(name, of_cameras, file,
+                           fmt::format(" in [camera.{}], which is not an option for the videos of one camera", camera));
+            } else if (section.name.empty()) {
+                check_name(name, all, file, ", which no command has");
+            } else {
+                check_name(name, command->options, file, fmt::format(", which `vvr {}` does not have", section.name));
+            }
+        }
+    }
+}
+
+ConfigChoice find_config(const std::optional<std::string>& given) {
+    if (given) {
+        if (given->empty() || *given == no_config) return {{}, "because of --config none", {}, true};
+        return {*given, "named by --config", {}, true};
     }
     if (const char* const named = std::getenv("VVR_CONFIG")) {
         return {named, *named == 0 ? "because VVR_CONFIG is empty" : "named by VVR_CONFIG", {}};
@@ -317,26 +193,41 @@ ConfigChoice find_config(std::span<const std::string> arguments) {
     return {there == places.end() ? std::filesystem::path() : *there, "found there", places};
 }
 
-std::vector<std::string> configurable_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* known : app.get_options()) {
-        if (!known->get_configurable()) continue;
-        const std::vector<std::string>& all = known->get_lnames();
-        names.insert(names.end(), all.begin(), all.end());
+std::vector<Section> read_config(const ConfigChoice& config, const std::vector<CommandNames>& commands) {
+    const std::string file = config.file.string();
+    check_is_file(file, most_bytes::text);
+    std::string text;
+    try {
+        text = read_file(file, most_bytes::text);
+    } catch (const Error&) {
+        throw Error(ErrorCode::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
+                                               file, config.why));
     }
-    return names;
+    std::vector<Section> sections = sections_of(text, file);
+    check_sections(sections, file, commands);
+    return sections;
 }
 
-std::shared_ptr<CLI::Config> config_file_reader(const CLI::App& app, std::string command, std::string file,
-                                                NamesOfCommands names, FindCamera find_camera,
-                                                CameraSections& cameras) {
-    return std::make_shared<ConfigFile>(app, std::move(command), std::move(file), std::move(names),
-                                        std::move(find_camera), cameras);
-}
-
-std::shared_ptr<CLI::Config> given_settings_reader(const CLI::App& app,
-                                                   std::span<const std::pair<std::string, std::string>> settings) {
-    return std::make_shared<GivenSettings>(app, settings);
+std::string camera_of_input(const std::vector<std::string>& inputs, const std::vector<std::string>& patterns,
+                            std::span<const std::string> known) {
+    if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
+    std::vector<std::string> files;
+    try {
+        files = video::files_of_inputs(inputs);
+    } catch (const Error&) {
+        return {};  // opening the input reports it
+    }
+    // Folders in front of a recording may name the camera too.
+    std::error_code none;
+    const std::string& input = inputs.front();
+    if (files.empty()) files.push_back(std::filesystem::is_directory(input, none) ? input + "/clip" : input);
+    for (std::string& file : files) file = std::filesystem::absolute(file, none).lexically_normal().string();
+    video::RecorderNames names(patterns);
+    names.compare(files);
+    for (const std::string& section : known) names.describe_camera(section, {});
+    const std::string camera = names.camera_of(files.front());
+    const bool is_one = std::ranges::all_of(files, [&](const auto& file) { return names.camera_of(file) == camera; });
+    return is_one ? camera : std::string();
 }
 
 }  // namespace vvr::options

@@ -13,9 +13,21 @@
 namespace vvr::options {
 
 /// The groups of options in `--help`.
-enum class Group { output, comparison, archive, workers, input, fields, bricks, view, look, run };
+enum class Group {
+    output,
+    comparison,
+    archive,
+    workers,
+    input,
+    fields,
+    bricks,
+    view,
+    look,
+    run,
+    plan  ///< no options: only the plan of a worker sets them
+};
 
-/// All groups, in the order of the help.
+/// All groups of options, in the order of the help.
 inline constexpr std::array all_groups{Group::output, Group::comparison, Group::archive, Group::workers, Group::input,
                                        Group::fields, Group::bricks,     Group::view,    Group::look,    Group::run};
 

@@ -99,7 +99,7 @@ Json presets_json() {
     for (Json& preset : all) {
         preset["options"] = Json::object();
         for (const auto& [name, value] : settings_of_preset(preset["name"].get<std::string>())) {
-            preset["options"][name] = value;
+            preset["options"][std::string(name)] = value;
         }
     }
     return all;

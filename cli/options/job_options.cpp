@@ -1,6 +1,7 @@
 #include "cli/options/job_options.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -13,14 +14,31 @@
 #include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/fields/settings.h"
+#include "core/store/scalar_picture.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::options {
 
+namespace {
+
+/// Options of the groups of a picture that say nothing of the picture.
+constexpr std::array not_of_picture{setting::preset.name, setting::duration.name, setting::patience.name};
+
+/// Settings of groups of the fields that an extraction does not record.
+constexpr std::array not_extracted{setting::names.name,   setting::join.name,  setting::decode.name,
+                                   setting::step.name,    setting::seeds.name, setting::seed_flags.name,
+                                   setting::detector.name};
+
+}  // namespace
+
 void add_input_options(CommandLine& line, app::InputOptions& options, const std::string& name,
                        const std::string& help) {
     line.arguments(options.names, name, help);
-    app::each_input_setting(options, AddOptions(line, Group::input));
+    const AddOptions add(line, Group::input);
+    add(setting::field_size, options.field_size, app::Word{"source"});
+    add(setting::rate, options.rate, app::Word{""});
+    add(setting::track, options.track, app::Word{""});
+    add(setting::aspect, options.aspect);
     add_hwaccel_option(line, options.hwaccel);
 }
 
@@ -39,32 +57,36 @@ void add_recording_options(CommandLine& line, app::InputOptions& options, const 
     add_name_options(line, options);
     AddOptions(line, Group::input)(setting::join, options.join);
     add_decode_option(line, options);
-    // Only the plan of an archive's worker sets it.
-    line.plan_setting("input-problem", [&options](const std::string& words) { options.problems.push_back(words); });
+    AddOptions(line, Group::plan)({"input-problem", "", ""}, options.problems);
 }
 
 void add_span_options(CommandLine& line, video::FrameSpan& span) {
-    app::each_span_setting(span, AddOptions(line, Group::input));
+    const AddOptions add(line, Group::input);
+    add(setting::start, span);
+    add(setting::end, span);
+    add(setting::between, span.asked.between);
 }
 
 void add_field_options(CommandLine& line, fields::FieldOptions& options) {
+    options.read_given = store::read_scalar;
     fields::each_field_setting(options, AddOptions(line, Group::fields));
+    // A filter that is given too is set later.
+    line.after(setting::field, [&options] { options.filter = "given"; });
 }
 
 void add_detector_option(CommandLine& line, app::DetectorOptions& detector) {
     AddOptions(line, Group::fields)(setting::detector, detector.model);
     // The run that started this worker has tried the model, and a worker may start no process.
-    line.plan_setting("detector-tried", [&detector](const std::string&) { detector.trial = detector::Trial::none; });
+    line.add(
+        Group::plan, {"detector-tried", "", ""},
+        {[&detector](const std::string&) { detector.trial = detector::Trial::none; }, [] { return std::string(); }});
 }
 
 void add_preset_option(CommandLine& line, Group group) {
-    line.value(group, setting::preset, "",
-               [names = names_of(line.fitting(presets()))](const std::string& given) {
-                   // It was applied before parsing.
-                   if (std::ranges::find(names, given) == names.end())
-                       refuse_choice(setting::preset.name, given, names);
-               },
-               {.values = values_of(line.fitting(presets()))});
+    line.add(
+        group, setting::preset,
+        choice_of(
+            setting::preset, presets(), line.is_for_streams(), [](const Preset&) {}, [] { return std::string(); }));
 }
 
 void add_thread_options(CommandLine& line, int& threads) {
@@ -76,14 +98,16 @@ void add_hwaccel_option(CommandLine& line, Choice<video::HwaccelRow>& hwaccel) {
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {
-    app::each_backend_setting(backend, AddOptions(line, Group::run));
+    AddOptions(line, Group::run)(setting::backend, backend);
 }
 
 void add_picture_options(CommandLine& line, app::RenderJob& job) {
     add_span_options(line, job.fields.span);
     AddOptions(line, Group::input)(setting::step, job.bricks.step);
     add_field_options(line, job.fields);
-    app::each_seed_list_setting(job, AddOptions(line, Group::fields));
+    const AddOptions add_field(line, Group::fields);
+    add_field(setting::seeds, job.seeds);
+    add_field(setting::seed_flags, job.seed_flags);
     add_detector_option(line, job.detector);
     app::each_brick_setting(job.bricks, AddOptions(line, Group::bricks));
     app::each_view_setting(job, AddOptions(line, Group::view));
@@ -94,12 +118,8 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
     job.backend.debug = std::getenv("VVR_GL_DEBUG") != nullptr;
 }
 
-image::Metadata record_of(const app::InputOptions& input, const fields::FieldOptions& fields) {
-    image::Metadata record;
-    app::each_input_setting(input, Record(record));
-    app::each_recording_setting(input, Record(record));
-    app::each_span_setting(fields.span, Record(record));
-    fields::each_field_setting(fields, Record(record));
+image::Metadata record_of_fields(const CommandLine& line) {
+    image::Metadata record = line.record(std::array{Group::input, Group::fields});
     std::erase_if(record, [](const auto& one) { return one.second.empty(); });
     return record;
 }
@@ -110,12 +130,8 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series) {
                     "--brick and --window exclude each other if one picture shows the whole clip; drop one of them, or "
                     "write a series: -o out.{brick:4}.png");
     }
-    app::each_picture_setting(job, Record(job.settings));
-    // A stream has fewer settings.
-    const std::vector<OptionValue> options = line.values(picture_groups);
-    std::erase_if(job.settings, [&](const auto& one) {
-        return std::ranges::find(options, one.first, &OptionValue::name) == options.end();
-    });
+    job.settings = line.record(picture_groups);
+    std::erase_if(job.settings, [](const auto& one) { return std::ranges::count(not_of_picture, one.first) > 0; });
     // What is recorded can be given again: with --brick, there is no --window.
     if (line.has(setting::brick) && !series)
         std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
@@ -125,12 +141,10 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series) {
             job.settings.emplace_back(option.name, option.value);
     }
     // The given settings of the fields, with which an extraction must agree.
-    const auto record_given = [&](const Setting& setting, const auto&... value) {
-        if (line.has(setting)) Record(job.given)(setting, value...);
-    };
-    app::each_input_setting(job.input, record_given);
-    app::each_span_setting(job.fields.span, record_given);
-    fields::each_field_setting(job.fields, record_given);
+    for (const OptionValue& option : line.given(std::array{Group::input, Group::fields})) {
+        if (std::ranges::find(not_extracted, option.name) == not_extracted.end())
+            job.given.emplace_back(option.name, image::value_of(job.settings, option.name));
+    }
 }
 
 }  // namespace vvr::options

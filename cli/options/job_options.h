@@ -70,8 +70,8 @@ void add_picture_options(CommandLine& line, app::RenderJob& job);
 /// \throws Error usage when options contradict each other
 void finish(const CommandLine& line, app::RenderJob& job, bool series);
 
-/// The record of an extraction's settings.
-image::Metadata record_of(const app::InputOptions& input, const fields::FieldOptions& fields);
+/// The record of an extraction's settings, without empty ones. Call it after parsing.
+image::Metadata record_of_fields(const CommandLine& line);
 
 void add_output_options(CommandLine& line, app::OutputOptions& options);
 

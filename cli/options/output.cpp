@@ -44,7 +44,6 @@ constexpr Setting events_to{
 constexpr Setting golden{
     "golden", "FILE",
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
-constexpr Setting pieces_margin{"pieces-margin", "TIME", "", {0, 3600}};
 constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
 }  // namespace text
@@ -175,19 +174,17 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     add_comparison(text::golden, options.golden.path, {.use = FileUse::compared});
     add_comparison(setting::bless, options.golden.bless);
     add_comparison_options(line, options.golden.comparison);
-    // Only the plan of an archive's worker sets these.
-    line.plan_setting("plain-name", [&options](const std::string&) { options.plain_name = true; });
-    line.plan_setting("page-camera", [&options](const std::string& camera) { options.page_camera = camera; });
-    line.plan_setting("page-heading", [&options](const std::string& words) { options.page_heading = words; });
-    line.plan_setting("page-index", [&options](const std::string& path) { options.page_index = path; });
-    line.plan_setting("page-place", [&options](const std::string& path) { options.page_place = path; });
-    line.plan_setting("pieces", [&options](const std::string& folder) { options.pieces.folder = folder; });
-    line.plan_setting("pieces-margin", [&options](const std::string& seconds) {
-        set_value(text::pieces_margin, seconds, options.pieces.margin);
-    });
-    line.plan_setting("pieces-place", [&options](const std::string& folder) { options.pieces.place = folder; });
-    line.plan_setting("stills", [&options](const std::string& path) { options.stills = path; });
-    line.plan_setting("thumbnail", [&options](const std::string& path) { options.thumbnail = path; });
+    const AddOptions plan(line, Group::plan);
+    plan({"plain-name", "", ""}, options.plain_name);
+    plan({"page-camera", "", ""}, options.page_camera);
+    plan({"page-heading", "", ""}, options.page_heading);
+    plan({"page-index", "", ""}, options.page_index);
+    plan({"page-place", "", ""}, options.page_place);
+    plan({"pieces", "", ""}, options.pieces.folder);
+    plan({"pieces-margin", "TIME", "", {0, 3600}}, options.pieces.margin);
+    plan({"pieces-place", "", ""}, options.pieces.place);
+    plan({"stills", "", ""}, options.stills);
+    plan({"thumbnail", "", ""}, options.thumbnail);
 }
 
 void check(const app::ComparisonOptions& options) {

@@ -84,17 +84,9 @@ inline constexpr Setting threads{
 
 namespace vvr::fields {
 
-/// The folder of the user's scalar fields. Setting it also selects the filter `given`.
-template <class Options>
-struct FieldFolder {
-    Options& options;
-};
-template <class Options>
-FieldFolder(Options&) -> FieldFolder<Options>;
-
 /// Calls `each` for every setting of SeedOptions with the member that holds its value, and the table if that is the
 /// name of a row. A number whose default depends on another setting has that setting's row, its table and the default
-/// of a row. The command line, the record and the validation follow this list.
+/// of a row. The options and the validation follow this list.
 template <class Options, class Each>
 void each_seed_setting(Options& options, const Each& each) {
     each(setting::grid, options.grid);
@@ -107,11 +99,11 @@ void each_seed_setting(Options& options, const Each& each) {
 /// The same for FieldOptions, without those that commands have in other groups: span, threads and FlowOptions::every.
 template <class Options, class Each>
 void each_field_setting(Options& options, const Each& each) {
-    each(setting::field, FieldFolder{options});  // before the filter, which it must not replace if that is given too
+    each(setting::field, options.given_folder);  // before the filter, which it must not replace if that is given too
     each(setting::filter, options.filter, filters());
     each(setting::reference, options.reference, reference_kinds());
     each(setting::norm, options.norm, norms());
-    each(setting::threshold, options.threshold, *options.filter, filters(),
+    each(setting::threshold, options.threshold, options.filter, filters(),
          [](const FilterRow& row) { return row.traits.threshold; });
     each(setting::smooth, options.smooth);
     each(setting::min_area, options.min_area);
@@ -123,9 +115,9 @@ void each_field_setting(Options& options, const Each& each) {
     each(setting::flow, options.flow.method, flow_methods());
     each(setting::solver, options.flow.solver, flow_solvers());
     each(setting::derivatives, options.flow.derivatives, derivative_kinds());
-    each(setting::alpha, options.flow.alpha, *options.flow.solver, flow_solvers(),
+    each(setting::alpha, options.flow.alpha, options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.alpha; });
-    each(setting::iterations, options.flow.iterations, *options.flow.solver, flow_solvers(),
+    each(setting::iterations, options.flow.iterations, options.flow.solver, flow_solvers(),
          [](const SolverRow& row) { return row.defaults.iterations; });
     each_seed_setting(options.seeds, each);
 }

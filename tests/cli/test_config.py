@@ -2,6 +2,7 @@
 
 import os
 import re
+import resource
 
 import pytest
 from harness import check
@@ -72,6 +73,10 @@ def test_config_says_what_is_in_force(t, places):
     check(said == "config file: named.toml (named by --config)\nvvr render: size = 60x30\n", said)
     t.vvr("config", "--config", "none", env=places).expect(0, out="config file: none (because of --config none)\n")
     t.vvr("config").expect(0, out="config file: none (because VVR_CONFIG is empty)\n")
+    # The command's own section takes precedence over the lines above it, for lists too.
+    found.write_text("fov = 3\nnames = '{camera}-%s'\n[render]\nfov = 4\nnames = ['%s', '%Y%m%d%H']\n")
+    said = t.vvr("config", env=places).expect(0, out=None).out
+    check("vvr render: fov = 4\n" in said and "vvr render: names = %s %Y%m%d%H\n" in said and "vvr info: fov = 3\n" in said, said)
     found.write_text("size = 40x30\n")
     said = t.vvr("config", env=places).expect(0, out=None).out
     check("vvr render: size = 40x30\n" in said and "vvr doctor" not in said, said)
@@ -105,6 +110,7 @@ def test_names_that_nobody_knows_stop_every_command(t):
         ("[camera.gate]\nthreshhold = 3\n", "'threshhold'", "[camera.gate]", "'threshold'"),
         ("[camera.gate]\njobs = 3\n", "'jobs'", "[camera.gate]"),
         ("[camera]\nthreshold = 3\n", "[camera.NAME]"),
+        ("[render]\nfov = 3\n[info]\n[render]\nfov = 4\n", "lines 1 and 4 both begin the section [render]"),
     )):
         t.write("vvr.toml", text)
         for command in commands if number == 0 else commands[number % len(commands):][:1]:  # all read it with the same function
@@ -171,6 +177,21 @@ threshold = 70
     check("camera gate: threshold = 41\n" in said and "camera house/hall: threshold = 50\n" in said, said)
     t.write("vvr.toml", "[camera.gate]\nalpha = 'lots'\n")
     t.archive("in", "-o", "out", *config).expect(1, "'lots'", "[camera.gate]", code="option-value")
+
+
+def test_cameras_cost_no_time(t):
+    """The file is read and checked once, however many sections it has."""
+    t.old_clips("a.avi")
+
+    def seconds(count):
+        t.write("vvr.toml", "".join(f"[camera.c{number}]\nthreshold = {number}\n" for number in range(count)))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        t.archive("in", "-o", "out", "--config", "vvr.toml", "--dry-run").expect(0, out=None)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime - before.ru_utime
+
+    one, many = min(seconds(1) for _ in range(3)), min(seconds(128) for _ in range(3))
+    check(many - one < 0.3, f"{many} s of processor time for 128 cameras, {one} s for one")
 
 
 def test_config_with_errors(t):

@@ -1,13 +1,18 @@
+#include <array>
 #include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "cli/app/settings.h"
 #include "cli/exit_status.h"
+#include "cli/options/add_option.h"
+#include "cli/options/config_file.h"
 #include "cli/options/parse_value.h"
-#include "cli/options/value_types.h"
+#include "cli/options/value.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
@@ -123,11 +128,12 @@ TEST(ParsePair, NeedsBothNumbers) {
 }
 
 /// A value of the type, printed after it was parsed.
-template <class Value>
+template <class Type>
 std::string printed(const std::string& text, const Setting& setting = {.name = "a", .unit = "", .help = ""}) {
-    Value value{};
-    options::set_value(setting, text, value);
-    return options::value_text(setting, value);
+    Type variable{};
+    const options::Value value = options::value_of(setting, variable);
+    value.set(text);
+    return value.text();
 }
 
 TEST(ValueText, IsWhatOneWouldType) {
@@ -151,13 +157,9 @@ TEST(ValueText, IsWhatOneWouldType) {
 }
 
 TEST(ValueText, OfPlacesInAClipHasTheUnitThatWasGiven) {
-    const Setting setting{.name = "a", .unit = "TIME", .help = ""};
     for (const char* text : {"0s", "1.5s", "25f", "@02:00", "2026-11-22 02:00"}) {
-        video::FrameSpan span;
-        options::set_value(setting, text, app::SpanStart{span});
-        options::set_value(setting, text, app::SpanEnd{span});
-        EXPECT_EQ(options::value_text(setting, app::SpanStart{span}), text);
-        EXPECT_EQ(options::value_text(setting, app::SpanEnd{span}), text);
+        EXPECT_EQ(printed<video::FrameSpan>(text, setting::start), text);
+        EXPECT_EQ(printed<video::FrameSpan>(text, setting::end), text);
     }
 }
 
@@ -171,26 +173,94 @@ TEST(ExitStatusTable, HasARowForEveryKind) {
 TEST(Values, EventsHaveKindsAndALeastLength) {
     const Setting setting{"events", "LIST", ""};
     events::EventChoice choice;
-    EXPECT_EQ(options::value_text(setting, choice), "moved,stood,left,taken");
+    const options::Value value = options::value_of(setting, choice);
+    EXPECT_EQ(value.text(), "moved,stood,left,taken");
     const std::pair<const char*, const char*> texts[] = {
         {"left", "left"}, {"taken,left", "left,taken"}, {"left,5s", "left,5s"}, {"1m,moved", "moved,60s"}};
     for (const auto& [given, shown] : texts) {
-        options::set_value(setting, given, choice);
-        EXPECT_EQ(options::value_text(setting, choice), shown);
+        value.set(given);
+        EXPECT_EQ(value.text(), shown);
     }
-    options::set_value(setting, "3s", choice);
-    EXPECT_EQ(options::value_text(setting, choice), "moved,stood,left,taken,3s") << "a length alone is of all kinds";
+    value.set("3s");
+    EXPECT_EQ(value.text(), "moved,stood,left,taken,3s") << "a length alone is of all kinds";
 }
 
 TEST(Values, ABackendMayHaveADevice) {
     const Setting setting{"backend", "NAME", ""};
     app::BackendOptions backend;
-    EXPECT_EQ(options::value_text(setting, app::BackendAndDevice{backend}), "auto");
+    const options::Value value = options::value_of(setting, backend);
+    EXPECT_EQ(value.text(), "auto");
     for (const char* text : {"egl:3", "software", "software:0"}) {
-        options::set_value(setting, text, app::BackendAndDevice{backend});
-        EXPECT_EQ(options::value_text(setting, app::BackendAndDevice{backend}), text);
+        value.set(text);
+        EXPECT_EQ(value.text(), text);
     }
-    EXPECT_THROW(options::set_value(setting, "auto:0", app::BackendAndDevice{backend}), Error);
+    EXPECT_THROW(value.set("auto:0"), Error);
+}
+
+TEST(Values, AWordStandsForWhatNoNumberSays) {
+    int slices = 40;
+    const options::Value number = options::value_of(setting::slices, slices, app::Word{"auto"});
+    number.set("auto");
+    EXPECT_EQ(slices, 0);
+    EXPECT_EQ(number.text(), "auto");
+    Size field{0, 0};
+    const options::Value size = options::value_of(setting::field_size, field, app::Word{"source"});
+    EXPECT_EQ(size.text(), "") << "none is given";
+    size.set("source");
+    EXPECT_EQ(size.text(), "source");
+    test::expect_error(ErrorCode::option_value, [] { printed<Size>("source", setting::size); }, {"'source'"});
+}
+
+TEST(Values, FlagsTakeTheWordsOfConfigFiles) {
+    for (const char* text : {"true", "on", "Yes", "1"}) EXPECT_EQ(printed<bool>(text), "true") << text;
+    for (const char* text : {"false", "off", "NO", "0"}) EXPECT_EQ(printed<bool>(text), "") << text;
+    test::expect_error(ErrorCode::option_value, [] { printed<bool>("maybe"); }, {"'maybe'"});
+}
+
+using Given = std::vector<std::pair<std::string, std::string>>;
+
+/// The record of a few options that were given as data.
+image::Metadata taken(const Given& settings, bool of_worker = false) {
+    int slices = 0;
+    std::vector<std::string> names;
+    std::string hidden;
+    options::CommandLine line("draw", "");
+    const options::AddOptions add(line, options::Group::look);
+    add(setting::slices, slices);
+    add(setting::names, names);
+    options::AddOptions(line, options::Group::plan)({"hidden", "", ""}, hidden);
+    line.take({}, settings, of_worker);
+    return line.record(std::array{options::Group::look, options::Group::plan});
+}
+
+TEST(Registry, TakesTheLastOfEqualNamesAndAllOfAList) {
+    EXPECT_EQ(taken({{"slices", "4"}, {"names", "a"}, {"slices", "5"}, {"names", "b"}}),
+              (image::Metadata{{"slices", "5"}, {"names", "a b"}}));
+}
+
+TEST(Registry, NamesTheNearestSetting) {
+    test::expect_error(ErrorCode::option_unknown, [] { taken({{"slises", "4"}}); }, {"'slises'", "'slices'"});
+    test::expect_error(ErrorCode::option_value, [] { taken({{"slices", "few"}}); }, {"slices: 'few'"});
+}
+
+TEST(Registry, OnlyAWorkerHasTheSettingsOfAPlan) {
+    EXPECT_NO_THROW(taken({{"hidden", "x"}}, true));
+    test::expect_error(ErrorCode::option_unknown, [] { taken({{"hidden", "x"}}); }, {"'hidden'"});
+}
+
+TEST(ConfigFile, HasCommentsQuotesListsAndCameras) {
+    const auto sections =
+        options::sections_of("fov = 3 # or 4\n[camera.\"a.b\"]\ntitle = '#1'\nnames = [\"x\", 'y']\n", "f");
+    ASSERT_EQ(sections.size(), 2U);
+    EXPECT_EQ(sections[0].settings, (decltype(sections[0].settings){{"fov", {"3"}}}));
+    EXPECT_EQ(options::cameras_of(sections), std::vector<std::string>{"a.b"});
+    EXPECT_EQ(sections[1].settings, (decltype(sections[0].settings){{"title", {"#1"}}, {"names", {"x", "y"}}}));
+}
+
+TEST(ConfigFile, RefusesASectionThatIsThereTwice) {
+    test::expect_error(ErrorCode::config_invalid,
+                       [] { options::sections_of("[camera.a]\nfov = 3\n[b]\n[camera.\"a\"] # again\n", "vvr.toml"); },
+                       {"'vvr.toml'", "lines 1 and 4", "[camera.a]"});
 }
 
 }  // namespace
