@@ -57,16 +57,20 @@ bool is_finished(const Demuxer& demuxer) {
 
 double LiveClock::operator()(std::optional<double> stamp, double arrival) {
     if (!time_) first_arrival_ = arrival;
-    time_ = time_ ? *time_ + step(stamp, arrival) : 0;
+    const double passed = time_ ? step(stamp, arrival) : 0;
+    time_ = time_.value_or(0) + passed;
     stamp_ = stamp;
-    arrival_ = arrival;
+    // The last frames of a connection come when it is given up, seconds late. So the delay grows no faster than a
+    // camera's clock may be slow.
+    constexpr double slowest = 0.05;
+    delay_ = passed > 0 ? std::min(arrival - *time_, delay_ + slowest * passed) : arrival;
     return *time_;
 }
 
 double LiveClock::step(const std::optional<double>& stamp, double arrival) const {
     constexpr double least = 0.001;  // of frames that arrive together
     if (by_arrival_) return std::max(least, arrival - first_arrival_ - *time_);
-    const double passed = std::max(duration_, arrival - arrival_);
+    const double passed = std::max(duration_, arrival - delay_ - *time_);
     if (!stamp) return duration_;
     // A file may be read faster than real time, so the reader's clock says nothing about a hole in it.
     const double longest = waits_ ? longest_clip : passed + leap;

@@ -48,7 +48,7 @@ class LiveClock {
     bool by_arrival_;
     std::optional<double> time_;
     std::optional<double> stamp_;
-    double arrival_ = 0;
+    double delay_ = 0;  ///< between time and arrival, seconds
     double first_arrival_ = 0;
 };
 

@@ -1,6 +1,7 @@
 """`vvr watch`: FFmpeg serves streams on this machine, in real time where time is what is looked at."""
 
 import contextlib
+import datetime
 import json
 import os
 import pathlib
@@ -299,6 +300,30 @@ def test_watch_draws_the_last_seconds_before_an_outage(t):
     first, last = re.search(r"brick 1, .*? ([0-9:]+) to ([0-9:]+)", said).groups()
     seconds = [sum(int(part) * unit for part, unit in zip(moment.split(":"), (3600, 60, 1))) for moment in (first, last)]
     check(0 <= (seconds[1] - seconds[0]) % 86400 <= 2, f"brick 1 is not of the time before the outage: {said}")
+
+
+def test_watch_keeps_the_clock_across_an_outage(t):
+    """A decoder gives its last frame when the connection is given up: that frame did not arrive then."""
+    source(t, seconds=30)
+    url = f"udp://127.0.0.1:{free_port()}"
+    with Server(t, url):
+        watch = Watch(t, url, "-o", "out.png", "--brick", "1s", "--window", "2", *SIZE, "--reference", "first", "--patience", "4", "--log-file",
+                      "watch.log", "--log-format", "json", "--duration", "25s")
+        watch.wait_for("brick 1,")
+    time.sleep(6)
+    with Server(t, url, begin=16):
+        watch.wait_for("reconnected to", 20)
+        time.sleep(4)
+        watch.child.terminate()
+        watch.end()
+    entries = [json.loads(line) for line in t.path("watch.log").read_text(encoding="utf-8").splitlines()]
+    pictures = [entry for entry in entries if re.search("brick [0-9]+, ", entry["message"])]
+    latest = pictures[-2]  # the last one may end within its brick
+    shown = re.search(r"to (?:[0-9-]+ )?([0-9:]+) .* written ([0-9.]+) s", latest["message"])
+    seconds = lambda text: sum(int(part) * unit for part, unit in zip(text.split(":"), (3600, 60, 1)))
+    drawn = datetime.datetime.fromisoformat(latest["time"].replace("Z", "+00:00")).astimezone()
+    late = drawn.hour * 3600 + drawn.minute * 60 + drawn.second - float(shown[2]) - seconds(shown[1])
+    check(abs((late + 43200) % 86400 - 43200) <= 2.2, f"{late:.1f} s: {latest}")
 
 
 def test_watch_while_nobody_sends_ends_too(t):

@@ -159,6 +159,9 @@ TEST(LiveClock, GoesByTheReadersClockWhereStampsSayNothing) {
     EXPECT_NEAR(clock(2.0, 12.12), 12.12, 1e-9);   // the camera's clock went back
     EXPECT_NEAR(clock(5000.0, 12.2), 12.2, 1e-9);  // and far ahead
     EXPECT_NEAR(clock(5000.04, 12.24), 12.24, 1e-9);
+    EXPECT_NEAR(clock(5000.08, 17.24), 12.28, 1e-9);  // a decoder's last frame, when the connection is given up
+    clock.restart();
+    EXPECT_NEAR(clock(1.0, 30.0), 30.0, 0.01);
 }
 
 TEST(LiveClock, KeepsTheHoleOfAFileThatIsReadAtOnce) {
