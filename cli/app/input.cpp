@@ -20,8 +20,10 @@
 #include "core/fields/seeds.h"
 #include "core/store/stored_fields.h"
 #include "core/video/input.h"
+#include "core/video/open_source.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"
+#include "core/video/recording_source.h"
 
 namespace vvr::app {
 

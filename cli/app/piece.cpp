@@ -18,6 +18,7 @@
 #include "core/video/container.h"
 #include "core/video/file_moment.h"
 #include "core/video/frame_source.h"
+#include "core/video/open_source.h"
 #include "core/video/packet_copy.h"
 #include "core/video/recorder_names.h"
 #include "core/video/scaler.h"

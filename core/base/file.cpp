@@ -112,6 +112,12 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
     }
 }
 
+std::optional<double> modified_at(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
+}
+
 void write_standard_output(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,6 +96,9 @@ void check_is_file(const std::string& path, std::uintmax_t most = UINTMAX_MAX);
 /// \param most maximum size in bytes; a file system may report more than memory can hold
 /// \throws Error io with the system's reason if it can't be read, limit if it is longer
 std::string read_file(const std::string& path, std::uintmax_t most = most_bytes::data);
+
+/// Modification time of a file, seconds since 1970 (UTC). Empty if it is not a regular file.
+std::optional<double> modified_at(const std::string& path);
 
 /// Whether an output's name means standard output.
 inline bool is_standard_output(const std::filesystem::path& path) {

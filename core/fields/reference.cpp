@@ -21,6 +21,7 @@
 #include "core/fields/illumination.h"
 #include "core/fields/scene_noise.h"
 #include "core/fields/stabilizer.h"
+#include "core/video/open_source.h"
 #include "core/video/scaler.h"
 
 namespace vvr::fields {

@@ -18,6 +18,7 @@
 #include "core/base/file.h"
 #include "core/fields/settings.h"
 #include "core/video/frame_source.h"
+#include "core/video/open_source.h"
 #include "core/video/scaler.h"
 
 namespace vvr::fields {

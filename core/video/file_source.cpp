@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/video/container.h"
 #include "core/video/frame_sampler.h"
-#include "core/video/input_files.h"
 
 extern "C" {
 #include <libavutil/opt.h>

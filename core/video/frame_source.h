@@ -15,8 +15,6 @@
 
 namespace vvr::video {
 
-class RecorderNames;
-
 /// A file of a recording, and its place in the recording.
 struct SegmentPlace {
     std::string path;  ///< as found by `find_recording`
@@ -34,10 +32,6 @@ struct OmittedFrames {
     double seconds = 0;
     std::vector<std::string> first{};  ///< the first of the files
 };
-
-/// A warning that names the first files: "2 files were omitted, ...".
-/// \pre left_out.files > 0
-std::string text_of(const OmittedFrames& left_out);
 
 /// Properties of a video from its container and first frame. Headers are unreliable, so counts are estimates.
 struct VideoInfo {
@@ -138,22 +132,6 @@ class FrameSource {
     /// As `sample` by decoding every frame, but stays at the end.
     std::vector<Frame> sample_all(int count);
 };
-
-/// Opens a video: a file, a URL, `-` for a stream on stdin, or a sequence of pictures given as a folder, a glob
-/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Decodes the first frame, so a source that opens has one.
-///
-/// A pipe is first spooled to an unlinked temporary file in $TMPDIR or /var/tmp, because it is read more than once.
-///
-/// \throws Error io if it can't be read or spooled, not_video if no frame decodes, limit if its pictures are too large,
-///         usage if `options` don't fit the clip
-std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options = {});
-
-/// Opens one or more inputs: a recording of several files (see `find_recording`), or a single input.
-/// \param layouts the naming schemes of file names
-/// \param warnings receives one sentence per warning
-/// \throws Error as `open_source` and `find_recording`
-std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
-                                          const RecorderNames& layouts, std::vector<std::string>& warnings);
 
 /// The field size for pictures of display size `shown`.
 /// \param asked as SourceOptions::field_size

@@ -12,7 +12,6 @@
 
 #include <glob.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 #include <climits>
 #include <fmt/format.h>
@@ -69,12 +68,6 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
         throw system_error(why.value(), fmt::format("cannot read the folder '{}'", folder.string()),
                            "check its permissions");
     return files;
-}
-
-std::optional<double> modified_at(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
 }
 
 namespace {

@@ -26,9 +26,6 @@ bool is_system_folder_name(const std::string& name);
 /// system, and does not follow symbolic links to folders. \throws Error io if the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
 
-/// Modification time of a file, seconds since 1970 (UTC). Empty if it is not a regular file.
-std::optional<double> modified_at(const std::string& path);
-
 /// Natural order: "frame2" comes before "frame10". Runs of digits compare by value, other text by bytes. Names that
 /// differ only in leading zeros compare by bytes.
 bool natural_less(std::string_view a, std::string_view b);

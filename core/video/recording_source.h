@@ -70,4 +70,8 @@ class RecordingSource final : public FrameSource {
     std::vector<std::string> problems_;
 };
 
+/// A warning that names the first files: "2 files were omitted, ...".
+/// \pre left_out.files > 0
+std::string text_of(const OmittedFrames& left_out);
+
 }  // namespace vvr::video

@@ -17,6 +17,7 @@
 #include "core/events/event_finder.h"
 #include "core/events/event_options.h"
 #include "core/fields/field_source.h"
+#include "core/video/open_source.h"
 
 namespace vvr {
 namespace {

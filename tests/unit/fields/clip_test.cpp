@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/field_source.h"
+#include "core/video/open_source.h"
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/fields/pictures.h"

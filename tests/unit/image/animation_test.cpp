@@ -7,6 +7,7 @@
 #include "core/image/picture.h"
 #include "core/image/video_encoder.h"
 #include "core/video/frame_source.h"
+#include "core/video/open_source.h"
 #include "core/video/scaler.h"
 #include "tests/support/planes.h"
 #include "tests/support/temp_folder.h"

@@ -13,6 +13,7 @@
 #include "core/page/page_data.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
+#include "core/video/open_source.h"
 #include "tests/support/planes.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/video/open_source.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

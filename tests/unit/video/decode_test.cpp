@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/video/frame_choice.h"
+#include "core/video/open_source.h"
 #include "tests/support/errors.h"
 #include "tests/unit/video/clips.h"
 

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/video/open_source.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

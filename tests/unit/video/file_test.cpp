@@ -15,6 +15,7 @@ extern "C" {
 }
 
 #include "core/video/input_files.h"
+#include "core/video/open_source.h"
 #include "core/video/packet_copy.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"
@@ -198,7 +199,7 @@ TEST(VideoFile, BeganWhenItWasLastWrittenLessItsLength) {
     const TempFolder folder;
     const std::string clip = counting_clip(folder, "clip.avi", "-c:v mpeg4 -q:v 2");
     const auto told = video::open_source(clip);
-    const auto written = static_cast<std::int64_t>(*video::modified_at(clip));
+    const auto written = static_cast<std::int64_t>(*modified_at(clip));
     EXPECT_EQ(told->info().modified, written - 4);
     const auto untold = video::open_source(counting_clip(folder, "clip.h264", "-c:v libx264 -qp 4"));
     EXPECT_EQ(untold->info().duration, 0);

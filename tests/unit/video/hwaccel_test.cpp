@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/video/demuxer.h"
+#include "core/video/open_source.h"
 #include "core/video/recorder_names.h"
 #include "tests/support/errors.h"
 #include "tests/unit/video/clips.h"

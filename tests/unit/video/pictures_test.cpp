@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/video/open_source.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

@@ -10,6 +10,7 @@ extern "C" {
 #include <libavutil/frame.h>
 }
 
+#include "core/video/open_source.h"
 #include "core/video/scaler.h"
 #include "tests/support/planes.h"
 #include "tests/unit/video/clips.h"
