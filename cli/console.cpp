@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/file.h"
-#include "core/labels/time_ticks.h"
 
 namespace vvr::cli {
 
@@ -34,7 +34,7 @@ std::string progress_text(std::string_view what, std::int64_t done, std::int64_t
     const auto filled = static_cast<std::int64_t>(width * part);
     std::string text = fmt::format("{} [{:=<{}}{:{}}] {:.0f} %", what, "", filled, "", width - filled, 100 * part);
     if (seconds >= soon && part > 0 && part < 1)
-        text += fmt::format(", {} left", labels::format_duration(std::ceil(seconds * (1 - part) / part)));
+        text += fmt::format(", {} left", annotation::format_duration(std::ceil(seconds * (1 - part) / part)));
     return text;
 }
 

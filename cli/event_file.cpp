@@ -32,9 +32,9 @@ EventFile::EventFile(fs::path path, spdlog::logger& log) : path_(std::move(path)
     if (!path_.empty()) file_.emplace(path_, kind);
 }
 
-void EventFile::add(const events::EventLine& line) {
+void EventFile::add(const tracking::EventLine& line) {
     if (!file_) return;
-    const int error = file_->append(events::format_event_line(line));
+    const int error = file_->append(tracking::format_event_line(line));
     if (error == 0) return;
     error_ = error;
     if (++lost_ > 1) return;

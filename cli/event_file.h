@@ -7,7 +7,7 @@
 #include <spdlog/logger.h>
 
 #include "cli/appended_file.h"
-#include "core/events/event_line.h"
+#include "core/tracking/event_line.h"
 
 namespace vvr::cli {
 
@@ -19,7 +19,7 @@ class EventFile {
     /// \throws Error io if it can't be written, or if it is a file of another kind
     EventFile(std::filesystem::path path, spdlog::logger& log);
 
-    void add(const events::EventLine& line);
+    void add(const tracking::EventLine& line);
 
     /// Logs how many lines were lost.
     /// \returns whether none was

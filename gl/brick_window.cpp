@@ -21,7 +21,7 @@ struct BrickStorage {
     GLenum format;
 };
 
-BrickStorage storage_of(const bricks::BrickLayers& layers) {
+BrickStorage storage_of(const volume::BrickLayers& layers) {
     return layers.coloured() ? BrickStorage{GL_RGBA8, GL_RGBA} : BrickStorage{GL_R8, GL_RED};
 }
 
@@ -30,7 +30,7 @@ constexpr std::size_t slab_bytes = 512 * 1024;
 
 /// Uploads `count` layers, starting at `first`, to the bound texture.
 template <class Texel>
-void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
+void upload_layers(const GladGLContext& gl, const volume::BrickLayers& layers, std::int64_t first, std::int64_t count) {
     const auto slab = std::max<std::int64_t>(1, static_cast<std::int64_t>(slab_bytes / sizeof(Texel) / layers.area()));
     std::vector<Texel> texels;
     for (const std::int64_t end = first + count; first < end; first += slab) {
@@ -42,10 +42,10 @@ void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, s
     }
 }
 
-void upload_part(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
+void upload_part(const GladGLContext& gl, const volume::BrickLayers& layers, std::int64_t first, std::int64_t count) {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (layers.coloured()) {
-        upload_layers<bricks::ColouredTexel>(gl, layers, first, count);
+        upload_layers<volume::ColouredTexel>(gl, layers, first, count);
     } else {
         upload_layers<std::uint8_t>(gl, layers, first, count);
     }
@@ -55,7 +55,7 @@ void upload_part(const GladGLContext& gl, const bricks::BrickLayers& layers, std
 
 BrickTextures::BrickTextures(const GladGLContext& gl, int count) : gl_(&gl), slots_(static_cast<std::size_t>(count)) {}
 
-void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layers) {
+void BrickTextures::upload(std::int64_t number, const volume::BrickLayers& layers) {
     const GladGLContext& gl = *gl_;
     const int width = layers.box().width();
     const int height = layers.box().height();
@@ -95,7 +95,7 @@ void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layer
     slot.coloured = layers.coloured();
 }
 
-void BrickTextures::update_border_layers(std::int64_t number, const bricks::BrickLayers& layers) {
+void BrickTextures::update_border_layers(std::int64_t number, const volume::BrickLayers& layers) {
     const Slot* const slot = find(number);
     if (slot == nullptr) return;
     if (slot->box != layers.box()) return upload(number, layers);
@@ -115,7 +115,7 @@ BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
     return slot == slots_.end() ? nullptr : &*slot;
 }
 
-void BrickTextures::bind(std::int64_t number, const bricks::BrickLayers& layers) {
+void BrickTextures::bind(std::int64_t number, const volume::BrickLayers& layers) {
     if (find(number) == nullptr) upload(number, layers);
     gl_->BindTexture(GL_TEXTURE_3D, find(number)->texture.id());
 }
@@ -124,11 +124,11 @@ BrickWindow::BrickWindow(const GladGLContext& gl, const space::Layout& layout, s
                          double margin)
     : layout_(&layout), window_layers_(static_cast<double>(layers)), margin_(margin), textures_(gl, textures) {}
 
-void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Brick> bricks, std::int64_t first,
-                       const bricks::Identify& identify) {
+void BrickWindow::show(const volume::Volume& volume, std::span<const volume::Brick> bricks, std::int64_t first,
+                       const volume::Identify& identify) {
     std::vector<Shown> before = std::exchange(shown_, {});
-    for (const bricks::Brick& brick : bricks)
-        shown_.push_back({first + std::ssize(shown_), bricks::BrickLayers(volume, brick, identify), {}});
+    for (const volume::Brick& brick : bricks)
+        shown_.push_back({first + std::ssize(shown_), volume::BrickLayers(volume, brick, identify), {}});
 
     // The previous state of a brick that has the same neighbours as before, else null.
     const auto unchanged = [&](std::size_t i) -> Shown* {
@@ -139,10 +139,10 @@ void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Bri
         return same_before && same_after ? &before[static_cast<std::size_t>(index)] : nullptr;
     };
     oneapi::tbb::parallel_for(std::size_t{0}, shown_.size(), [&](std::size_t i) {
-        const bricks::BrickLayers& layers = shown_[i].layers;
+        const volume::BrickLayers& layers = shown_[i].layers;
         Shown* const previous = unchanged(i);
         shown_[i].cells = previous != nullptr ? std::move(previous->cells)
-                                              : bricks::brick_cells(layers, t_span(layers), *layout_, margin_);
+                                              : volume::brick_cells(layers, t_span(layers), *layout_, margin_);
     });
 
     textures_.keep_only(first, first + std::ssize(shown_));
@@ -157,12 +157,12 @@ void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Bri
     }
 }
 
-double BrickWindow::t_span(const bricks::BrickLayers& layers) const {
+double BrickWindow::t_span(const volume::BrickLayers& layers) const {
     return static_cast<double>(layers.brick().count) / window_layers_;
 }
 
 TextureMap BrickWindow::texture_map(std::size_t i) const {
-    const bricks::BrickLayers& brick = layers(i);
+    const volume::BrickLayers& brick = layers(i);
     const auto count = static_cast<double>(brick.brick().count);
     // The texture has one extra layer at each end.
     const double t_scale = count / (count + 2) / (placed_[i].t_end - placed_[i].t_begin);

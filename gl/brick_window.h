@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/bricks/brick.h"
-#include "core/bricks/cells.h"
-#include "core/bricks/owners.h"
 #include "core/space/layout.h"
+#include "core/volume/brick.h"
+#include "core/volume/cells.h"
+#include "core/volume/owners.h"
 #include "gl/objects.h"
 
 namespace vvr::gl {
@@ -21,15 +21,15 @@ class BrickTextures {
 
     /// Binds the texture of brick `number` to the active texture unit; uploads the brick first if it has no texture.
     /// \throws Error limit if the brick exceeds the driver's largest 3D texture or memory runs out
-    void bind(std::int64_t number, const bricks::BrickLayers& layers);
+    void bind(std::int64_t number, const volume::BrickLayers& layers);
 
     /// Uploads a brick, even if it has a texture already.
     /// \throws Error as `bind`
-    void upload(std::int64_t number, const bricks::BrickLayers& layers);
+    void upload(std::int64_t number, const volume::BrickLayers& layers);
 
     /// Uploads the first and last texel layers of a brick that has a texture; they repeat layers of its neighbours.
     /// Uploads the whole brick if its bounding box has changed.
-    void update_border_layers(std::int64_t number, const bricks::BrickLayers& layers);
+    void update_border_layers(std::int64_t number, const volume::BrickLayers& layers);
 
     /// Frees the textures of all bricks outside the half-open interval [first, end).
     void keep_only(std::int64_t first, std::int64_t end);
@@ -76,14 +76,14 @@ class BrickWindow {
     /// \param bricks consecutive
     /// \param first number of the first brick. A brick must keep its number from call to call.
     /// \param identify must live as long as `volume`. A brick that keeps its texture keeps its old identities.
-    void show(const bricks::Volume& volume, std::span<const bricks::Brick> bricks, std::int64_t first = 0,
-              const bricks::Identify& identify = bricks::no_identities);
+    void show(const volume::Volume& volume, std::span<const volume::Brick> bricks, std::int64_t first = 0,
+              const volume::Identify& identify = volume::no_identities);
 
     /// The bricks' intervals of t_C and their cells.
-    std::span<const bricks::PlacedCells> cells() const { return placed_; }
+    std::span<const volume::PlacedCells> cells() const { return placed_; }
 
     /// `i` is the index in the window.
-    const bricks::BrickLayers& layers(std::size_t i) const { return shown_[i].layers; }
+    const volume::BrickLayers& layers(std::size_t i) const { return shown_[i].layers; }
 
     /// Maps C-space to the texture of brick `i`.
     TextureMap texture_map(std::size_t i) const;
@@ -95,18 +95,18 @@ class BrickWindow {
   private:
     struct Shown {
         std::int64_t number;
-        bricks::BrickLayers layers;
-        bricks::BrickCells cells;
+        volume::BrickLayers layers;
+        volume::BrickCells cells;
     };
 
-    double t_span(const bricks::BrickLayers& layers) const;
+    double t_span(const volume::BrickLayers& layers) const;
 
     const space::Layout* layout_;
     double window_layers_;
     double margin_;
     BrickTextures textures_;
     std::vector<Shown> shown_;
-    std::vector<bricks::PlacedCells> placed_;  ///< parallel to `shown_`
+    std::vector<volume::PlacedCells> placed_;  ///< parallel to `shown_`
 };
 
 }  // namespace vvr::gl

@@ -47,7 +47,7 @@ class Fence {
 }  // namespace
 
 std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
-                                     std::span<const bricks::PlacedCells> bricks, std::span<const double> standing) {
+                                     std::span<const volume::PlacedCells> bricks, std::span<const double> standing) {
     std::vector<std::size_t> by_time(standing.size());
     std::iota(by_time.begin(), by_time.end(), std::size_t{0});
     std::ranges::sort(by_time, {}, [&](std::size_t i) { return standing[i]; });
@@ -198,7 +198,7 @@ void VolumeSlicer::use(const Program& program, const space::Camera& camera, cons
 void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const space::Camera& camera,
                                   const scene::SliceStack& stack, const StandingFrames& standing,
                                   const std::function<void(std::size_t, const scene::SliceMesh&)>& draw) {
-    const std::span<const bricks::PlacedCells> bricks = window.cells();
+    const std::span<const volume::PlacedCells> bricks = window.cells();
     const GladGLContext& gl = *gl_;
     Fence last;
     Fence before_last;

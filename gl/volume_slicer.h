@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "core/bricks/cells.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/volume/cells.h"
 #include "gl/brick_window.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
@@ -31,7 +31,7 @@ struct DrawnPart {
 /// \param bricks in time order; may be empty
 /// \param standing t_C of each frame, in any order; a frame within a brick is drawn at the brick's nearer end
 std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
-                                     std::span<const bricks::PlacedCells> bricks, std::span<const double> standing);
+                                     std::span<const volume::PlacedCells> bricks, std::span<const double> standing);
 
 /// Standing frames, drawn between the bricks.
 struct StandingFrames {

@@ -13,16 +13,16 @@
 #include <fmt/format.h>
 
 #include "cli/app/compose.h"
+#include "core/annotation/portraits.h"
+#include "core/annotation/ruler.h"
+#include "core/annotation/scene_map.h"
+#include "core/annotation/time_strip.h"
 #include "core/base/text.h"
-#include "core/events/colouring.h"
 #include "core/fields/field.h"
 #include "core/fields/region.h"
-#include "core/glance/portraits.h"
-#include "core/glance/scene_map.h"
-#include "core/glance/time_strip.h"
-#include "core/labels/ruler.h"
 #include "core/scene/slices.h"
 #include "core/scene/theme.h"
+#include "core/tracking/colouring.h"
 
 namespace vvr::app {
 
@@ -65,12 +65,12 @@ std::vector<image::Rgba> colours_of_objects(const scene::Theme& theme) {
 }
 
 /// One entry per band: its colour and meaning.
-std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& transfer) {
+std::vector<annotation::LegendEntry> legend_of_bands(const scene::TransferFunction& transfer) {
     constexpr std::array<std::pair<fields::Band, std::string_view>, 3> bands{
         {{fields::Band::newly_covered, "newly covered"},
          {fields::Band::still_covered, "still covered"},
          {fields::Band::uncovered, "uncovered"}}};
-    std::vector<labels::LegendEntry> entries;
+    std::vector<annotation::LegendEntry> entries;
     for (const auto& [band, name] : bands) {
         const glm::dvec4 at = transfer.at(static_cast<int>(band));
         if (at.w > 0) entries.push_back({{rgba(glm::vec3(at))}, std::string(name), std::string(name)});
@@ -79,7 +79,7 @@ std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& 
 }
 
 /// The entries for volume colours that don't come from the transfer function.
-std::vector<labels::LegendEntry> legend_of_colour(const Plan& plan) {
+std::vector<annotation::LegendEntry> legend_of_colour(const Plan& plan) {
     const ColourRow& row = *plan.colour;
     if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
     if (row.drawn == gl::VolumeColour::time) {
@@ -112,7 +112,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const Plan& plan) {
 }
 
 /// The entries for colours from the transfer function.
-std::vector<labels::LegendEntry> legend_of_transfer(const Plan& plan) {
+std::vector<annotation::LegendEntry> legend_of_transfer(const Plan& plan) {
     const fields::FilterRow& filter = *plan.filter;
     switch (filter.traits.values) {
         case fields::Values::band:
@@ -136,7 +136,7 @@ bool shares_colours(const Composition& composed) {
     return false;
 }
 
-std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan, const Composition& composed) {
+std::vector<annotation::LegendEntry> legend_of_volume(const Plan& plan, const Composition& composed) {
     if (plan.colour->drawn == gl::VolumeColour::transfer) return legend_of_transfer(plan);
     if (!plan.colours_objects()) return legend_of_colour(plan);
     std::string meaning = shares_colours(composed) ? "colours of objects" : "a colour for each object";
@@ -148,13 +148,13 @@ std::vector<labels::LegendEntry> legend_of_volume(const Plan& plan, const Compos
 }
 
 /// The legend: the meaning of a picture's colours.
-std::vector<labels::LegendEntry> legend_of(const Plan& plan, const Composition& composed) {
-    std::vector<labels::LegendEntry> entries;
+std::vector<annotation::LegendEntry> legend_of(const Plan& plan, const Composition& composed) {
+    std::vector<annotation::LegendEntry> entries;
     if (plan.shows(Part::volume)) entries = legend_of_volume(plan, composed);
     const gl::GlyphStyle& style = plan.picture.glyphs;
     const auto flow = [&](const std::string& what) {
-        return labels::LegendEntry{gradient(style.slow_colour, style.fast_colour),
-                                   fmt::format("{}: slow to fast", what), "slow to fast"};
+        return annotation::LegendEntry{gradient(style.slow_colour, style.fast_colour),
+                                       fmt::format("{}: slow to fast", what), "slow to fast"};
     };
     if (plan.shows(Part::arrows) || (plan.shows(Part::directions) && !plan.colours_objects())) {
         entries.push_back(flow("which way it went"));
@@ -178,7 +178,7 @@ class Annotator {
           lines_(rgba(plan.job.look.theme.lines)),
           background_(plan.picture.background) {}
 
-    labels::Lettering write() {
+    annotation::Lettering write() {
         lettering_.font_missing = sheet_.text > 0 && !image::measure_text("0", sheet_.text);
         add_title_and_legend();
         if (sheet_.text == 0) return std::move(lettering_);
@@ -195,43 +195,43 @@ class Annotator {
 
   private:
     void add_title_and_legend() {
-        const std::vector<labels::LegendEntry> legend =
-            plan_.shows(Part::legend) ? legend_of(plan_, composed_) : std::vector<labels::LegendEntry>{};
+        const std::vector<annotation::LegendEntry> legend =
+            plan_.shows(Part::legend) ? legend_of(plan_, composed_) : std::vector<annotation::LegendEntry>{};
         const bool in_one_band = !legend.empty() && sheet_.legend == sheet_.title;
-        const int right = sheet_.title.right - (in_one_band ? labels::brief_width(legend, sheet_) : 0);
-        labels::label_title(plan_.title, length_text(), right, sheet_, ink_, pale_, lettering_);
-        labels::label_legend(legend, sheet_, pale_, lettering_);
+        const int right = sheet_.title.right - (in_one_band ? annotation::brief_width(legend, sheet_) : 0);
+        annotation::label_title(plan_.title, length_text(), right, sheet_, ink_, pale_, lettering_);
+        annotation::label_legend(legend, sheet_, pale_, lettering_);
     }
 
     std::string length_text() const {
         const std::int64_t frames = seen_.volume.frames() - seen_.volume.missing();
         std::string text =
             fmt::format("{}, {}", counted(frames, "frame"),
-                        labels::format_interval_and_zone(seen_.begin.seconds, seen_.end().seconds, plan_.clock));
+                        annotation::format_interval_and_zone(seen_.begin.seconds, seen_.end().seconds, plan_.clock));
         double idle = 0;
-        for (const bricks::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
-        if (idle > 0) text += fmt::format("; {} without motion are shortened", labels::format_duration(idle));
+        for (const volume::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
+        if (idle > 0) text += fmt::format("; {} without motion are shortened", annotation::format_duration(idle));
         for (const std::string& words : words_of(unseen_of(plan_, seen_))) text += "; " + words;
         return text;
     }
 
     void add_ruler() {
         if (!plan_.shows(Part::ruler)) return;
-        const labels::TimeEdge& edge = composed_.framing.edge;
-        const std::vector<labels::TimeGap> gaps = explained_gaps(plan_, seen_);
+        const annotation::TimeEdge& edge = composed_.framing.edge;
+        const std::vector<annotation::TimeGap> gaps = explained_gaps(plan_, seen_);
         const bool is_lost =
-            std::ranges::any_of(gaps, [](const labels::TimeGap& gap) { return gap.reason.ends_with("no signal"); });
-        labels::label_gaps(gaps, *plan_.layout, edge, camera_, sheet_,
-                           is_lost ? rgba(plan_.job.look.theme.fast) : pale_, lettering_);
-        const std::span<const labels::TimeTick> ticks = composed_.ticks;
-        const auto label = [&](std::span<const labels::TimeTick> some) {
-            labels::label_ticks(seen_.volume, *plan_.layout, edge, some, camera_, sheet_, ink_, lettering_);
+            std::ranges::any_of(gaps, [](const annotation::TimeGap& gap) { return gap.reason.ends_with("no signal"); });
+        annotation::label_gaps(gaps, *plan_.layout, edge, camera_, sheet_,
+                               is_lost ? rgba(plan_.job.look.theme.fast) : pale_, lettering_);
+        const std::span<const annotation::TimeTick> ticks = composed_.ticks;
+        const auto label = [&](std::span<const annotation::TimeTick> some) {
+            annotation::label_ticks(seen_.volume, *plan_.layout, edge, some, camera_, sheet_, ink_, lettering_);
         };
         // The texts that matter most come first, as later ones have to fit between them.
         if (!ticks.empty()) label(ticks.first(1));
         if (ticks.size() > 1) label(ticks.last(1));
-        labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
-                             pale_, lettering_);
+        annotation::label_breaks(annotation::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_,
+                                 sheet_, pale_, lettering_);
         if (ticks.size() > 2) label(ticks.subspan(1, ticks.size() - 2));
     }
 
@@ -240,8 +240,8 @@ class Annotator {
         const PixelBox& box = sheet_.volume;
         const std::string text =
             fields::has_region(plan_.job.fields) ? "nothing moves in the region of interest" : "nothing moves";
-        lettering_.add(labels::make_centred_label(text, sheet_.text * 2, (box.left + box.right) / 2.0,
-                                                  (box.top + box.bottom) / 2.0, pale_),
+        lettering_.add(annotation::make_centred_label(text, sheet_.text * 2, (box.left + box.right) / 2.0,
+                                                      (box.top + box.bottom) / 2.0, pale_),
                        sheet_.between, 0);
     }
 
@@ -250,87 +250,89 @@ class Annotator {
         const bool is_arc = plan_.job.layout == space::layouts().front();
         const std::string time =
             fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
-                        labels::is_uneven(seen_.volume) ? ", with more room where something moves" : "");
+                        annotation::is_uneven(seen_.volume) ? ", with more room where something moves" : "");
         const std::array<std::string, 3> texts{
             time + ". Each cut through it is the camera's view at that moment. " +
                 (shares_colours(composed_) ? "A number is the same object everywhere; colours repeat."
                                            : "A number and its colour are the same object everywhere."),
             time + "; each cut through it is the view at that moment.", time + "."};
-        labels::add_first_that_fits(texts, sheet_.small, sheet_.explanation.left,
-                                    sheet_.explanation.bottom - sheet_.small / 2,
-                                    sheet_.explanation.inflated(0, sheet_.small / 4), pale_, lettering_);
+        annotation::add_first_that_fits(texts, sheet_.small, sheet_.explanation.left,
+                                        sheet_.explanation.bottom - sheet_.small / 2,
+                                        sheet_.explanation.inflated(0, sheet_.small / 4), pale_, lettering_);
     }
 
     /// A frame at an end of the volume. The text above says which one it is, and its time.
-    void add_end(std::string_view what, const video::Frame& frame, double seconds, const PixelBox& box, bool right) {
-        Plane<Bgr> picture = video::picture_of(frame);
+    void add_end(std::string_view what, const media::Frame& frame, double seconds, const PixelBox& box, bool right) {
+        Plane<Bgr> picture = media::picture_of(frame);
         if (picture.empty() || box.empty()) return;
         lettering_.pictures.push_back({box.inflated(-1, -1), std::move(picture), lines_, 1});
-        const std::string text = fmt::format("{}, {}", what, labels::format_moment_and_day(seconds, plan_.clock));
+        const std::string text = fmt::format("{}, {}", what, annotation::format_moment_and_day(seconds, plan_.clock));
         const auto label_at = [&](int x) {
-            return labels::make_label(text, sheet_.small, x, box.top - sheet_.small / 2, pale_);
+            return annotation::make_label(text, sheet_.small, x, box.top - sheet_.small / 2, pale_);
         };
-        const labels::Label label = label_at(box.left);
+        const annotation::Label label = label_at(box.left);
         lettering_.labels.push_back(right ? label_at(box.right - label.box.width()) : label);
     }
 
     /// Portraits, map and strip beside the volume, and numbers inside it.
     void add_objects() {
-        const glance::Objects& objects = composed_.objects;
-        const glance::Trails trails(seen_.volume, *plan_.layout, camera_, sheet_.picture);
+        const annotation::Objects& objects = composed_.objects;
+        const annotation::Trails trails(seen_.volume, *plan_.layout, camera_, sheet_.picture);
         std::set<std::size_t> numbered;
         const auto add_numbered = [&](const std::vector<std::size_t>& events) {
             numbered.insert(events.begin(), events.end());
         };
         if (plan_.shows(Part::map) && !seen_.scene.empty()) {
             const Size field = plan_.clip.field_size;
-            const PixelBox box = glance::map_box(*plan_.layout, camera_, sheet_.picture, sheet_.map_area,
-                                                 static_cast<double>(field.width) / field.height);
-            add_numbered(glance::draw_map(objects, seen_.scene, field, box, sheet_.small, background_, lettering_));
+            const PixelBox box = annotation::map_box(*plan_.layout, camera_, sheet_.picture, sheet_.map_area,
+                                                     static_cast<double>(field.width) / field.height);
+            add_numbered(annotation::draw_map(objects, seen_.scene, field, box, sheet_.small, background_, lettering_));
         }
         if (plan_.shows(Part::strip)) {
-            const std::vector<glance::Period> unexplained = glance::unexplained_periods(seen_.volume, seen_.identify);
-            const glance::StripContent content{seen_.findings,      unexplained,         seen_.not_chosen,
-                                               seen_.begin.seconds, seen_.end().seconds, composed_.nothing_moves};
-            add_numbered(glance::label_strip(objects, content, sheet_, {ink_, pale_, lines_, background_}, lettering_));
+            const std::vector<annotation::Period> unexplained =
+                annotation::unexplained_periods(seen_.volume, seen_.identify);
+            const annotation::StripContent content{seen_.findings,      unexplained,         seen_.not_chosen,
+                                                   seen_.begin.seconds, seen_.end().seconds, composed_.nothing_moves};
+            add_numbered(
+                annotation::label_strip(objects, content, sheet_, {ink_, pale_, lines_, background_}, lettering_));
         }
         // Without map and strip, all objects get a number.
         if (numbered.empty()) {
             for (std::size_t k = 0; k < objects.events.size(); ++k) numbered.insert(k);
         }
         if (plan_.shows(Part::portraits))
-            glance::label_portraits(objects, numbered, seen_.crops, trails, sheet_, ink_, pale_, lettering_);
+            annotation::label_portraits(objects, numbered, seen_.crops, trails, sheet_, ink_, pale_, lettering_);
         if (!plan_.shows(Part::numbers)) return;
-        glance::label_numbers(objects, numbered, trails, sheet_, lettering_);
-        glance::label_stays(objects, trails, sheet_, background_, lettering_);
+        annotation::label_numbers(objects, numbered, trails, sheet_, lettering_);
+        annotation::label_stays(objects, trails, sheet_, background_, lettering_);
     }
 
     const Plan& plan_;
     const Observation& seen_;
     const Composition& composed_;
-    const labels::Sheet& sheet_;
+    const annotation::Sheet& sheet_;
     const space::Camera& camera_;
     image::Rgba ink_;
     image::Rgba pale_;
     image::Rgba lines_;
     image::Rgba background_;
-    labels::Lettering lettering_;
+    annotation::Lettering lettering_;
 };
 
 }  // namespace
 
-std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation& seen) {
-    std::vector<labels::TimeGap> gaps = labels::time_gaps(seen.volume);
+std::vector<annotation::TimeGap> explained_gaps(const Plan& plan, const Observation& seen) {
+    std::vector<annotation::TimeGap> gaps = annotation::time_gaps(seen.volume);
     // A camera that records only motion has many, and the times need the room.
-    std::ranges::stable_sort(gaps, std::greater{}, [](const labels::TimeGap& gap) { return gap.end - gap.begin; });
+    std::ranges::stable_sort(gaps, std::greater{}, [](const annotation::TimeGap& gap) { return gap.end - gap.begin; });
     constexpr std::size_t most = 4;
     if (gaps.size() > most) gaps.resize(most);
-    for (labels::TimeGap& gap : gaps)
-        gap.reason = video::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end);
+    for (annotation::TimeGap& gap : gaps)
+        gap.reason = media::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end);
     return gaps;
 }
 
-labels::Lettering annotate(const Plan& plan, const Observation& seen, const Composition& composed) {
+annotation::Lettering annotate(const Plan& plan, const Observation& seen, const Composition& composed) {
     return Annotator(plan, seen, composed).write();
 }
 

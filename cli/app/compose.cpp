@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/glance/objects.h"
-#include "core/labels/ruler.h"
+#include "core/annotation/objects.h"
+#include "core/annotation/ruler.h"
 #include "core/scene/scene.h"
 #include "core/scene/theme.h"
 
@@ -14,37 +14,37 @@ namespace vvr::app {
 
 namespace {
 
-std::vector<bricks::Brick> cut(const Plan& plan, const Observation& seen) {
-    const bricks::Volume& volume = seen.volume;
+std::vector<volume::Brick> cut(const Plan& plan, const Observation& seen) {
+    const volume::Volume& volume = seen.volume;
     const BrickOptions& bricks = plan.job.bricks;
-    if (plan.products.series) return bricks::cut_by(volume.layers(), plan.window.brick_layers);
-    if (!bricks.length) return bricks::cut_into(volume.layers(), bricks.window);
+    if (plan.products.series) return volume::cut_by(volume.layers(), plan.window.brick_layers);
+    if (!bricks.length) return volume::cut_into(volume.layers(), bricks.window);
     double brick_frames = bricks.length->value;
     if (volume.is_nonuniform() && bricks.length->unit == Time::Unit::frames) {
-        return bricks::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
+        return volume::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
     }
     if (bricks.length->unit == Time::Unit::seconds) {
         // With layers of unequal length, bricks can only be cut by the clock.
         if (volume.is_nonuniform()) {
-            return bricks::cut_by_clock(volume, bricks.length->value, plan.clock ? plan.clock->at(0) : 0);
+            return volume::cut_by_clock(volume, bricks.length->value, plan.clock ? plan.clock->at(0) : 0);
         }
         const double seconds = seen.end().seconds - seen.begin.seconds;
-        if (seconds <= 0) return bricks::cut_into(volume.layers(), bricks.window);
+        if (seconds <= 0) return volume::cut_into(volume.layers(), bricks.window);
         brick_frames *= static_cast<double>(volume.frames() - 1) / seconds;
     }
     const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
-    return bricks::cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
+    return volume::cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
-bool nothing_visible(const bricks::Volume& volume, const scene::TransferFunction& transfer) {
+bool nothing_visible(const volume::Volume& volume, const scene::TransferFunction& transfer) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
     }
     return true;
 }
 
-glance::Objects objects_to_show(const Plan& plan, const Observation& seen) {
-    glance::Objects objects;
+annotation::Objects objects_to_show(const Plan& plan, const Observation& seen) {
+    annotation::Objects objects;
     objects.end = seen.end().seconds;
     objects.clock = plan.clock;
     if (!seen.events) return objects;
@@ -56,16 +56,16 @@ glance::Objects objects_to_show(const Plan& plan, const Observation& seen) {
 }
 
 /// The times that the ruler marks.
-std::vector<labels::TimeTick> ticks_of(const Plan& plan, const Framing& framing, const bricks::Volume& volume) {
+std::vector<annotation::TimeTick> ticks_of(const Plan& plan, const Framing& framing, const volume::Volume& volume) {
     if (!plan.shows(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
     const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
-    if (volume.is_nonuniform()) return labels::spread_ticks(volume, most, plan.clock);
-    return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, plan.clock);
+    if (volume.is_nonuniform()) return annotation::spread_ticks(volume, most, plan.clock);
+    return annotation::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, plan.clock);
 }
 
 /// The layer that begins with the key frame. A piece of the volume ends there, so that it and the frame hide each other
 /// correctly.
-std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume) {
+std::int64_t layer_of(const KeyFrame& key, const volume::Volume& volume) {
     return key.number / volume.step();
 }
 
@@ -75,7 +75,7 @@ void cut_into_pieces(const Plan& plan, const Observation& seen, Composition& com
     std::vector<std::int64_t> layers;
     for (const KeyFrame& key : seen.keyframes) layers.push_back(layer_of(key, seen.volume));
     if (plan.shows(Part::volume))
-        composed.pieces = bricks::cut_into_sub_bricks(bricks::cut_at(composed.bricks, layers));
+        composed.pieces = volume::cut_into_sub_bricks(volume::cut_at(composed.bricks, layers));
     composed.layers = seen.volume.layers();
     auto most = static_cast<int>(composed.pieces.size());
     if (plan.products.series) {
@@ -92,40 +92,40 @@ void add(const std::vector<scene::LineSegment>& lines, scene::Scene& scene) {
 }
 
 void add_flow(const Plan& plan, const Observation& seen, const Composition& composed, scene::Scene& scene) {
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     const space::Layout& layout = *plan.layout;
-    const std::vector<bricks::FrameSeed> seeds =
-        bricks::used_seeds(volume, composed.bricks, seen.first_brick, plan.job.seed_flags);
+    const std::vector<volume::FrameSeed> seeds =
+        volume::used_seeds(volume, composed.bricks, seen.first_brick, plan.job.seed_flags);
     if (plan.shows(Part::arrows)) scene.arrows = scene::arrows(volume, seeds, layout, plan.glyphs);
     if (plan.shows(Part::directions)) {
         const double length = 1.5 * plan.glyphs.cap;
-        const std::vector<scene::Glyph> along = glance::direction_arrows(composed.objects, volume, layout, length);
+        const std::vector<scene::Glyph> along = annotation::direction_arrows(composed.objects, volume, layout, length);
         scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }
     if (plan.shows(Part::tracelines)) scene.tracelines = scene::tracelines(volume, seeds, layout, plan.job.look.traces);
 }
 
 void add_lines(const Plan& plan, const Observation& seen, const Composition& composed, scene::Scene& scene) {
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     const space::Layout& layout = *plan.layout;
     const scene::Theme& theme = plan.job.look.theme;
-    const labels::TimeEdge& edge = composed.framing.edge;
+    const annotation::TimeEdge& edge = composed.framing.edge;
     const glm::vec4 colour(theme.lines, 1);
     if (plan.shows(Part::outline)) add(scene::volume_outline(layout, colour), scene);
-    add(labels::ruler_marks(volume, layout, edge, composed.ticks, colour), scene);
+    add(annotation::ruler_marks(volume, layout, edge, composed.ticks, colour), scene);
     if (plan.shows(Part::ribs)) {
         // Pale but opaque: the lines hide what is behind them, and so look as if they are inside the volume.
         const glm::vec4 pale = glm::mix(colour, plan.picture.background, 0.55F);
-        for (const labels::TimeTick& tick : composed.ticks)
+        for (const annotation::TimeTick& tick : composed.ticks)
             add(scene::cross_section(layout, volume.t_of_seconds(tick.seconds), pale), scene);
-        add(labels::ruler_marks(volume, layout, {1 - edge.x, edge.y}, composed.ticks, colour), scene);
+        add(annotation::ruler_marks(volume, layout, {1 - edge.x, edge.y}, composed.ticks, colour), scene);
     }
     if (plan.shows(Part::ruler)) {
-        add(labels::break_marks(labels::time_breaks(volume, breaks_shown), layout, edge, colour), scene);
-        add(labels::gap_marks(labels::time_gaps(volume), layout, edge, glm::vec4(theme.fast, 1)), scene);
+        add(annotation::break_marks(annotation::time_breaks(volume, breaks_shown), layout, edge, colour), scene);
+        add(annotation::gap_marks(annotation::time_gaps(volume), layout, edge, glm::vec4(theme.fast, 1)), scene);
     }
     if (!plan.shows(Part::bricks)) return;
-    for (const bricks::Brick& brick : composed.bricks) {
+    for (const volume::Brick& brick : composed.bricks) {
         const double t = static_cast<double>(brick.first) / static_cast<double>(composed.layers);
         if (t > 0) add(scene::cross_section(layout, t, glm::vec4(theme.lines, 0.5)), scene);
     }
@@ -135,10 +135,10 @@ void add_lines(const Plan& plan, const Observation& seen, const Composition& com
 std::vector<scene::StandingFrame> standing_frames(const Observation& seen) {
     constexpr float at_the_ends = 0.5F;
     constexpr float between = 0.3F;  // less opaque, as they hide what is behind them
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     std::vector<scene::StandingFrame> frames;
-    const auto stand = [&frames](double t, const video::Frame& frame, std::int64_t number, float opacity) {
-        Plane<Bgr> picture = video::picture_of(frame);
+    const auto stand = [&frames](double t, const media::Frame& frame, std::int64_t number, float opacity) {
+        Plane<Bgr> picture = media::picture_of(frame);
         if (!picture.empty()) frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
     };
     stand(0, *seen.first, 0, at_the_ends);
@@ -174,7 +174,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
     Composition composed;
     composed.framing = plan.framing();
     composed.bricks = cut(plan, seen);
-    composed.compressed_idle = bricks::compressed_stretches(seen.volume);
+    composed.compressed_idle = volume::compressed_stretches(seen.volume);
     composed.nothing_moves = nothing_visible(seen.volume, plan.transfer);
     composed.objects = objects_to_show(plan, seen);
     composed.ticks = ticks_of(plan, composed.framing, seen.volume);

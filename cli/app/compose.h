@@ -7,29 +7,29 @@
 
 #include "cli/app/job.h"
 #include "cli/app/observe.h"
-#include "core/bricks/brick.h"
-#include "core/bricks/layer.h"
-#include "core/bricks/volume.h"
-#include "core/glance/objects.h"
-#include "core/labels/lettering.h"
-#include "core/labels/ruler.h"
-#include "core/labels/sheet.h"
-#include "core/labels/time_ticks.h"
+#include "core/annotation/lettering.h"
+#include "core/annotation/objects.h"
+#include "core/annotation/ruler.h"
+#include "core/annotation/sheet.h"
+#include "core/annotation/time_ticks.h"
 #include "core/scene/scene.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/volume/brick.h"
+#include "core/volume/layer.h"
+#include "core/volume/volume.h"
 
 namespace vvr::app {
 
 /// What to draw beside the voxels of the volume, and where.
 struct Composition {
     Framing framing;
-    std::vector<bricks::Brick> bricks;                    ///< of the volume, in layers
-    std::vector<bricks::CompressedIdle> compressed_idle;  ///< where time gets less room than average
+    std::vector<volume::Brick> bricks;                    ///< of the volume, in layers
+    std::vector<volume::CompressedIdle> compressed_idle;  ///< where time gets less room than average
     bool nothing_moves = false;                           ///< nothing of the volume is visible
-    glance::Objects objects;                              ///< that the picture shows
-    std::vector<labels::TimeTick> ticks;                  ///< of the ruler; empty if it isn't shown
-    std::vector<bricks::Brick> pieces;      ///< the parts in which the volume is drawn; empty if it isn't shown
+    annotation::Objects objects;                          ///< that the picture shows
+    std::vector<annotation::TimeTick> ticks;              ///< of the ruler; empty if it isn't shown
+    std::vector<volume::Brick> pieces;      ///< the parts in which the volume is drawn; empty if it isn't shown
     std::int64_t first_piece = 0;           ///< number of the first piece, counted from the start of the clip
     std::int64_t layers = 0;                ///< layers that fill the whole of t_C
     int textures = 1;                       ///< number of pieces held in textures at the same time
@@ -39,7 +39,7 @@ struct Composition {
     bool frames_missing = false;            ///< some frames to be shown have no picture
     bool boxes = false;                     ///< Fig. 5: show boxes around the volume and its visible part
     std::optional<space::Camera> slices{};  ///< Fig. 5: the camera whose slices are shown
-    labels::Lettering lettering;            ///< flat text over the picture; empty if only a page shows it
+    annotation::Lettering lettering;        ///< flat text over the picture; empty if only a page shows it
 };
 
 /// Decides what a picture of an observation shows. Calls no OpenGL, and reads no file except the font.
@@ -53,11 +53,11 @@ scene::Scene scene_of(const Plan& plan, const Observation& seen, const Compositi
 std::vector<glm::vec4> palette_of(const Plan& plan);
 
 /// The intervals without frames. Those between the requested parts are distinguished from losses of signal.
-std::vector<labels::TimeGap> explained_gaps(const Plan& plan, const Observation& seen);
+std::vector<annotation::TimeGap> explained_gaps(const Plan& plan, const Observation& seen);
 
 /// All text of a picture, with lines and portraits. Empty if there is no font.
 /// \param composed complete except for the lettering and the scene
-labels::Lettering annotate(const Plan& plan, const Observation& seen, const Composition& composed);
+annotation::Lettering annotate(const Plan& plan, const Observation& seen, const Composition& composed);
 
 /// The number of ruler breaks that are marked at most.
 inline constexpr std::size_t breaks_shown = 48;

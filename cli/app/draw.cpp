@@ -16,14 +16,14 @@ namespace {
 Observation warm_up_observation(const Plan& plan) {
     constexpr Size size{6, 6};
     constexpr int frames = 5;
-    Observation seen{bricks::Volume(size, {.capacity = frames, .keep_owners = plan.colours_objects()})};
+    Observation seen{volume::Volume(size, {.capacity = frames, .keep_owners = plan.colours_objects()})};
     const bool coloured = plan.colour->drawn == gl::VolumeColour::own;
     for (int i = 0; i < frames; ++i) {
         fields::Field field{i, i / 25.0, Plane<std::uint8_t>(size), {}, {{2, 2, 1, 1}}};
         field.scalar.at(2, 2) = 255;
         seen.volume.add(field, coloured ? Plane<Bgr>(size) : Plane<Bgr>());
     }
-    seen.first = seen.last = std::make_shared<const video::Frame>(video::Frame{0, 0, Plane<std::uint8_t>(size), {}});
+    seen.first = seen.last = std::make_shared<const media::Frame>(media::Frame{0, 0, Plane<std::uint8_t>(size), {}});
     return seen;
 }
 
@@ -71,7 +71,7 @@ void warm_up(const Plan& plan, const Drawing& drawing) {
     Composition composed;
     composed.framing = plan.framing();
     gl::BrickWindow window(drawing.context->gl(), *plan.layout, seen.volume.layers(), 1);
-    if (plan.shows(Part::volume)) window.show(seen.volume, bricks::cut_into(seen.volume.layers(), 1));
+    if (plan.shows(Part::volume)) window.show(seen.volume, volume::cut_into(seen.volume.layers(), 1));
     drawing.renderer->set_scene(scene_of(plan, seen, composed));
     drawing.renderer->warm_up(window);
 }

@@ -17,11 +17,11 @@
 #include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
-#include "core/store/manifest.h"
-#include "core/video/file_moment.h"
-#include "core/video/input.h"
-#include "core/video/input_files.h"
-#include "core/video/packet_copy.h"
+#include "core/dataset/manifest.h"
+#include "core/footage/file_moment.h"
+#include "core/footage/input_files.h"
+#include "core/media/input.h"
+#include "core/media/packet_copy.h"
 
 namespace vvr::app {
 
@@ -66,8 +66,8 @@ namespace {
 /// \param portrait seconds; none = unknown
 std::optional<double> best_moment(const std::string& kind, double first, std::optional<double> portrait) {
     constexpr double before = 1;  // seconds
-    const auto row = std::ranges::find(events::event_kinds, kind, &events::EventKindRow::name);
-    const bool is_of_scene = row != events::event_kinds.end() && row->is_of_scene;
+    const auto row = std::ranges::find(tracking::event_kinds, kind, &tracking::EventKindRow::name);
+    const bool is_of_scene = row != tracking::event_kinds.end() && row->is_of_scene;
     return is_of_scene ? std::max(0.0, first - before) : portrait;
 }
 
@@ -76,15 +76,15 @@ std::optional<double> best_moment(const std::string& kind, double first, std::op
 Json MomentPlaces::operator()(double seconds) const {
     Json json = Json::object();
     if (clock) json["time"] = clock->iso(seconds);
-    if (const auto [file, offset] = video::file_at(files, seconds); file != nullptr) {
+    if (const auto [file, offset] = footage::file_at(files, seconds); file != nullptr) {
         json["file"] = file->path;
         json["offset"] = rounded(offset);
     }
     return json;
 }
 
-PieceEvent piece_event(const events::Event& event, std::int64_t number, const VideoScale& scale) {
-    PieceEvent found{number, event.first.seconds, event.last.seconds, std::string(events::name_of(event.kind))};
+PieceEvent piece_event(const tracking::Event& event, std::int64_t number, const VideoScale& scale) {
+    PieceEvent found{number, event.first.seconds, event.last.seconds, std::string(tracking::name_of(event.kind))};
     if (event.identity) found.what = event.identity->what->name;
     const auto portrait = event.portrait ? std::optional(event.portrait->at.seconds) : std::nullopt;
     found.best = best_moment(found.kind, found.first, portrait);
@@ -93,9 +93,9 @@ PieceEvent piece_event(const events::Event& event, std::int64_t number, const Vi
     return found;
 }
 
-video::FrameSpan span_around(double first, double last, double margin) {
+media::FrameSpan span_around(double first, double last, double margin) {
     // A span's end is exclusive, but the last frame is part of it.
-    video::FrameSpan span;
+    media::FrameSpan span;
     span.start = rounded(std::max(0.0, first - margin));
     span.end = rounded(last + margin) + little;
     return span;
@@ -145,7 +145,7 @@ ReportedEvents read_events(const std::filesystem::path& report) {
     if (!json["events"].is_array()) refuse(report, "has no list of events, because that run did not search for any");
     try {
         ReportedEvents events{files_of(json), {}, settings_of(json)};
-        events.unseen = video::unseen_areas_from(json.value("unseen", Json()));
+        events.unseen = footage::unseen_areas_from(json.value("unseen", Json()));
         for (const Json& event : json["events"]) events.events.push_back(event_of(event));
         if (const Json camera = json.at("input").value("camera", Json()); camera.is_string()) events.camera = camera;
         if (events.files.empty())
@@ -172,25 +172,27 @@ void check_single(const std::string& name) {
     };
     std::error_code none;
     if (name == "-") refuse("stdin and not a file");
-    if (store::is_data_folder(name)) refuse("a folder of `vvr extract` without the video");
+    if (dataset::is_data_folder(name)) refuse("a folder of `vvr extract` without the video");
     if (fs::is_regular_file(name, none)) return;
-    const auto is_picture = [](const auto& entry) { return video::is_picture_name(entry.path().filename().string()); };
+    const auto is_picture = [](const auto& entry) {
+        return footage::is_picture_name(entry.path().filename().string());
+    };
     const fs::directory_iterator folder(name, none);
     if (!none && std::ranges::none_of(folder, is_picture)) refuse("a folder without video files");
-    if (video::list_pictures(name)) refuse("a sequence of pictures, not a video");
-    if (video::is_url(name)) refuse("a URL and not yet a file");
+    if (footage::list_pictures(name)) refuse("a sequence of pictures, not a video");
+    if (media::is_url(name)) refuse("a URL and not yet a file");
     if (fs::exists(name, none)) refuse("not a regular file");
-    video::open_file(name);  // throws if it can't be read
+    media::open_file(name);  // throws if it can't be read
 }
 
-bool lies_in(const video::SegmentPlace& file, double first, double last) {
+bool lies_in(const media::SegmentPlace& file, double first, double last) {
     return file.begin < last + slack && file.end > first + slack;
 }
 
 /// The name of the given file with the same content as a file of the report.
 std::optional<std::string> find_by_digest(const Footage& footage, const ReportedFile& reported) {
     std::vector<std::string> candidates;
-    for (const video::Segment& file : footage.recording.segments) {
+    for (const footage::Segment& file : footage.recording.segments) {
         std::error_code none;
         const std::uintmax_t size = fs::file_size(file.path, none);
         if (!none && std::cmp_equal(size, reported.digest.bytes)) candidates.push_back(file.path);
@@ -219,33 +221,34 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 
 Footage find_footage(const InputOptions& options) {
     require_input(options);
-    const video::RecorderNames layouts(options.name_patterns);
-    if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
-    if (auto recording = video::find_recording(options.names, layouts, options.join, options.rate))
+    const footage::RecorderNames layouts(options.name_patterns);
+    if (options.names.size() == 1 && dataset::is_data_folder(options.names.front()))
+        check_single(options.names.front());
+    if (auto recording = footage::find_recording(options.names, layouts, options.join, options.rate))
         return {std::move(*recording), false};
     const std::string& name = options.names.front();
     check_single(name);
-    const video::Segment file = video::segment_from_name(name, layouts);
+    const footage::Segment file = footage::segment_from_name(name, layouts);
     return {{name, file.camera, {file}}, true};
 }
 
-std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
+std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
                                                   Observer& observer) {
-    const std::vector<video::Segment>& files = footage.recording.segments;
+    const std::vector<footage::Segment>& files = footage.recording.segments;
     if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
-    std::vector<video::SegmentPlace> places;
+    std::vector<media::SegmentPlace> places;
     std::vector<std::string> problems;
     std::optional<std::int64_t> origin;
     std::optional<double> end;
-    for (const video::Segment& file : files) {
+    for (const footage::Segment& file : files) {
         try {
             if (!end) origin = file.begin;
-            const double begin = video::begin_of(file, origin, end).time;
+            const double begin = footage::begin_of(file, origin, end).time;
             if (until && begin > *until) {
                 places.push_back({file.path, begin, begin, 0});
                 break;
             }
-            end = std::max(end.value_or(0), begin + video::length_of(video::open_input(file.path), rate));
+            end = std::max(end.value_or(0), begin + media::length_of(media::open_input(file.path), rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {
             // A render of the recording skips files that are not video, so skip their times too. But a file that can't
@@ -259,10 +262,10 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
     return places;
 }
 
-std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
+std::vector<media::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
                                                  const PieceEvent& event, double margin,
                                                  const std::string& report_name) {
-    std::vector<video::SegmentPlace> places;
+    std::vector<media::SegmentPlace> places;
     std::vector<std::string> needed;
     std::vector<std::string> missing;
     for (const ReportedFile& file : report.files) {
@@ -280,10 +283,10 @@ std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const R
     return places;
 }
 
-std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span) {
+std::vector<FootagePart> parts_in(const std::vector<media::SegmentPlace>& places, const media::FrameSpan& span) {
     std::vector<FootagePart> parts;
     double shown = 0;  // end of the previous files, in seconds of the recording
-    for (const video::SegmentPlace& file : places) {
+    for (const media::SegmentPlace& file : places) {
         const double from = std::max(span.start, shown);
         const bool overlaps = shown > std::max(file.begin, span.start) + slack;
         shown = std::max(shown, file.end);

@@ -6,15 +6,15 @@
 #include <span>
 #include <utility>
 
-#include "core/events/event_options.h"
+#include "core/annotation/objects.h"
 #include "core/fields/opencv_threads.h"
-#include "core/glance/objects.h"
+#include "core/tracking/event_options.h"
 
 namespace vvr::app {
 
 namespace {
 
-constexpr auto& limit = events::thresholds.detector;
+constexpr auto& limit = tracking::thresholds.detector;
 constexpr std::size_t most_events = 200;  // per clip, the most important ones: a look takes 50 to 100 ms
 
 double area_of(const PixelBox& box) {
@@ -44,11 +44,11 @@ std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options
     return options.model.empty() ? nullptr : std::make_shared<detector::Detector>(options.model, options.trial);
 }
 
-const DetectorUse& Identifier::identify(events::Findings& found, const glance::Crops& crops) {
+const DetectorUse& Identifier::identify(tracking::Findings& found, const annotation::Crops& crops) {
     const auto begin = std::chrono::steady_clock::now();
     const fields::OpenCvThreads threads(threads_);
-    std::vector<std::vector<events::Look>> looks(found.events.size());
-    std::vector<std::size_t> order = glance::by_importance(found.events);
+    std::vector<std::vector<tracking::Look>> looks(found.events.size());
+    std::vector<std::size_t> order = annotation::by_importance(found.events);
     order.resize(std::min(order.size(), most_events));
     Answers current;
     use_.events = 0;
@@ -57,20 +57,20 @@ const DetectorUse& Identifier::identify(events::Findings& found, const glance::C
         use_.events += looks[k].empty() ? 0 : 1;
     }
     answers_ = std::move(current);
-    events::identify(found, looks);
+    tracking::identify(found, looks);
     use_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return use_;
 }
 
 /// \param current receives the answers
-std::vector<events::Look> Identifier::looks_at(const events::Event& event, const glance::Crops& crops,
-                                               Answers& current) {
+std::vector<tracking::Look> Identifier::looks_at(const tracking::Event& event, const annotation::Crops& crops,
+                                                 Answers& current) {
     // The frames do not show what only the empty scene has.
     const bool only_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
     const bool is_claim = row_of(event.kind).is_thing;
-    std::vector<events::Look> looks;
+    std::vector<tracking::Look> looks;
     for (const auto& [track, crop] : crops.all(event)) {
-        if (std::ssize(looks) == most_looks || (only_scene && crop->score() != glance::score_of_scene)) break;
+        if (std::ssize(looks) == most_looks || (only_scene && crop->score() != annotation::score_of_scene)) break;
         // One answer is enough, except to refute a claim; without one, another moment may give it.
         if (!is_claim && !looks.empty() && looks.back().what != nullptr) break;
         const std::pair key(track, crop->score());
@@ -81,9 +81,9 @@ std::vector<events::Look> Identifier::looks_at(const events::Event& event, const
     return looks;
 }
 
-events::Look Identifier::look_at(const glance::Crop& crop) {
+tracking::Look Identifier::look_at(const annotation::Crop& crop) {
     ++use_.looks;
-    const glance::ObjectPicture shown = crop.surroundings();
+    const annotation::ObjectPicture shown = crop.surroundings();
     const auto all = detector_->detect(detector::view_of(shown.picture), static_cast<float>(limit.score));
     const std::optional<detector::Detection> found = detection_of(shown.object, all);
     if (!found) return {};
@@ -91,12 +91,12 @@ events::Look Identifier::look_at(const glance::Crop& crop) {
             shown.in_field(found->box)};
 }
 
-std::vector<PixelBox> Identifier::living_in(const video::Frame& frame) {
+std::vector<PixelBox> Identifier::living_in(const media::Frame& frame) {
     const auto begin = std::chrono::steady_clock::now();
     const fields::OpenCvThreads threads(threads_);
     ++use_.frames;
     std::vector<PixelBox> boxes;
-    const Plane<Bgr> picture = video::picture_of(frame);
+    const Plane<Bgr> picture = media::picture_of(frame);
     for (const detector::Detection& one :
          detector_->detect(detector::view_of(picture), static_cast<float>(limit.score))) {
         const detector::ObjectClass& what = detector::object_classes()[static_cast<std::size_t>(one.class_id)];

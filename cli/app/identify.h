@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "cli/app/job.h"
+#include "core/annotation/crops.h"
 #include "core/detector/detector.h"
-#include "core/events/event.h"
-#include "core/events/identify.h"
-#include "core/glance/crops.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
+#include "core/tracking/event.h"
+#include "core/tracking/identify.h"
 
 // The object detector looks at the events of a clip.
 namespace vvr::app {
@@ -45,17 +45,18 @@ class Identifier {
 
     /// Sets the identities of the most important events, and refutes claims.
     /// \returns the use so far
-    const DetectorUse& identify(events::Findings& found, const glance::Crops& crops);
+    const DetectorUse& identify(tracking::Findings& found, const annotation::Crops& crops);
 
     /// The people, vehicles and animals in a frame, field pixels.
-    std::vector<PixelBox> living_in(const video::Frame& frame);
+    std::vector<PixelBox> living_in(const media::Frame& frame);
 
   private:
     /// What the detector found in a picture, by track and score of the picture.
-    using Answers = std::map<std::pair<std::size_t, double>, events::Look>;
+    using Answers = std::map<std::pair<std::size_t, double>, tracking::Look>;
 
-    std::vector<events::Look> looks_at(const events::Event& event, const glance::Crops& crops, Answers& current);
-    events::Look look_at(const glance::Crop& crop);
+    std::vector<tracking::Look> looks_at(const tracking::Event& event, const annotation::Crops& crops,
+                                         Answers& current);
+    tracking::Look look_at(const annotation::Crop& crop);
 
     detector::Detector* detector_;
     int threads_;

@@ -14,16 +14,16 @@
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
+#include "core/dataset/stored_fields.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/seeds.h"
-#include "core/store/stored_fields.h"
-#include "core/video/input.h"
-#include "core/video/open_source.h"
-#include "core/video/recorder_names.h"
-#include "core/video/recording.h"
-#include "core/video/recording_source.h"
+#include "core/footage/open_source.h"
+#include "core/footage/recorder_names.h"
+#include "core/footage/recording.h"
+#include "core/footage/recording_source.h"
+#include "core/media/input.h"
 
 namespace vvr::app {
 
@@ -31,7 +31,7 @@ std::string shown_name(const std::string& input) {
     namespace fs = std::filesystem;
     if (input == "-") return "stdin";
     std::string path = input;
-    if (video::is_url(input)) {
+    if (media::is_url(input)) {
         path = input.substr(input.find("://") + 3);
         path.resize(std::min(path.size(), path.find_first_of("?#")));
         path = path.find('/') == std::string::npos ? "" : path.substr(path.find('/'));
@@ -41,18 +41,18 @@ std::string shown_name(const std::string& input) {
     return name.empty() || name == "/" || name == "." ? "a clip" : name;
 }
 
-std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
+std::string title_of(const std::string& asked, const media::VideoInfo& clip) {
     if (!asked.empty()) return asked;
     return clip.title.empty() ? shown_name(clip.name) : clip.title;
 }
 
-std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
+std::string camera_of(const RenderJob& job, const media::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
     if (!job.input.camera.empty()) return job.input.camera;
     // Frames from memory have no file, and an extraction does not keep its clip's camera.
-    if (job.input.names.empty() || store::is_data_folder(job.input.names.front())) return {};
+    if (job.input.names.empty() || dataset::is_data_folder(job.input.names.front())) return {};
     if (!info.segments.empty()) return info.title;
-    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.name_patterns)).camera;
+    return footage::segment_from_name(job.input.names.front(), footage::RecorderNames(job.input.name_patterns)).camera;
 }
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
@@ -67,10 +67,10 @@ void report_warnings(const std::vector<std::string>& warnings, const std::vector
                               counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
 }
 
-void require_whole(const video::VideoInfo& info) {
+void require_whole(const media::VideoInfo& info) {
     if (info.left_out.files == 0) return;
     throw Error(ErrorCode::partial,
-                fmt::format("the result does not cover all of '{}': {}", info.name, video::text_of(info.left_out)));
+                fmt::format("the result does not cover all of '{}': {}", info.name, footage::text_of(info.left_out)));
 }
 
 namespace {
@@ -122,7 +122,7 @@ OpenedFields open_extracted(const RenderJob& job) {
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
-    if (job.fields.span.asked != video::RequestedSpan{}) {
+    if (job.fields.span.asked != media::RequestedSpan{}) {
         throw Error(
             ErrorCode::extraction_unsuitable,
             fmt::format(
@@ -130,7 +130,7 @@ OpenedFields open_extracted(const RenderJob& job) {
                 folders.front()),
             {setting::start.name, setting::end.name, setting::between.name});
     }
-    auto source = std::make_unique<store::StoredFields>(folders);
+    auto source = std::make_unique<dataset::StoredFields>(folders);
     image::Metadata settings = source->settings();
     check_agreement(job, settings);
     return {std::move(source), std::move(settings)};
@@ -138,7 +138,7 @@ OpenedFields open_extracted(const RenderJob& job) {
 
 OpenedFields open_any(const RenderJob& job) {
     require_input(job.input);
-    if (!job.input.open && std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
+    if (!job.input.open && std::ranges::all_of(job.input.names, dataset::is_data_folder)) return open_extracted(job);
     OpenedFields opened;
     auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings, job.bricks.max_layers);
     fields::FieldOptions fields = field_options_of(job);
@@ -155,7 +155,7 @@ ClipFacts OpenedFields::facts() const {
     return {source->info(), source->field_size(), source->expected_frames(), extracted, warnings, span};
 }
 
-void require_frames(std::int64_t frames, const video::VideoInfo& info) {
+void require_frames(std::int64_t frames, const media::VideoInfo& info) {
     if (frames > 0) return;
     throw Error(
         ErrorCode::no_frame,
@@ -193,11 +193,11 @@ const std::string& only_input(const InputOptions& options) {
     return options.names.front();
 }
 
-std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+std::unique_ptr<media::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
                                               std::vector<std::string>& warnings, std::int64_t layers) {
     require_input(options);
     warnings.insert(warnings.end(), options.problems.begin(), options.problems.end());
-    video::SourceOptions source;
+    media::SourceOptions source;
     source.field_size = options.field_size;
     source.colour = colour;
     source.threads = threads;
@@ -209,16 +209,16 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.hwaccel = options.hwaccel;
     source.layers = layers;
     if (options.open) return options.open(source);
-    return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);
+    return footage::open_sources(options.names, source, footage::RecorderNames(options.name_patterns), warnings);
 }
 
-video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
+media::FrameSpan resolve_span(const media::FrameSpan& span, const StartTime& start, const media::VideoInfo& info,
                               std::string& day_times) {
     const WallClock clock = clock_of(start, info);
-    video::FrameSpan resolved = video::resolve(span, clock, info);
-    const std::string times = video::day_times_of(resolved, clock, info);
+    media::FrameSpan resolved = media::resolve(span, clock, info);
+    const std::string times = media::day_times_of(resolved, clock, info);
     if (!times.empty()) {
-        const bool counted = span.asked == video::RequestedSpan{};
+        const bool counted = span.asked == media::RequestedSpan{};
         day_times = fmt::format(
             "'{}': {}{}", info.name, times,
             counted ? "; --start and --end count from the first frame; for a time of day, write @02:00" : "");
@@ -235,8 +235,8 @@ std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::F
     return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object, compares);
 }
 
-void check_has_end(const video::VideoInfo& info, Observer& observer) {
-    if (!video::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
+void check_has_end(const media::VideoInfo& info, Observer& observer) {
+    if (!media::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
     const std::string protocol = info.name.substr(0, info.name.find(':'));
     // With these protocols, a finite file may have no known length.
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};

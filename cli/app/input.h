@@ -8,7 +8,7 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "core/fields/field_source.h"
-#include "core/video/frame_source.h"
+#include "core/media/frame_source.h"
 
 namespace vvr::app {
 
@@ -17,27 +17,27 @@ namespace vvr::app {
 std::string shown_name(const std::string& input);
 
 /// The title of a picture and its page: `asked` if not empty, else the clip's name, which data files record.
-std::string title_of(const std::string& asked, const video::VideoInfo& clip);
+std::string title_of(const std::string& asked, const media::VideoInfo& clip);
 
 /// The camera of the input: from the archive that draws it, from the user, or from the names of its files. Empty if
 /// unknown.
-std::string camera_of(const RenderJob& job, const video::VideoInfo& info);
+std::string camera_of(const RenderJob& job, const media::VideoInfo& info);
 
 /// Logs all warnings, and some of the problems with files.
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer);
 
 /// \throws Error partial when files of a recording were left out entirely. Call it last.
-void require_whole(const video::VideoInfo& info);
+void require_whole(const media::VideoInfo& info);
 
 /// What is known about a clip, or its extracted fields, before the first frame is read.
 struct ClipFacts {
-    video::VideoInfo info{};
+    media::VideoInfo info{};
     Size field_size{};
     std::int64_t expected_frames = 0;     ///< 0 = unknown
     image::Metadata extracted{};          ///< as in OpenedFields
     std::vector<std::string> warnings{};  ///< as in OpenedFields
-    video::FrameSpan span{};              ///< as in OpenedFields
+    media::FrameSpan span{};              ///< as in OpenedFields
 };
 
 /// The fields of a job.
@@ -45,7 +45,7 @@ struct OpenedFields {
     std::unique_ptr<fields::FieldSource> source;
     image::Metadata extracted;            ///< settings fixed by the extraction; empty for a clip
     std::vector<std::string> warnings{};  ///< about the input, one sentence each
-    video::FrameSpan span{};              ///< in seconds of the clip
+    media::FrameSpan span{};              ///< in seconds of the clip
     std::string day_times{};              ///< the wall-clock times of the span, for people; empty = unknown
 
     ClipFacts facts() const;
@@ -53,7 +53,7 @@ struct OpenedFields {
 
 /// Checks that a clip gave frames. It had one when it was opened, so it must have changed if not.
 /// \throws Error not_video
-void require_frames(std::int64_t frames, const video::VideoInfo& info);
+void require_frames(std::int64_t frames, const media::VideoInfo& info);
 
 /// What to compute for each frame.
 fields::FieldOptions field_options_of(const RenderJob& job);
@@ -78,17 +78,17 @@ std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::F
 /// Opens a whole clip, or a recording of several files.
 /// \param warnings receives sentences about the input
 /// \param layers of the volume, as SourceOptions::layers
-std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+std::unique_ptr<media::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
                                               std::vector<std::string>& warnings, std::int64_t layers = 0);
 
 /// Refuses live streams, as a clip is read to its end, and more than once. Only warns if it can't be known.
 /// \throws Error usage for a live stream
-void check_has_end(const video::VideoInfo& info, Observer& observer);
+void check_has_end(const media::VideoInfo& info, Observer& observer);
 
 /// Converts a span that may have wall-clock times to seconds of the clip.
 /// \param day_times receives the wall-clock times, for people; empty = the whole clip, or unknown
 /// \throws Error usage when the clock is unknown, or the span has no part of the clip
-video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
+media::FrameSpan resolve_span(const media::FrameSpan& span, const StartTime& start, const media::VideoInfo& info,
                               std::string& day_times);
 
 /// Opens a clip, a recording, or one or several folders of an extraction in consecutive parts.

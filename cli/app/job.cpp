@@ -36,7 +36,7 @@ int pictures_of(const OutputOptions& options) {
     return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
 }
 
-WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
+WallClock clock_of(const StartTime& start, const media::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
     if (start.from == From::none) return std::nullopt;

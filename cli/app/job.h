@@ -11,18 +11,18 @@
 #include <vector>
 
 #include "cli/app/look.h"
+#include "core/annotation/time_ticks.h"
 #include "core/detector/detector.h"
-#include "core/events/event.h"
 #include "core/fields/options.h"
 #include "core/image/comparison.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture.h"
-#include "core/labels/time_ticks.h"
+#include "core/media/frame_source.h"
 #include "core/scene/flow_geometry.h"
 #include "core/scene/theme.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/layout.h"
-#include "core/video/frame_source.h"
+#include "core/tracking/event.h"
 #include "gl/context.h"
 #include "gl/render_options.h"
 
@@ -93,7 +93,7 @@ struct OutputOptions {
     bool reports_events = false;       ///< of a stream: each event is reported when it has ended
     bool returns_events = false;       ///< the caller gets the events
     bool returns_pixel_data = false;   ///< the caller gets the frame, time and depth of each pixel
-    events::EventChoice events;        ///< which events are listed
+    tracking::EventChoice events;      ///< which events are listed
     GoldenOptions golden;
 
     /// Whether somebody gets a list of the events; it needs no picture.
@@ -125,12 +125,12 @@ struct InputOptions {
     std::vector<std::string> name_patterns;  ///< of file names; tried before those of known recorders
     bool join = false;                       ///< treat files as one recording even if they look unrelated
     Size field_size{0, 0};                   ///< as in SourceOptions
-    Choice<video::FrameChoiceRow> decode{video::frame_choices().front()};
-    Choice<video::HwaccelRow> hwaccel{video::hwaccels().front()};
+    Choice<media::FrameChoiceRow> decode{media::frame_choices().front()};
+    Choice<media::HwaccelRow> hwaccel{media::hwaccels().front()};
     double rate = 0;                                                                         ///< as in SourceOptions
     int track = 0;                                                                           ///< as in SourceOptions
-    std::optional<video::Aspect> aspect{};                                                   ///< as in SourceOptions
-    std::function<std::unique_ptr<video::FrameSource>(const video::SourceOptions&)> open{};  ///< replaces the files
+    std::optional<media::Aspect> aspect{};                                                   ///< as in SourceOptions
+    std::function<std::unique_ptr<media::FrameSource>(const media::SourceOptions&)> open{};  ///< replaces the files
     std::string camera{};                 ///< named by the user; empty = from the names of files and folders
     std::vector<std::string> problems{};  ///< known before the files are read, one sentence each
 };
@@ -212,6 +212,6 @@ struct RenderJob {
 
 /// The clock for a clip's ruler.
 /// \throws Error usage when the requested source does not have the time
-WallClock clock_of(const StartTime& start, const video::VideoInfo& info);
+WallClock clock_of(const StartTime& start, const media::VideoInfo& info);
 
 }  // namespace vvr::app

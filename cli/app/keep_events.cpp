@@ -12,9 +12,9 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/container.h"
-#include "core/video/packet_copy.h"
-#include "core/video/piece_names.h"
+#include "core/footage/piece_names.h"
+#include "core/media/container.h"
+#include "core/media/packet_copy.h"
 
 namespace vvr::app {
 
@@ -27,7 +27,7 @@ struct Group {
     std::vector<PieceEvent> events;
 };
 
-std::vector<Group> group(const std::vector<events::Event>& events, double margin, const VideoScale& scale) {
+std::vector<Group> group(const std::vector<tracking::Event>& events, double margin, const VideoScale& scale) {
     std::vector<PieceEvent> sorted;
     for (std::size_t k = 0; k < events.size(); ++k)
         sorted.push_back(piece_event(events[k], static_cast<std::int64_t>(k) + 1, scale));
@@ -45,7 +45,7 @@ std::vector<Group> group(const std::vector<events::Event>& events, double margin
 }
 
 /// The files of the footage.
-std::vector<video::SegmentPlace> files_of(const Plan& plan, const Observation& seen) {
+std::vector<media::SegmentPlace> files_of(const Plan& plan, const Observation& seen) {
     if (!seen.info.segments.empty()) return seen.info.segments;
     return {{plan.job.input.names.front(), 0, std::numeric_limits<double>::infinity(), 0}};
 }
@@ -87,13 +87,13 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, const std::str
             job.span = span_around(events.first, events.last, output.margin);
             job.parts = parts_in(job.places, job.span);
             if (job.parts.empty()) throw_empty(job, "");
-            const video::Input input = video::open_input(job.parts.front().file.path);
-            const std::string_view extension = video::extension_to_play(input, job.input.rate);
+            const media::Input input = media::open_input(job.parts.front().file.path);
+            const std::string_view extension = media::extension_to_play(input, job.input.rate);
             if (extension.empty()) {
                 throw Error(ErrorCode::input_unsuitable,
                             fmt::format("no container supports all streams of '{}'", input.name));
             }
-            const std::string name = video::piece_name(events.events.front().number, extension);
+            const std::string name = footage::piece_name(events.events.front().number, extension);
             job.path = output.folder / name;
             job.place = output.place / name;
             // Before the copy: if the footage is removed during it, no piece lacks its record.

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/events/event_options.h"
-#include "core/events/path.h"
 #include "core/scene/theme.h"
+#include "core/tracking/event_options.h"
+#include "core/tracking/path.h"
 
 namespace vvr::app {
 
@@ -24,33 +24,33 @@ struct Object {
     std::vector<std::pair<double, double>> stays;
 };
 
-Object object_of(const events::Event& event, int colour, std::size_t place) {
+Object object_of(const tracking::Event& event, int colour, std::size_t place) {
     Object object;
     object.colour = colour;
     object.number = static_cast<std::uint16_t>(place < most_numbers ? place + 1 : 0);
     object.seen = {event.first.seconds, event.last.seconds};
-    for (const events::Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
+    for (const tracking::Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
     return object;
 }
 
 }  // namespace
 
-ShownEvents events_between(std::span<const events::Event> events, double begin, double end) {
+ShownEvents events_between(std::span<const tracking::Event> events, double begin, double end) {
     ShownEvents shown;
-    const std::vector<int> colours = events::colours_of(events);
+    const std::vector<int> colours = tracking::colours_of(events);
     std::map<std::size_t, std::size_t> places;  // of the shown events
     for (std::size_t k = 0; k < events.size(); ++k) {
         if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
         places[k] = shown.events.size();
-        events::Event& event = shown.events.emplace_back(events[k]);
-        std::erase_if(event.path, [&](const events::PathPoint& point) {
+        tracking::Event& event = shown.events.emplace_back(events[k]);
+        std::erase_if(event.path, [&](const tracking::PathPoint& point) {
             return point.at.seconds < begin || point.at.seconds > end;
         });
-        event.path_length = events::length_of(event.path);
+        event.path_length = tracking::length_of(event.path);
         shown.numbers.push_back(k + 1);
         shown.colours.push_back(colours[k]);
     }
-    for (events::Event& event : shown.events) {
+    for (tracking::Event& event : shown.events) {
         for (std::optional<std::size_t>* const other : {&event.from, &event.into, &event.by}) {
             const auto place = *other ? places.find(**other) : places.end();
             *other = place == places.end() ? std::nullopt : std::optional(place->second);
@@ -59,32 +59,32 @@ ShownEvents events_between(std::span<const events::Event> events, double begin, 
     return shown;
 }
 
-bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume) {
-    const std::vector<int> colours = events::colours_of(events);
+volume::Identify objects_of(std::span<const tracking::Event> events, const volume::Volume& volume) {
+    const std::vector<int> colours = tracking::colours_of(events);
     std::vector<Object> objects;
     for (std::size_t k = 0; k < events.size(); ++k) objects.push_back(object_of(events[k], colours[k], k));
     const std::int64_t stripe =
         std::max<std::int64_t>(volume.step(), std::llround(static_cast<double>(volume.frames()) / (2 * stripes)));
-    return [objects = std::move(objects), events_of = events::events_of_tracks(events), stripe](
-               std::size_t track, const bricks::Layer& layer) {
-        if (track >= events_of.size() || !events_of[track]) return bricks::Identity{};
+    return [objects = std::move(objects), events_of = tracking::events_of_tracks(events), stripe](
+               std::size_t track, const volume::Layer& layer) {
+        if (track >= events_of.size() || !events_of[track]) return volume::Identity{};
         const Object& object = objects[*events_of[track]];
         const auto is_in = [&](const std::pair<double, double>& span) {
             return layer.last_pts >= span.first && layer.pts <= span.second;
         };
         // The track may begin before the object arrived, when its place differed from the reference. That is not the
         // object.
-        if (!is_in(object.seen)) return bricks::Identity{};
+        if (!is_in(object.seen)) return volume::Identity{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
         const scene::ObjectState state = !stays ? scene::ObjectState::moving
                                          : dark ? scene::ObjectState::marked
                                                 : scene::ObjectState::still;
-        return bricks::Identity{scene::palette_index(object.colour, state), object.number};
+        return volume::Identity{scene::palette_index(object.colour, state), object.number};
     };
 }
 
-void LiveObjects::see(const events::FrameLabels& labels) {
+void LiveObjects::see(const tracking::FrameLabels& labels) {
     last_ = labels.at;
     for (const fields::LabelRun& run : labels.runs) {
         const auto [at, is_new] = tracks_.try_emplace(run.track);
@@ -104,7 +104,7 @@ void LiveObjects::decide(std::int64_t oldest) {
     std::erase_if(numbers_, [&](const auto& known) { return !tracks_.contains(known.first); });
     for (auto& [track, seen] : tracks_) {
         if (seen.decided) continue;
-        seen.decided = seen.last.seconds - seen.first.seconds >= events::thresholds.event.least;
+        seen.decided = seen.last.seconds - seen.first.seconds >= tracking::thresholds.event.least;
         if (!seen.decided) seen.undecided = last_.frame + 1;
     }
 }
@@ -114,15 +114,15 @@ std::optional<int> LiveObjects::colour_of(std::size_t track) const {
     return known == tracks_.end() ? std::nullopt : std::optional(known->second.colour);
 }
 
-bricks::Identify LiveObjects::identify() const {
-    return [this](std::size_t track, const bricks::Layer& layer) {
+volume::Identify LiveObjects::identify() const {
+    return [this](std::size_t track, const volume::Layer& layer) {
         const auto known = tracks_.find(track);
-        if (known == tracks_.end()) return bricks::Identity{};
+        if (known == tracks_.end()) return volume::Identity{};
         const Seen& seen = known->second;
-        if (!seen.decided || layer.last_frame < seen.undecided) return bricks::Identity{};
+        if (!seen.decided || layer.last_frame < seen.undecided) return volume::Identity{};
         const auto number = numbers_.find(track);
         const bool fits = number != numbers_.end() && number->second <= most_numbers;
-        return bricks::Identity{scene::palette_index(seen.colour, scene::ObjectState::moving),
+        return volume::Identity{scene::palette_index(seen.colour, scene::ObjectState::moving),
                                 fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
     };
 }

@@ -8,35 +8,35 @@
 #include <span>
 #include <vector>
 
-#include "core/bricks/owners.h"
-#include "core/bricks/volume.h"
-#include "core/events/colouring.h"
-#include "core/events/event.h"
-#include "core/events/patch.h"
+#include "core/tracking/colouring.h"
+#include "core/tracking/event.h"
+#include "core/tracking/patch.h"
+#include "core/volume/owners.h"
+#include "core/volume/volume.h"
 
 // The events that outputs show, and the mapping from voxels to objects.
 namespace vvr::app {
 
 /// The events that a picture, a page and a report show.
 struct ShownEvents {
-    std::vector<events::Event> events;
+    std::vector<tracking::Event> events;
     std::vector<std::size_t> numbers;  ///< the numbers shown to people
     std::vector<int> colours;          ///< from `colours_of`
 };
 
 /// The events of a clip that overlap the time from `begin` to `end`, cut to that time. An event's number is its index
 /// among all events plus 1.
-ShownEvents events_between(std::span<const events::Event> events, double begin, double end);
+ShownEvents events_between(std::span<const tracking::Event> events, double begin, double end);
 
 /// For a clip that has ended: an object has the colour and number of its event.
-bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);
+volume::Identify objects_of(std::span<const tracking::Event> events, const volume::Volume& volume);
 
 /// For a live stream, where it isn't known yet which tracks are the same object. Each track gets its own colour: the
 /// one that has been unused for longest. A track shorter than an event belongs to no object until it is longer.
 /// Decisions about a stretch of the clip are final, so consecutive pictures show it alike.
 class LiveObjects {
   public:
-    void see(const events::FrameLabels& labels);
+    void see(const tracking::FrameLabels& labels);
 
     /// Decides about a stretch of the clip that has ended and is drawn next.
     /// \param oldest first frame that later pictures can show
@@ -49,7 +49,7 @@ class LiveObjects {
     void give_number(std::size_t track, std::size_t number) { numbers_[track] = number; }
 
     /// \returns a function that refers to this object and must not outlive it
-    bricks::Identify identify() const;
+    volume::Identify identify() const;
 
   private:
     struct Seen {
@@ -64,7 +64,7 @@ class LiveObjects {
 
     std::map<std::size_t, Seen> tracks_;
     std::map<std::size_t, std::size_t> numbers_;
-    std::array<std::int64_t, events::object_colours> last_seen_{};  ///< 1 + frame, per colour
+    std::array<std::int64_t, tracking::object_colours> last_seen_{};  ///< 1 + frame, per colour
     Moment last_;
 };
 

@@ -11,15 +11,15 @@
 
 #include <fmt/format.h>
 
+#include "core/annotation/time_ticks.h"
 #include "core/fields/settings.h"
-#include "core/labels/time_ticks.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {
 
 namespace {
 
-bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan, const fields::FieldNeeds& needs) {
+volume::VolumeOptions with_contents(volume::VolumeOptions room, const Plan& plan, const fields::FieldNeeds& needs) {
     room.seed_interval = needs.every;
     room.values = plan.filter->traits.values;
     room.keep_flow = needs.flow;
@@ -31,8 +31,8 @@ bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan
 
 /// Moves a ghost in the fields to the right time. The reference contained the object until it left, so the fields show
 /// a ghost afterwards.
-void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volume) {
-    for (const events::Event& event : events) {
+void correct_ghosts(std::span<const tracking::Event> events, volume::Volume& volume) {
+    for (const tracking::Event& event : events) {
         if (!event.in_scene || event.tracks.empty()) continue;
         for (const std::size_t track : event.tracks) volume.remove_track(track);
         volume.insert_track(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
@@ -44,15 +44,15 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
 /// away.
 void take_stills_from_scene(Observation& seen) {
     const auto frame_of = [](const Plane<Bgr>& scene) {
-        return video::Frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
+        return media::Frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
     };
-    const video::Frame usual = frame_of(seen.scene);
+    const media::Frame usual = frame_of(seen.scene);
     const auto& mode = seen.summary.reference.infrared;
-    const video::Frame infrared = mode ? frame_of(mode->colour) : usual;
-    for (const events::Event& event : seen.findings.events) {
+    const media::Frame infrared = mode ? frame_of(mode->colour) : usual;
+    for (const tracking::Event& event : seen.findings.events) {
         const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
-        seen.crops.keep(event.tracks.front(), {event.first, event.box, glance::score_of_scene},
+        seen.crops.keep(event.tracks.front(), {event.first, event.box, annotation::score_of_scene},
                         event.infrared ? infrared : usual);
     }
 }
@@ -60,15 +60,15 @@ void take_stills_from_scene(Observation& seen) {
 /// The empty scene, or if there is none, the last frame.
 Plane<Bgr> scene_of(const Observation& seen) {
     const fields::Planes& scene = seen.summary.reference.planes();
-    return video::picture_of(scene.empty() ? *seen.last : video::Frame{0, 0, scene.grey, scene.colour});
+    return media::picture_of(scene.empty() ? *seen.last : media::Frame{0, 0, scene.grey, scene.colour});
 }
 
 /// Reads the frames of events again whose stills had to make room: a day has more tracks of twigs and insects than
 /// there is room for, and they may look better than a person in the dark.
 void take_stills_again(Observation& seen, fields::FieldSource& source) {
-    std::map<double, std::vector<const events::Event*>> missing;
+    std::map<double, std::vector<const tracking::Event*>> missing;
     std::set<std::size_t> tracks;
-    for (const events::Event& event : seen.findings.events) {
+    for (const tracking::Event& event : seen.findings.events) {
         tracks.insert(event.tracks.begin(), event.tracks.end());
         const bool lacks = event.portrait && !event.tracks.empty() && seen.crops.find(event) == nullptr;
         if (lacks) missing[event.portrait->at.seconds].push_back(&event);
@@ -78,14 +78,14 @@ void take_stills_again(Observation& seen, fields::FieldSource& source) {
                              [&](std::size_t track) { return !tracks.contains(track); });
     std::vector<double> times;
     for (const auto& [seconds, events] : missing) times.push_back(seconds);
-    source.read_again(times, [&](const video::Frame& frame) {
-        for (const events::Event* event : missing.at(frame.pts))
+    source.read_again(times, [&](const media::Frame& frame) {
+        for (const tracking::Event* event : missing.at(frame.pts))
             seen.crops.keep(event->tracks.front(), *event->portrait, frame);
     });
 }
 
 /// Fills a gap in the recording, where frame numbers are missing.
-void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volume& volume) {
+void fill_gap(const media::Frame& last, const fields::Field& next, volume::Volume& volume) {
     if (volume.frames() == 0 || next.index <= last.index + 1) return;
     const std::int64_t gap = next.index - last.index - 1;
     const double apart = (next.pts - last.pts) / static_cast<double>(gap + 1);
@@ -94,13 +94,13 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
 
 }  // namespace
 
-std::vector<events::Event> take_chosen_events(Observation& seen, const events::EventChoice& choice) {
+std::vector<tracking::Event> take_chosen_events(Observation& seen, const tracking::EventChoice& choice) {
     seen.not_chosen.clear();
-    for (const events::Event& event : seen.findings.events) {
+    for (const tracking::Event& event : seen.findings.events) {
         const bool is_shown = event.last.seconds >= seen.begin.seconds && event.first.seconds <= seen.last->pts;
         if (is_shown && !choice.accepts(event)) seen.not_chosen.push_back({event.first.seconds, event.last.seconds});
     }
-    return events::choose_events(std::move(seen.findings.events), choice);
+    return tracking::choose_events(std::move(seen.findings.events), choice);
 }
 
 namespace {
@@ -110,12 +110,12 @@ void conclude(const Plan& plan, fields::FieldSource& source, ObservationBuilder&
     Observation& seen = builder.seen;
     builder.set_findings(builder.finder->finish());
     seen.volume.forget_motion();
-    for (const auto& [first, last] : events::busy_times(seen.findings.events)) seen.volume.mark_motion(first, last);
+    for (const auto& [first, last] : tracking::busy_times(seen.findings.events)) seen.volume.mark_motion(first, last);
     seen.volume.settle();
     take_stills_again(seen, source);
     take_stills_from_scene(seen);
     builder.identify();
-    const std::vector<events::Event> events = take_chosen_events(seen, plan.job.output.events);
+    const std::vector<tracking::Event> events = take_chosen_events(seen, plan.job.output.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);
         seen.identify = objects_of(events, seen.volume);
@@ -133,7 +133,7 @@ Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t ste
     Observation& seen = builder.seen;
     const int keyframes = plan.job.look.keyframes;
     int passed = 0;  // key frames, at equal distances
-    seen.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
+    seen.summary = source.read(needs, [&](const media::SharedFrame& frame, const fields::Field& field) {
         fill_gap(*seen.last, field, seen.volume);
         builder.add(frame, field);
         const std::int64_t number = seen.volume.frames() - 1;
@@ -187,7 +187,7 @@ Bgr VoxelColours::colour_of_flow(float u, float v) const {
         glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
 }
 
-const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fields::Field& field) {
+const Plane<Bgr>& VoxelColours::operator()(const media::Frame& frame, const fields::Field& field) {
     if (plan_.colour->drawn != gl::VolumeColour::own) return painted_;
     if (plan_.colour->needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
@@ -203,23 +203,23 @@ const Plane<Bgr>& VoxelColours::operator()(const video::Frame& frame, const fiel
     return painted_;
 }
 
-ObservationBuilder::ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
-    : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
+ObservationBuilder::ObservationBuilder(const Plan& plan, volume::VolumeOptions room, fields::FieldNeeds needs)
+    : seen{volume::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
       find_gap_(plan.clip.info.rate, plan.clip.info.decoded_share < 1),
       plan_(plan),
       keeps_crops_(needs.full_size),
       keeps_boxes_(!plan.job.output.tracks.empty()),
       voxel_colours_(plan) {
     if (plan.finds_objects)
-        finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr,
-                                                                  .labels = plan.colours_objects() || keeps_boxes_});
+        finder.emplace(plan.clip.field_size, tracking::EventOptions{.scene_is_learnt = plan.reference != nullptr,
+                                                                    .labels = plan.colours_objects() || keeps_boxes_});
     if (plan.finds_objects && plan.detector) {
         identifier_.emplace(*plan.detector, plan.job.fields.threads);
-        seen.crops = glance::Crops(most_looks);
+        seen.crops = annotation::Crops(most_looks);
     }
 }
 
-void ObservationBuilder::set_findings(events::Findings findings) {
+void ObservationBuilder::set_findings(tracking::Findings findings) {
     seen.findings = std::move(findings);
     for (const PixelBox& overlay : seen.findings.overlays) seen.volume.clear(overlay);
 }
@@ -236,26 +236,27 @@ fields::SceneSink ObservationBuilder::scene_sink() {
 
 fields::LivingFinder ObservationBuilder::living_finder() {
     if (!identifier_) return {};
-    return [this](const video::Frame& frame) { return identifier_->living_in(frame); };
+    return [this](const media::Frame& frame) { return identifier_->living_in(frame); };
 }
 
-const events::FrameLabels& ObservationBuilder::add(const video::SharedFrame& frame, const fields::Field& field) {
+const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& frame, const fields::Field& field) {
     std::optional<double> busy_since;
-    if (field.before != video::Absence::no_signal && seen.volume.frames() > 0)
+    if (field.before != media::Absence::no_signal && seen.volume.frames() > 0)
         seen.missing.push_back({seen.last->pts, field.pts, field.before});
     if (field.scene) {
         seen.relearnt.push_back(fmt::format(
             "most of the picture changed at {}; the empty scene was learnt anew until {}, and nothing is known of what "
             "happened meanwhile",
-            labels::format_moment(field.scene->changed, plan_.clock), labels::format_moment(field.pts, plan_.clock)));
+            annotation::format_moment(field.scene->changed, plan_.clock),
+            annotation::format_moment(field.pts, plan_.clock)));
     }
     if (finder) {
-        events::TrackedFrame tracked = finder->add(
+        tracking::TrackedFrame tracked = finder->add(
             {field.scalar, frame->grey, frame->colour, field.infrared, field.scene.get()}, {field.index, field.pts});
         labels_ = std::move(tracked.labels);
         busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
-        for (const events::TrackPortrait& best : tracked.portraits) {
+        for (const tracking::TrackPortrait& best : tracked.portraits) {
             if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
         }
     }
@@ -285,11 +286,11 @@ fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source,
     return needs;
 }
 
-video::Unseen unseen_of(const Plan& plan, const Observation& seen) {
-    video::Unseen unseen{.areas = plan.areas, .masked = plan.masked};
-    std::ranges::copy_if(seen.gaps, std::back_inserter(unseen.gaps), [&](const video::FrameGap& gap) {
+footage::Unseen unseen_of(const Plan& plan, const Observation& seen) {
+    footage::Unseen unseen{.areas = plan.areas, .masked = plan.masked};
+    std::ranges::copy_if(seen.gaps, std::back_inserter(unseen.gaps), [&](const media::FrameGap& gap) {
         return gap.end > seen.begin.seconds && gap.begin < seen.end().seconds &&
-               video::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end) !=
+               media::reason_for_gap(plan.job.fields.span, seen.info.segments, seen.missing, gap.begin, gap.end) !=
                    "left out";
     });
     unseen.damage = seen.summary.damage;

@@ -12,45 +12,45 @@
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
 #include "cli/app/track_boxes.h"
-#include "core/bricks/owners.h"
-#include "core/bricks/volume.h"
-#include "core/events/event_finder.h"
+#include "core/annotation/portraits.h"
+#include "core/annotation/time_strip.h"
 #include "core/fields/field.h"
 #include "core/fields/field_source.h"
-#include "core/glance/portraits.h"
-#include "core/glance/time_strip.h"
-#include "core/video/frame.h"
-#include "core/video/frame_gaps.h"
-#include "core/video/frame_span.h"
+#include "core/media/frame.h"
+#include "core/media/frame_gaps.h"
+#include "core/media/frame_span.h"
+#include "core/tracking/event_finder.h"
+#include "core/volume/owners.h"
+#include "core/volume/volume.h"
 
 // Reading a clip into an observation.
 namespace vvr::app {
 
 /// A frame and its number, counted from the start of the volume.
 struct KeyFrame {
-    video::SharedFrame frame;
+    media::SharedFrame frame;
     std::int64_t number = 0;
 };
 
 /// The data gathered from a clip, or from the window over it.
 struct Observation {
-    bricks::Volume volume;
-    video::VideoInfo info{};
+    volume::Volume volume;
+    media::VideoInfo info{};
     Moment begin{};                                                     ///< of the first frame
-    video::SharedFrame first = std::make_shared<const video::Frame>();  ///< at the start of the volume
-    video::SharedFrame last = first;                                    ///< at the end of the volume
+    media::SharedFrame first = std::make_shared<const media::Frame>();  ///< at the start of the volume
+    media::SharedFrame last = first;                                    ///< at the end of the volume
     std::vector<KeyFrame> keyframes{};                                  ///< between these
     std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
     std::optional<ShownEvents> events{};                ///< none = not searched for
     std::vector<TrackBox> track_boxes{};                ///< of all frames, if they are written
-    events::Findings findings{};                        ///< all that was found besides the chosen events
-    std::vector<glance::Period> not_chosen{};           ///< when objects were there whose events weren't chosen
-    bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
-    glance::Crops crops{};                              ///< pictures of the objects
+    tracking::Findings findings{};                      ///< all that was found besides the chosen events
+    std::vector<annotation::Period> not_chosen{};       ///< when objects were there whose events weren't chosen
+    volume::Identify identify = volume::no_identities;  ///< maps voxels to objects
+    annotation::Crops crops{};                          ///< pictures of the objects
     std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                 ///< the scene without objects
-    std::vector<video::FrameGap> gaps{};                ///< where frames are missing
-    std::vector<video::MissingFrames> missing{};        ///< whose reason is known
+    std::vector<media::FrameGap> gaps{};                ///< where frames are missing
+    std::vector<media::MissingFrames> missing{};        ///< whose reason is known
     std::vector<std::string> relearnt{};                ///< when the empty scene was learnt anew, one sentence each
     fields::FieldSummary summary{};
 
@@ -62,13 +62,13 @@ struct Observation {
 Observation observe(const Plan& plan, fields::FieldSource& source, Observer& observer);
 
 /// What of the clip, or of the window over it, nobody looked at.
-video::Unseen unseen_of(const Plan& plan, const Observation& seen);
+footage::Unseen unseen_of(const Plan& plan, const Observation& seen);
 
 /// What the plan needs from the fields of `frames` frames.
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
 
 /// Takes the events that were chosen out of the findings, and keeps of the others only their times.
-std::vector<events::Event> take_chosen_events(Observation& seen, const events::EventChoice& choice);
+std::vector<tracking::Event> take_chosen_events(Observation& seen, const tracking::EventChoice& choice);
 
 /// Computes the colours of a frame's voxels, if the volume stores colours.
 class VoxelColours {
@@ -77,7 +77,7 @@ class VoxelColours {
     explicit VoxelColours(const Plan& plan);
 
     /// Empty if voxels have no colours of their own. Valid until the next call.
-    const Plane<Bgr>& operator()(const video::Frame& frame, const fields::Field& field);
+    const Plane<Bgr>& operator()(const media::Frame& frame, const fields::Field& field);
 
   private:
     Bgr colour_of_flow(float u, float v) const;
@@ -91,13 +91,13 @@ class VoxelColours {
 class ObservationBuilder {
   public:
     /// \param room size of the volume; the plan decides what it stores
-    ObservationBuilder(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs);
+    ObservationBuilder(const Plan& plan, volume::VolumeOptions room, fields::FieldNeeds needs);
 
     /// \returns the objects of its pixels
-    const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field);
+    const tracking::FrameLabels& add(const media::SharedFrame& frame, const fields::Field& field);
 
     /// Takes what was found, and removes the camera's clock from the volume.
-    void set_findings(events::Findings findings);
+    void set_findings(tracking::Findings findings);
 
     /// Lets the detector look at the events that were found, if there is one.
     void identify();
@@ -110,15 +110,15 @@ class ObservationBuilder {
     fields::LivingFinder living_finder();
 
     Observation seen;
-    std::optional<events::EventFinder> finder;  ///< none = objects are not tracked
+    std::optional<tracking::EventFinder> finder;  ///< none = objects are not tracked
 
   private:
-    video::FrameGaps find_gap_;
+    media::FrameGaps find_gap_;
     const Plan& plan_;
     bool keeps_crops_;
     bool keeps_boxes_;
     VoxelColours voxel_colours_;
-    events::FrameLabels labels_;  ///< of the last field
+    tracking::FrameLabels labels_;  ///< of the last field
     std::optional<Identifier> identifier_;
 };
 

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "core/glance/portraits.h"
-#include "core/glance/scene_map.h"
+#include "core/annotation/portraits.h"
+#include "core/annotation/ruler.h"
+#include "core/annotation/scene_map.h"
+#include "core/annotation/time_ticks.h"
 #include "core/image/picture.h"
-#include "core/labels/ruler.h"
-#include "core/labels/time_ticks.h"
 
 namespace vvr::app {
 
@@ -25,7 +25,7 @@ namespace {
 std::vector<page::Overlay::Section> sections_of(const Plan& plan, const Observation& seen,
                                                 const space::Camera& camera) {
     constexpr std::int64_t most = 192;
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     std::vector<page::Overlay::Section> sections;
     const std::int64_t count = std::min(most, volume.layers());
     for (std::int64_t k = 0; k <= count && count > 0; ++k) {
@@ -49,19 +49,19 @@ std::vector<page::Overlay::Section> sections_of(const Plan& plan, const Observat
 std::vector<page::Overlay::Note> notes_of(const Plan& plan, const Observation& seen, const Composition& composed) {
     std::vector<page::Overlay::Note> notes;
     if (!plan.shows(Part::ruler)) return notes;
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     const Framing& framing = composed.framing;
     const auto add = [&](const std::string& text, double t) {
-        const labels::MarkInPicture mark =
-            labels::mark_in_picture(*plan.layout, framing.edge, t, framing.camera, plan.job.picture.size);
+        const annotation::MarkInPicture mark =
+            annotation::mark_in_picture(*plan.layout, framing.edge, t, framing.camera, plan.job.picture.size);
         notes.push_back({text, mark.end, mark.out});
     };
-    for (const labels::TimeGap& gap : explained_gaps(plan, seen)) add(gap.reason, (gap.t_begin + gap.t_end) / 2);
-    const std::vector<labels::TimeTick>& ticks = composed.ticks;
+    for (const annotation::TimeGap& gap : explained_gaps(plan, seen)) add(gap.reason, (gap.t_begin + gap.t_end) / 2);
+    const std::vector<annotation::TimeTick>& ticks = composed.ticks;
     if (!ticks.empty()) add(ticks.front().text, volume.t_of_seconds(ticks.front().seconds));
     for (std::size_t k = ticks.size(); k-- > 1;) add(ticks[k].text, volume.t_of_seconds(ticks[k].seconds));
-    for (const labels::TimeBreak& gap : labels::time_breaks(volume, breaks_shown))
-        add(fmt::format("{} idle", labels::format_duration(gap.seconds)), gap.t);
+    for (const annotation::TimeBreak& gap : annotation::time_breaks(volume, breaks_shown))
+        add(fmt::format("{} idle", annotation::format_duration(gap.seconds)), gap.t);
     return notes;
 }
 
@@ -69,11 +69,11 @@ std::vector<page::Overlay::Portrait> portraits_of(const Plan& plan, const Observ
                                                   const Composition& composed) {
     std::vector<page::Overlay::Portrait> portraits;
     if (!plan.shows(Part::portraits) || composed.framing.sheet.text == 0) return portraits;
-    const glance::Objects& objects = composed.objects;
-    const glance::Trails trails(seen.volume, *plan.layout, composed.framing.camera, plan.job.picture.size);
+    const annotation::Objects& objects = composed.objects;
+    const annotation::Trails trails(seen.volume, *plan.layout, composed.framing.camera, plan.job.picture.size);
     std::vector<std::size_t> all(objects.events.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    for (const glance::EventPortrait& placed : glance::event_portraits(
+    for (const annotation::EventPortrait& placed : annotation::event_portraits(
              objects, std::set(all.begin(), all.end()), seen.crops, trails, composed.framing.sheet, {})) {
         portraits.push_back({placed.event, placed.still, placed.to});
     }
@@ -83,7 +83,7 @@ std::vector<page::Overlay::Portrait> portraits_of(const Plan& plan, const Observ
 }  // namespace
 
 page::Overlay overlay_of(const Plan& plan, const Observation& seen, const Composition& composed) {
-    const labels::Sheet& sheet = composed.framing.sheet;
+    const annotation::Sheet& sheet = composed.framing.sheet;
     page::Overlay overlay;
     overlay.sections = sections_of(plan, seen, composed.framing.camera);
     overlay.notes = notes_of(plan, seen, composed);
@@ -92,8 +92,8 @@ page::Overlay overlay_of(const Plan& plan, const Observation& seen, const Compos
     overlay.numbers = plan.shows(Part::numbers);
     if (plan.shows(Part::map) && !seen.scene.empty() && sheet.text > 0) {
         const Size field = plan.clip.field_size;
-        overlay.map = glance::map_box(*plan.layout, composed.framing.camera, sheet.picture, sheet.map_area,
-                                      static_cast<double>(field.width) / field.height);
+        overlay.map = annotation::map_box(*plan.layout, composed.framing.camera, sheet.picture, sheet.map_area,
+                                          static_cast<double>(field.width) / field.height);
         if (!overlay.map.empty()) overlay.scene = image::resized(seen.scene, overlay.map.size());
     }
     return overlay;

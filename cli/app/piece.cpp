@@ -15,13 +15,13 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/container.h"
-#include "core/video/file_moment.h"
-#include "core/video/frame_source.h"
-#include "core/video/open_source.h"
-#include "core/video/packet_copy.h"
-#include "core/video/recorder_names.h"
-#include "core/video/scaler.h"
+#include "core/footage/file_moment.h"
+#include "core/footage/open_source.h"
+#include "core/footage/recorder_names.h"
+#include "core/media/container.h"
+#include "core/media/frame_source.h"
+#include "core/media/packet_copy.h"
+#include "core/media/scaler.h"
 
 namespace vvr::app {
 
@@ -39,7 +39,7 @@ std::string time_of_day(const PieceJob& job, double begin, double end) {
 
 /// The time of a second of the recording, in seconds since 1970 (UTC); none = unknown.
 std::optional<double> utc_at(const PieceJob& job, double seconds) {
-    if (job.clock) return static_cast<double>(video::utc_of({job.clock->begin, job.clock->utc_offset})) + seconds;
+    if (job.clock) return static_cast<double>(footage::utc_of({job.clock->begin, job.clock->utc_offset})) + seconds;
     return job.created ? std::optional(static_cast<double>(*job.created) + seconds) : std::nullopt;
 }
 
@@ -55,8 +55,8 @@ std::string files_of(const PieceJob& job) {
 /// The metadata of the piece: camera, day, time, and source files.
 /// \param begin time of the first frame, in seconds of the recording
 /// \param end time of the last frame
-video::Tags tags_of(const PieceJob& job, double begin, double end) {
-    video::Tags tags;
+media::Tags tags_of(const PieceJob& job, double begin, double end) {
+    media::Tags tags;
     if (!job.camera.empty()) tags.emplace_back("title", shown_text(job.camera));
     std::string comment = shown_text(job.camera);
     const std::string day = time_of_day(job, begin, end);
@@ -71,7 +71,7 @@ video::Tags tags_of(const PieceJob& job, double begin, double end) {
     const std::string time =
         fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime((milliseconds - rest) / 1000), rest);
     tags.emplace_back("creation_time", time);
-    if (video::container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // AVI lacks the other tag
+    if (media::container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // AVI lacks the other tag
     return tags;
 }
 
@@ -83,23 +83,23 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
 
 /// The interval in seconds of its files.
 std::string files_text(const PieceJob& job, double begin, double end) {
-    const auto [file, offset] = video::file_at(job.places, begin);
-    const auto [last_file, last_offset] = video::file_at(job.places, end);
+    const auto [file, offset] = footage::file_at(job.places, begin);
+    const auto [last_file, last_offset] = footage::file_at(job.places, end);
     const std::string from = file == last_file ? "" : fmt::format(" of '{}'", file->path);
     return fmt::format("{:.3f} s{} to {:.3f} s of '{}'", offset, from, last_offset, last_file->path);
 }
 
 /// What the packets tell of a piece.
-PieceFacts facts_of(const std::vector<video::CopyPart>& parts) {
-    const video::CopyPart& last = parts.back();
+PieceFacts facts_of(const std::vector<media::CopyPart>& parts) {
+    const media::CopyPart& last = parts.back();
     PieceFacts facts{parts.front().begin + parts.front().piece.begin, last.begin + last.piece.end,
                      last.begin + last.piece.until};
-    video::FrameGaps find_gap(1 / (last.piece.until - last.piece.end));
+    media::FrameGaps find_gap(1 / (last.piece.until - last.piece.end));
     double before = facts.begin;
-    for (const video::CopyPart& part : parts) {
+    for (const media::CopyPart& part : parts) {
         const auto& frames = part.piece.frames;
         facts.parts.push_back({part.input.name, frames.front().number, frames.back().number, std::ssize(frames)});
-        for (const video::PacketRange::Frame& frame : frames) {
+        for (const media::PacketRange::Frame& frame : frames) {
             const double time = part.begin + frame.time;
             if (const auto gap = find_gap(time)) facts.gaps.push_back(*gap);
             if (frame.damaged) add_damage(facts.damage, {before, time, 1});
@@ -111,8 +111,8 @@ PieceFacts facts_of(const std::vector<video::CopyPart>& parts) {
 
 // ---- A copy
 
-std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
-    std::vector<video::CopyPart> copied;
+std::vector<media::CopyPart> parts_to_copy(const PieceJob& job) {
+    std::vector<media::CopyPart> copied;
     std::optional<double> over;
     for (const FootagePart& part : job.parts) {
         if (part.overlaps) {
@@ -121,8 +121,8 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
                                     "file by itself",
                                     part.file.path));
         }
-        video::Input input = video::open_track(part.file.path, job.input.track);
-        const video::PacketRange piece = video::find_packets(input, job.input.rate, part.span);
+        media::Input input = media::open_track(part.file.path, job.input.track);
+        const media::PacketRange piece = media::find_packets(input, job.input.rate, part.span);
         if (piece.frames.empty() && piece.over) over = part.file.begin + *piece.over;
         if (!piece.frames.empty()) copied.push_back({std::move(input), piece, part.file.begin});
     }
@@ -143,7 +143,7 @@ std::string interval_text(const PieceJob& job, double begin, double end) {
 }
 
 void throw_empty(const PieceJob& job, const std::string& rest) {
-    std::string span = video::text_of(job.span);
+    std::string span = media::text_of(job.span);
     if (job.by_clock) {
         const std::string end = job.span.end ? asked_text(job, *job.span.end) : "its end";
         span = fmt::format("from {} to {}", asked_text(job, job.span.start), end);
@@ -153,18 +153,18 @@ void throw_empty(const PieceJob& job, const std::string& rest) {
 }
 
 std::optional<PieceFacts> copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
-    const std::vector<video::CopyPart> parts = parts_to_copy(job);
-    const video::CopyPart& first = parts.front();
+    const std::vector<media::CopyPart> parts = parts_to_copy(job);
+    const media::CopyPart& first = parts.front();
     PieceFacts facts = facts_of(parts);
-    const video::Tags tags = tags_of(job, facts.begin, facts.end);
-    video::CopyResult copied;
+    const media::Tags tags = tags_of(job, facts.begin, facts.end);
+    media::CopyResult copied;
     try {
         const auto held = observer.guard();
         const auto check_stop = [&] {
             if (stop.stop_requested()) throw Stopped();
         };
         replace_file(job.path, [&](const WriteAt& write_at) {
-            copied = video::copy_pieces(parts, job.input.rate, job.path, tags, write_at, check_stop);
+            copied = media::copy_pieces(parts, job.input.rate, job.path, tags, write_at, check_stop);
         });
     } catch (const Stopped&) {
         return std::nullopt;
@@ -174,7 +174,7 @@ std::optional<PieceFacts> copy_piece(const PieceJob& job, Observer& observer, co
                                   asked_text(job, facts.end)));
     }
     std::int64_t damaged = 0;
-    for (const video::Damage& damage : facts.damage) damaged += damage.packets;
+    for (const media::Damage& damage : facts.damage) damaged += damage.packets;
     if (damaged > 0) {
         observer.warn(
             fmt::format("'{}': {} copied unchanged into the piece", job.name, counted(damaged, "damaged packet")));
@@ -192,21 +192,21 @@ std::optional<PieceFacts> copy_piece(const PieceJob& job, Observer& observer, co
 }
 
 FullFrame frame_of(const PieceJob& job, double seconds) {
-    video::SourceOptions options;
+    media::SourceOptions options;
     options.field_size = {-1, -1};
     options.colour = true;
     options.threads = job.threads;
     options.rate = job.input.rate;
     constexpr double little = 0.0005;  // times are rounded
-    const auto [file, offset] = video::file_at(job.places, seconds);
+    const auto [file, offset] = footage::file_at(job.places, seconds);
     double from = offset;
     for (const auto& place : std::span(job.places).subspan(static_cast<std::size_t>(file - job.places.data()))) {
-        const auto source = video::open_source(place.path, options);
+        const auto source = footage::open_source(place.path, options);
         source->seek(std::max(0.0, from - 1));
         auto frame = source->next();
         while (frame && frame->pts < from - little) frame = source->next();
         if (frame) {
-            video::Scaler scale(source->field_size(), true);
+            media::Scaler scale(source->field_size(), true);
             return {place.begin + frame->pts, frame->index, scale(*frame).colour};
         }
         from = 0;

@@ -10,7 +10,7 @@
 #include "cli/app/observer.h"
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
-#include "core/video/frame_gaps.h"
+#include "core/media/frame_gaps.h"
 
 namespace vvr::app {
 
@@ -19,8 +19,8 @@ struct PieceJob {
     std::string name;    ///< of the footage, for log lines
     std::string camera;  ///< empty = unknown
     std::vector<FootagePart> parts;
-    std::vector<video::SegmentPlace> places;  ///< of all files that are known
-    video::FrameSpan span;                    ///< as requested, in seconds of the recording
+    std::vector<media::SegmentPlace> places;  ///< of all files that are known
+    media::FrameSpan span;                    ///< as requested, in seconds of the recording
     WallClock clock{};                        ///< of the recording; none = unknown
     bool by_clock = false;                    ///< messages tell times of day
     std::optional<std::int64_t>
@@ -48,8 +48,8 @@ struct PieceFacts {
         std::int64_t frames = 0;  ///< that are there
     };
     std::vector<Part> parts{};
-    std::vector<video::FrameGap> gaps{};
-    std::vector<video::Damage> damage{};  ///< as the container marks it
+    std::vector<media::FrameGap> gaps{};
+    std::vector<media::Damage> damage{};  ///< as the container marks it
 };
 
 /// A time for messages, by the clock or in seconds of the recording: "2026-11-22T02:12:10+01:00", "12.500 s".

@@ -14,7 +14,7 @@
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/video/piece_names.h"
+#include "core/footage/piece_names.h"
 
 namespace vvr::app {
 
@@ -53,12 +53,12 @@ Json json_of(const PieceRecord& record, const WrittenPiece& piece, const MomentP
                          {"frames", part.frames}});
     }
     std::int64_t expected = present;
-    for (const video::FrameGap& gap : facts.gaps) expected += gap.frames;
-    video::Unseen unseen = record.unseen;
+    for (const media::FrameGap& gap : facts.gaps) expected += gap.frames;
+    footage::Unseen unseen = record.unseen;
     unseen.gaps = facts.gaps;
     unseen.damage = facts.damage;
     unseen.damaged = 0;
-    for (const video::Damage& damage : facts.damage) unseen.damaged += damage.packets;
+    for (const media::Damage& damage : facts.damage) unseen.damaged += damage.packets;
     Json json{{"first", places(facts.begin)},
               {"last", places(facts.end)},
               {"frames", {{"present", present}, {"expected", expected}}},
@@ -125,9 +125,9 @@ void write_record(const fs::path& folder, const PieceRecord& record, Observer& o
     }
     for (const auto& [name, value] : record.settings) json["settings"][name] = value;
     const std::string text = json_text(json, 2) + "\n";
-    write(folder / video::record_name, text, observer);
-    sums += fmt::format("{}  {}\n", hex_sha256(text), video::record_name);
-    write(folder / video::sums_name, sums, observer);
+    write(folder / footage::record_name, text, observer);
+    sums += fmt::format("{}  {}\n", hex_sha256(text), footage::record_name);
+    write(folder / footage::sums_name, sums, observer);
 }
 
 }  // namespace vvr::app

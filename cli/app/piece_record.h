@@ -10,8 +10,8 @@
 #include "cli/app/observer.h"
 #include "cli/app/piece.h"
 #include "core/base/wall_clock.h"
+#include "core/footage/unseen.h"
 #include "core/image/picture.h"
-#include "core/video/unseen.h"
 
 namespace vvr::app {
 
@@ -37,8 +37,8 @@ struct PieceRecord {
     std::string camera;                         ///< empty = unknown
     WallClock clock;                            ///< of the footage; none = unknown
     image::Metadata settings;                   ///< with which the events were found
-    video::Unseen unseen{};                     ///< the areas in which nobody looked for events
-    std::vector<video::SegmentPlace> places{};  ///< of the files, in seconds of the footage
+    footage::Unseen unseen{};                   ///< the areas in which nobody looked for events
+    std::vector<media::SegmentPlace> places{};  ///< of the files, in seconds of the footage
     std::vector<HashedFile> footage{};          ///< the files of the pieces
     std::vector<WrittenPiece> pieces{};
 

@@ -13,12 +13,12 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
-#include "core/bricks/brick.h"
 #include "core/fields/flow.h"
 #include "core/fields/region.h"
 #include "core/image/picture_file.h"
 #include "core/image/video_encoder.h"
 #include "core/scene/scene.h"
+#include "core/volume/brick.h"
 
 namespace vvr::app {
 
@@ -132,7 +132,7 @@ constexpr double default_seconds = 10;
 constexpr double default_frames = 100;  // if the frame rate is unknown
 
 double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
-    const video::VideoInfo& info = clip.info;
+    const media::VideoInfo& info = clip.info;
     if (bricks.length && bricks.length->unit == Time::Unit::frames) return bricks.length->value;
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
@@ -184,7 +184,7 @@ std::int64_t bytes_of(const Plan& plan, const Extent& extent) {
     // that, respectively.
     const gl::VolumeColour colour = plan.colour->drawn;
     const std::int64_t voxel_bytes = colour == gl::VolumeColour::own || colour == gl::VolumeColour::object ? 4 : 1;
-    const auto pieces = static_cast<int>((extent.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
+    const auto pieces = static_cast<int>((extent.layers + volume::sub_brick_layers - 1) / volume::sub_brick_layers);
     const std::int64_t in_textures = extent.layers * textures_of(plan.products, pieces) / std::max(1, pieces);
     // With unequal lengths, there are up to 1.5 times as many layers during reading, but no more than frames.
     std::int64_t held = plan.nonuniform ? extent.layers * 3 / 2 : extent.layers;
@@ -226,7 +226,7 @@ Extent extent_of(const Plan& plan) {
 
 std::int64_t SlidingWindow::pieces_of_brick() const {
     return std::ssize(
-        bricks::cut_into_sub_bricks(bricks::cut_at(std::array{bricks::Brick{0, brick_layers}}, key_layers)));
+        volume::cut_into_sub_bricks(volume::cut_at(std::array{volume::Brick{0, brick_layers}}, key_layers)));
 }
 
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames) {
@@ -328,16 +328,16 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
 Framing Plan::framing() const {
     Framing framing;
     const Parts& show = job.look.show;
-    framing.sheet = labels::arrange_sheet(job.picture.size,
-                                          {.title = shows(Part::title),
-                                           .ruler = shows(Part::ruler),
-                                           .legend = shows(Part::legend),
-                                           .explanation = shows(Part::explanation),
-                                           .portraits = shows(Part::portraits),
-                                           .ends = shows(Part::ends),
-                                           .strip = shows(Part::strip),
-                                           .large_captions = products.only_page},
-                                          static_cast<double>(clip.field_size.width) / clip.field_size.height);
+    framing.sheet = annotation::arrange_sheet(job.picture.size,
+                                              {.title = shows(Part::title),
+                                               .ruler = shows(Part::ruler),
+                                               .legend = shows(Part::legend),
+                                               .explanation = shows(Part::explanation),
+                                               .portraits = shows(Part::portraits),
+                                               .ends = shows(Part::ends),
+                                               .strip = shows(Part::strip),
+                                               .large_captions = products.only_page},
+                                              static_cast<double>(clip.field_size.width) / clip.field_size.height);
     const PixelBox& part = framing.sheet.volume;
     const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
     std::vector<glm::dvec3> points =
@@ -345,9 +345,9 @@ Framing Plan::framing() const {
     space::View view = job.picture.view;
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet already leaves a margin
     space::Camera camera = space::fit_camera(view, points, part.size());
-    framing.edge = labels::outer_edge(*layout, camera, part.size());
+    framing.edge = annotation::outer_edge(*layout, camera, part.size());
     if (shows(Part::ruler)) {
-        const std::vector<glm::dvec3> reach = labels::ruler_reach(*layout, framing.edge);
+        const std::vector<glm::dvec3> reach = annotation::ruler_reach(*layout, framing.edge);
         points.insert(points.end(), reach.begin(), reach.end());
         camera = space::fit_camera(view, points, part.size());
     }

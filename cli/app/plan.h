@@ -10,24 +10,24 @@
 #include "cli/app/input.h"
 #include "cli/app/job.h"
 #include "cli/app/look.h"
+#include "core/annotation/ruler.h"
+#include "core/annotation/sheet.h"
 #include "core/detector/detector.h"
 #include "core/fields/filter.h"
 #include "core/fields/reference.h"
-#include "core/labels/ruler.h"
-#include "core/labels/sheet.h"
+#include "core/footage/unseen.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
-#include "core/video/unseen.h"
 
 // The plan of a run: a job that was checked against the opened footage.
 namespace vvr::app {
 
 /// The positions of the volume and of the text around it in a picture.
 struct Framing {
-    labels::Sheet sheet;
-    space::Camera camera;   ///< for the whole picture
-    labels::TimeEdge edge;  ///< along which the ruler runs
-    double half_pixel = 0;  ///< half the diagonal of the largest pixel that shows the volume, in P-space units
+    annotation::Sheet sheet;
+    space::Camera camera;       ///< for the whole picture
+    annotation::TimeEdge edge;  ///< along which the ruler runs
+    double half_pixel = 0;      ///< half the diagonal of the largest pixel that shows the volume, in P-space units
 };
 
 /// The purpose of a run, beyond the files named by its output.
@@ -91,9 +91,9 @@ struct Plan {
     scene::GlyphOptions glyphs{};
     gl::RenderOptions picture{};  ///< without the camera
     std::string title{};
-    WallClock clock{};                         ///< for the ruler
-    std::vector<video::Unseen::Area> areas{};  ///< that are left out of the scene
-    std::optional<double> masked = 0;          ///< their share of the scene; none = unknown
+    WallClock clock{};                           ///< for the ruler
+    std::vector<footage::Unseen::Area> areas{};  ///< that are left out of the scene
+    std::optional<double> masked = 0;            ///< their share of the scene; none = unknown
 
     /// Whether the picture has a part. A page has some beside its picture.
     bool shows(Part part) const {

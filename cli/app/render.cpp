@@ -16,7 +16,7 @@
 #include "cli/app/window.h"
 #include "core/base/text.h"
 #include "core/image/text.h"
-#include "core/video/input.h"
+#include "core/media/input.h"
 
 namespace vvr::app {
 
@@ -130,7 +130,7 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
     Window window(plan, source, full, ended);
     std::int64_t frames = 0;
     fields::FieldSummary summary =
-        source.read(window.needs(), [&](const video::SharedFrame& frame, const fields::Field& field) {
+        source.read(window.needs(), [&](const media::SharedFrame& frame, const fields::Field& field) {
             window.add(frame, field);
             observer.frames(++frames, plan.clip.expected_frames);
         });
@@ -148,7 +148,7 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     check_golden_picture(job.output.golden);
     auto detector = open_detector(job.detector);
     // Nobody may answer for a long time.
-    if (job.input.names.size() == 1 && video::is_url(job.input.names.front())) {
+    if (job.input.names.size() == 1 && media::is_url(job.input.names.front())) {
         observer.info(fmt::format("opening '{}'", redact_secrets(job.input.names.front())));
     }
     OpenedFields fields = open_fields(job);

@@ -11,7 +11,7 @@ namespace vvr::app {
 
 /// Facts about a run for the caller.
 struct RenderSummary {
-    video::VideoInfo info;
+    media::VideoInfo info;
     std::int64_t frames = 0;
     std::int64_t damaged = 0;  ///< packets that could not be decoded
     ShownEvents events{};      ///< empty unless listed

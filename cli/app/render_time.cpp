@@ -47,7 +47,7 @@ class Stopwatch final : public Observer {
 };
 
 /// The first seconds of a span; more of them where frames are rare.
-video::FrameSpan begin_of(video::FrameSpan span, double rate) {
+media::FrameSpan begin_of(media::FrameSpan span, double rate) {
     constexpr double least_seconds = 2;
     constexpr double least_frames = 50;
     const double frames_per_second = rate > 0 ? rate : 25;

@@ -10,14 +10,14 @@
 #include "cli/app/footage.h"
 #include "cli/app/settings.h"
 #include "cli/app/video_scale.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/events/event.h"
-#include "core/events/event_line.h"
 #include "core/image/text.h"
-#include "core/labels/time_ticks.h"
+#include "core/tracking/event.h"
+#include "core/tracking/event_line.h"
 
 namespace vvr::app {
 
@@ -39,9 +39,9 @@ Json json_of(const Moment& moment, const MomentPlaces& places) {
     return json;
 }
 
-Json json_of(const std::vector<bricks::CompressedIdle>& compressed) {
+Json json_of(const std::vector<volume::CompressedIdle>& compressed) {
     Json json = Json::array();
-    for (const bricks::CompressedIdle& stretch : compressed) {
+    for (const volume::CompressedIdle& stretch : compressed) {
         json.push_back({{"first", rounded(stretch.begin)},
                         {"seconds", rounded(stretch.seconds)},
                         {"room", rounded(stretch.t_end - stretch.t_begin)}});
@@ -56,7 +56,7 @@ void add_digest(Json& json, const std::string& path) {
     json["digest"] = digest ? Json(digest->ends) : Json();
 }
 
-Json json_of(const video::SegmentPlace& segment) {
+Json json_of(const media::SegmentPlace& segment) {
     Json json{{"file", segment.path},
               {"first_frame", segment.first_frame},
               {"first", rounded(segment.begin)},
@@ -73,7 +73,7 @@ Json json_of(const glm::dvec2& place) {
     return {{"x", rounded(place.x)}, {"y", rounded(place.y)}};
 }
 
-Json json_of(const events::Stay& stay, const VideoScale& scale) {
+Json json_of(const tracking::Stay& stay, const VideoScale& scale) {
     return {{"first", json_of(stay.first)},
             {"last", json_of(stay.last)},
             {"seconds", rounded(stay.last.seconds - stay.first.seconds)},
@@ -83,7 +83,7 @@ Json json_of(const events::Stay& stay, const VideoScale& scale) {
             {"field_box", json_of(stay.box)}};
 }
 
-Json json_of(const std::optional<events::Portrait>& portrait, const VideoScale& scale) {
+Json json_of(const std::optional<tracking::Portrait>& portrait, const VideoScale& scale) {
     if (!portrait) return {};
     Json json = json_of(portrait->at);
     json["box"] = json_of(scale(portrait->box));
@@ -91,7 +91,7 @@ Json json_of(const std::optional<events::Portrait>& portrait, const VideoScale& 
     return json;
 }
 
-Json json_of(const events::Evidence& evidence) {
+Json json_of(const tracking::Evidence& evidence) {
     // Every region that differs has some thickness.
     const auto compared = [&](double value) { return evidence.thickness > 0 ? Json(rounded(value)) : Json(); };
     return {{"difference", compared(evidence.difference)},
@@ -105,10 +105,10 @@ Json json_of(const events::Evidence& evidence) {
             {"changed", rounded(evidence.changed)},
             {"carried", evidence.carried},
             {"confidence", rounded(evidence.confidence)},
-            {"refuted", evidence.refuted ? Json(events::name_of(*evidence.refuted)) : Json()}};
+            {"refuted", evidence.refuted ? Json(tracking::name_of(*evidence.refuted)) : Json()}};
 }
 
-Json json_of(const events::Change& change, const VideoScale& scale) {
+Json json_of(const tracking::Change& change, const VideoScale& scale) {
     return {{"first", json_of(change.first)},
             {"last", json_of(change.last)},
             {"box", json_of(scale(change.box))},
@@ -117,12 +117,12 @@ Json json_of(const events::Change& change, const VideoScale& scale) {
 }
 
 Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scale, const MomentPlaces& where) {
-    const events::Event& event = shown.events[place];
+    const tracking::Event& event = shown.events[place];
     const auto number_of = [&](const std::optional<std::size_t>& other) {
         return other ? Json(shown.numbers[*other]) : Json();
     };
     Json json{{"number", shown.numbers[place]},
-              {"kind", events::name_of(event.kind)},
+              {"kind", tracking::name_of(event.kind)},
               {"class", Json()},
               {"group", Json()},
               {"score", Json()},
@@ -148,17 +148,17 @@ Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scal
         json["score"] = rounded(identity->score);
         json["looks"] = identity->looks;
     }
-    if (const std::string_view direction = events::direction_of(event); !direction.empty())
+    if (const std::string_view direction = tracking::direction_of(event); !direction.empty())
         json["direction"] = direction;
     json["path"] = Json::array();
-    for (const events::PathPoint& point : event.path) {
+    for (const tracking::PathPoint& point : event.path) {
         Json there = json_of(point.at);
         there["place"] = json_of(scale(point.place));
         there["field_place"] = json_of(point.place);
         json["path"].push_back(std::move(there));
     }
     json["stays"] = Json::array();
-    for (const events::Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
+    for (const tracking::Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
     return json;
 }
 
@@ -170,7 +170,7 @@ Json json_of(const DetectorUse& use) {
             {"seconds", rounded(use.seconds)}};
 }
 
-Json json_of(const labels::Label& label) {
+Json json_of(const annotation::Label& label) {
     Json json = json_of(label.box);
     json["text"] = label.text;
     return json;
@@ -184,7 +184,7 @@ std::int64_t peak_memory() {
 
 /// The start of the clip (UTC) and the source of that time: the clip's name, even if the picture doesn't show it; else
 /// the user's choice.
-std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::VideoInfo& info, const WallClock& clock) {
+std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const media::VideoInfo& info, const WallClock& clock) {
     if (recording_time_is_known(info)) return {info.began, info.began_source};
     if (clock && clock->utc_offset) return {clock->begin - *clock->utc_offset, clock->source};
     return {std::nullopt, ClockSource::none};
@@ -193,7 +193,7 @@ std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::Vid
 /// The settings used, and the font if there is text: the system's default font if none was chosen.
 image::Metadata settings_and_font(const RunContext& context) {
     image::Metadata settings = context.plan.job.settings;
-    const labels::Lettering& lettering = context.composed.lettering;
+    const annotation::Lettering& lettering = context.composed.lettering;
     const bool text = !lettering.labels.empty() || !lettering.badges.empty();
     if (text) image::put(settings, "font", image::font_name());
     return settings;
@@ -211,7 +211,7 @@ std::string classes_text(const Observation& seen) {
     return text;
 }
 
-Json json_of_clip(const video::VideoInfo& info, const WallClock& clock, const std::string& camera) {
+Json json_of_clip(const media::VideoInfo& info, const WallClock& clock, const std::string& camera) {
     const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
     const auto [recorded, recorded_by] = recorded_at(info, clock);
     Json json{{"name", info.name},
@@ -221,9 +221,9 @@ Json json_of_clip(const video::VideoInfo& info, const WallClock& clock, const st
               {"width", info.size.width},
               {"height", info.size.height},
               {"rate", known(info.rate)},
-              {"recorded", recorded ? Json(labels::format_clock(*recorded)) : Json()},
+              {"recorded", recorded ? Json(annotation::format_clock(*recorded)) : Json()},
               {"recorded_by", recorded ? Json(row_of(recorded_by).name) : Json()},
-              {"written", info.created ? Json(labels::format_clock(*info.created)) : Json()}};
+              {"written", info.created ? Json(annotation::format_clock(*info.created)) : Json()}};
     add_digest(json, info.segments.empty() ? info.name : std::string());
     return json;
 }
@@ -241,7 +241,7 @@ Json json_of(const WallClock& clock, double first, double last) {
 std::string format_report(const RunContext& context, const std::vector<std::string>& advice, double seconds,
                           const ArchiveFacts& archive) {
     const auto& [plan, seen, composed, run] = context;
-    const video::VideoInfo& info = seen.info;
+    const media::VideoInfo& info = seen.info;
     const double first = seen.begin.seconds;
     const double last = seen.end().seconds;
     const Size field = plan.clip.field_size;
@@ -268,7 +268,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     json["segments"] = Json();
     if (!info.segments.empty()) {
         json["segments"] = Json::array();
-        for (const video::SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
+        for (const media::SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
     }
     json["problems"] = plan.clip.warnings;
     for (const std::string& problem : seen.summary.problems) json["problems"].push_back(problem);
@@ -286,7 +286,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
                            ? Json()
                            : Json{{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
     json["labels"] = Json::array();
-    for (const labels::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
+    for (const annotation::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();
     for (const auto& [stage, took] : run.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
@@ -297,7 +297,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     if (seen.events) {
         for (const char* key : {"events", "changes", "overlays"}) json[key] = Json::array();
         const VideoScale scale(field, info.size);
-        for (const events::Change& change : seen.findings.changes) json["changes"].push_back(json_of(change, scale));
+        for (const tracking::Change& change : seen.findings.changes) json["changes"].push_back(json_of(change, scale));
         for (const PixelBox& box : seen.findings.overlays) {
             json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});
         }
@@ -312,7 +312,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
 
 image::Metadata record_of(const RunContext& context) {
     const auto& [plan, seen, composed, run] = context;
-    const bricks::Volume& volume = seen.volume;
+    const volume::Volume& volume = seen.volume;
     image::Metadata record = settings_and_font(context);
     record.emplace_back("frames", fmt::to_string(volume.frames() - volume.missing()));
     if (plan.products.series) {

@@ -85,7 +85,7 @@ image::Metadata record_of(const RunContext& context);
 std::string result_text(const RunContext& context);
 
 /// A summary of the events in one line: "3 events; the longest from 14.0 s to 52.5 s". Uses wall-clock times if known.
-std::string events_summary(const std::vector<events::Event>& events, std::size_t not_chosen, const WallClock& clock);
+std::string events_summary(const std::vector<tracking::Event>& events, std::size_t not_chosen, const WallClock& clock);
 
 /// Suggestions for this clip, one sentence each.
 std::vector<std::string> advice_on(const Plan& plan, const Observation& seen);

@@ -15,7 +15,7 @@
 // that holds its value. The type of that member decides how the value is parsed and printed (cli/options/value.h);
 // the list decides the group in the help. The options of the commands and the checks of a job visit these lists.
 // Settings of other groups are added in cli/options/job_options.cpp and output.cpp. The settings of fields are in
-// core/fields/settings.h, those of video in core/video/settings.h.
+// core/fields/settings.h, those of video in core/media/settings.h.
 namespace vvr::setting {
 
 inline constexpr Setting events{

@@ -13,28 +13,28 @@
 
 #include "cli/app/input.h"
 #include "cli/app/report.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/text.h"
-#include "core/events/event.h"
+#include "core/dataset/manifest.h"
 #include "core/fields/region.h"
-#include "core/labels/time_ticks.h"
-#include "core/store/manifest.h"
+#include "core/tracking/event.h"
 
 namespace vvr::app {
 
 namespace {
 
-double length_of(const events::Event& event) {
+double length_of(const tracking::Event& event) {
     return event.last.seconds - event.first.seconds;
 }
 
 /// A suggestion if most events are fragments in one part of the scene.
 std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation& seen) {
     // A user who gives a region knows the option; an extraction doesn't accept one.
-    if (!seen.events || !plan.job.fields.roi.empty() || store::is_data_folder(plan.job.input.names.front()))
+    if (!seen.events || !plan.job.fields.roi.empty() || dataset::is_data_folder(plan.job.input.names.front()))
         return std::nullopt;
-    const std::vector<events::Event>& events = seen.events->events;
+    const std::vector<tracking::Event>& events = seen.events->events;
     const Size field = plan.clip.field_size;
-    const std::optional<events::Clutter> scraps = events::find_clutter(events, field);
+    const std::optional<tracking::Clutter> scraps = tracking::find_clutter(events, field);
     if (!scraps) return std::nullopt;
     const double x = static_cast<double>(seen.info.size.width) / field.width;
     const double y = static_cast<double>(seen.info.size.height) / field.height;
@@ -64,18 +64,18 @@ std::optional<std::string> advice_on_time(const Plan& plan, const Observation& s
     constexpr double is_long = 600;  // seconds
     const double missing = static_cast<double>(seen.volume.missing()) / static_cast<double>(seen.volume.frames());
     const double all = (1 - missing) * (seen.end().seconds - seen.begin.seconds);
-    if (!plan.nonuniform || all <= is_long || !bricks::compressed_stretches(seen.volume).empty()) return std::nullopt;
+    if (!plan.nonuniform || all <= is_long || !volume::compressed_stretches(seen.volume).empty()) return std::nullopt;
     const std::string found = !seen.events ? fmt::format("the filter {} finds no objects", plan.filter->name)
                               : seen.events->events.empty() ? "vvr found no event"
                                                             : "objects move nearly all the time";
     return fmt::format("'{}': none of the {} is compressed, because {}; --start and --end, or --roi, show a part of it",
-                       seen.info.name, labels::format_duration(all), found);
+                       seen.info.name, annotation::format_duration(all), found);
 }
 
 /// The classes of the events, the most frequent first: " (3 person, 1 car)". Empty without a detector.
-std::string classes_of(const std::vector<events::Event>& events) {
+std::string classes_of(const std::vector<tracking::Event>& events) {
     std::map<std::string_view, std::int64_t> counts;
-    for (const events::Event& event : events) {
+    for (const tracking::Event& event : events) {
         if (event.identity) ++counts[event.identity->what->name];
     }
     std::vector<std::pair<std::string_view, std::int64_t>> sorted(counts.begin(), counts.end());
@@ -86,8 +86,8 @@ std::string classes_of(const std::vector<events::Event>& events) {
 }
 
 /// What was decoded: " (decoded: reference, 77 %)". Empty if all frames were. The share is that of the first file.
-std::string decoded_text(const video::VideoInfo& info) {
-    if (&*info.decodes == &video::frame_choices().front()) return "";
+std::string decoded_text(const media::VideoInfo& info) {
+    if (&*info.decodes == &media::frame_choices().front()) return "";
     if (info.segments.size() > 1) return fmt::format(" (decoded: {})", info.decodes->name);
     return fmt::format(" (decoded: {}, {:.0f} %)", info.decodes->name, 100 * info.decoded_share);
 }
@@ -104,7 +104,7 @@ std::string result_text(const RunContext& context) {
                        counted(std::ssize(composed.bricks), "brick"));
 }
 
-std::string events_summary(const std::vector<events::Event>& events, std::size_t not_chosen, const WallClock& clock) {
+std::string events_summary(const std::vector<tracking::Event>& events, std::size_t not_chosen, const WallClock& clock) {
     if (events.empty() && not_chosen > 0)
         return fmt::format("no event that --events chooses, of {}",
                            counted(static_cast<std::int64_t>(not_chosen), "event"));
@@ -114,11 +114,11 @@ std::string events_summary(const std::vector<events::Event>& events, std::size_t
     const double last = longest->last.seconds;
     std::string text = fmt::format(
         "{}{}; the longest from {}", counted(std::ssize(events), "event"), classes_of(events),
-        clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
-    const events::EventKindRow& row = row_of(longest->kind);
+        clock ? annotation::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
+    const tracking::EventKindRow& row = row_of(longest->kind);
     if (row.is_thing) text += fmt::format(", {}", row.words);
-    if (row.tally == events::Tally::still)
-        text += fmt::format(", {} {}{}", row.words, labels::format_duration(events::stationary_seconds(*longest)),
+    if (row.tally == tracking::Tally::still)
+        text += fmt::format(", {} {}{}", row.words, annotation::format_duration(tracking::stationary_seconds(*longest)),
                             longest->stays.size() > 1 ? " in all" : "");
     return text;
 }
@@ -175,9 +175,9 @@ void log_warnings(const RunContext& context, const std::vector<std::string>& adv
     for (const std::string& text : advice) observer.warn(text);
     if (!composed.compressed_idle.empty()) {
         double idle = 0;
-        for (const bricks::CompressedIdle& stretch : composed.compressed_idle) idle += stretch.seconds;
+        for (const volume::CompressedIdle& stretch : composed.compressed_idle) idle += stretch.seconds;
         observer.info(fmt::format("{} without motion are compressed on the time axis, in {}",
-                                  labels::format_duration(idle),
+                                  annotation::format_duration(idle),
                                   counted(std::ssize(composed.compressed_idle), "place")));
     } else if (seen.volume.step() > 1 && !seen.volume.is_nonuniform()) {
         observer.info(fmt::format("each layer merges {} (--layers, --step)", counted(seen.volume.step(), "frame")));

@@ -5,7 +5,7 @@
 
 namespace vvr::app {
 
-void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes) {
+void add_boxes(const tracking::FrameLabels& labels, std::vector<TrackBox>& boxes) {
     const auto begin = std::ssize(boxes);
     for (const fields::LabelRun& run : labels.runs) {
         const PixelBox box{run.first, run.row, run.last + 1, run.row + 1};

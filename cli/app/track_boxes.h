@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/events/patch.h"
+#include "core/tracking/patch.h"
 
 namespace vvr::app {
 
@@ -17,6 +17,6 @@ struct TrackBox {
 };
 
 /// Adds the boxes of a frame's tracks, each around all pixels of the track.
-void add_boxes(const events::FrameLabels& labels, std::vector<TrackBox>& boxes);
+void add_boxes(const tracking::FrameLabels& labels, std::vector<TrackBox>& boxes);
 
 }  // namespace vvr::app

@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "core/base/plane.h"
-#include "core/events/event.h"
+#include "core/tracking/event.h"
 
 namespace vvr::app {
 
@@ -30,7 +30,7 @@ class VideoScale {
                 std::min(video_.height, static_cast<int>(std::ceil(box.bottom * y_)))};
     }
 
-    double length(const std::vector<events::PathPoint>& path) const {
+    double length(const std::vector<tracking::PathPoint>& path) const {
         double length = 0;
         for (std::size_t k = 1; k < path.size(); ++k) {
             length += glm::distance((*this)(path[k - 1].place), (*this)(path[k].place));

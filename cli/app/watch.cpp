@@ -28,23 +28,23 @@
 #include "cli/app/settings.h"
 #include "cli/app/video_scale.h"
 #include "cli/app/write.h"
+#include "core/annotation/lettering.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/text.h"
 #include "core/fields/running_reference.h"
+#include "core/footage/recorder_names.h"
+#include "core/footage/recording.h"
 #include "core/image/text.h"
-#include "core/labels/lettering.h"
-#include "core/labels/time_ticks.h"
+#include "core/media/input.h"
 #include "core/page/html.h"
 #include "core/page/moments.h"
-#include "core/video/input.h"
-#include "core/video/recorder_names.h"
-#include "core/video/recording.h"
 
 namespace vvr::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = video::LiveSource::Clock;
+using Clock = media::LiveSource::Clock;
 
 /// The times from a picture's last frame to the written file. Keeps the last thousand, to bound the memory.
 class Latency {
@@ -80,7 +80,7 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded earlier, so the current time of this machine doesn't apply.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
-    const video::Segment named = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
+    const footage::Segment named = footage::segment_from_name(file, footage::RecorderNames(job.input.name_patterns));
     if (!named.begin) return {StartTime::From::none};
     return starts_at(*named.begin, named.begin_source);
 }
@@ -93,8 +93,8 @@ bool grows(const fs::path& file) {
     return !none && fs::file_time_type::clock::now() - written < lately;
 }
 
-std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
-    video::LiveOptions live;
+std::unique_ptr<media::LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
+    media::LiveOptions live;
     live.source.field_size = job.input.field_size;
     live.source.rate = job.input.rate;
     live.source.aspect = job.input.aspect;
@@ -103,13 +103,13 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     live.patience = options.patience;
     live.duration = options.duration;
     live.report = [&observer](const std::string& text) { observer.warn(text); };
-    return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
+    return std::make_unique<media::LiveSource>(only_input(job.input), std::move(live));
 }
 
 /// Writes pictures and measures their latency.
 class LivePictures {
   public:
-    LivePictures(const Plan& plan, const video::LiveSource& stream, const page::RecentMoments& moments,
+    LivePictures(const Plan& plan, const media::LiveSource& stream, const page::RecentMoments& moments,
                  Observer& observer)
         : plan_(plan),
           name_(plan.job.output.path),
@@ -141,10 +141,10 @@ class LivePictures {
         const auto came = stream_.arrival(seen.end().frame);
         const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
         if (came) latency_.add(took);
-        observer_.info(
-            fmt::format("'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
-                        finished.number,
-                        labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
+        observer_.info(fmt::format(
+            "'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
+            finished.number, annotation::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock),
+            took));
     }
 
     /// Call it after the stream's last picture: whoever looks at the page learns that there will be no other.
@@ -171,19 +171,19 @@ class LivePictures {
     void write() {
         lost_ = stream_.lost_since();
         const std::string text =
-            lost_ ? fmt::format("no signal since {}", labels::format_moment(*lost_, plan_.clock)) : std::string();
+            lost_ ? fmt::format("no signal since {}", annotation::format_moment(*lost_, plan_.clock)) : std::string();
         if (!page_.empty()) {
             files_.add_page(lost_ ? page::with_state(page_, text) : page_);
         } else {
             image::Picture picture{picture_.pixels};
             const Size size = picture.pixels.size();
             const scene::Theme& theme = plan_.job.look.theme;
-            labels::Label label = labels::make_centred_label(text, 2 * text_size_, size.width / 2.0, size.height / 2.0,
-                                                             image::Rgba(theme.fast, 1));
+            annotation::Label label = annotation::make_centred_label(text, 2 * text_size_, size.width / 2.0,
+                                                                     size.height / 2.0, image::Rgba(theme.fast, 1));
             label.halo = image::Rgba(theme.background, 1);
-            labels::Lettering words;
+            annotation::Lettering words;
             words.labels.push_back(label);
-            labels::draw(picture, words);
+            annotation::draw(picture, words);
             files_.add(number_, std::move(picture), record_);
         }
     }
@@ -234,7 +234,7 @@ class LivePictures {
 
     const Plan& plan_;
     image::NamePattern name_;
-    const video::LiveSource& stream_;
+    const media::LiveSource& stream_;
     const page::RecentMoments& moments_;
     Observer& observer_;
     PictureOutput files_;
@@ -260,7 +260,7 @@ class LivePictures {
 RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
     // The whole URL: its last part alone says too little.
     if (job.look.title.empty())
-        job.look.title = video::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
+        job.look.title = media::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
     if (job.look.start_time.from == StartTime::From::automatic) {
         job.look.start_time =
             is_file ? start_time_from_name(job, name) : starts_at(std::time(nullptr), ClockSource::live);
@@ -289,9 +289,9 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
                 : fmt::format("'{}' is a complete file, not a live stream; `vvr render` draws all of it", name));
     }
     if (options_.camera.empty()) {
-        const video::RecorderNames names(job.input.name_patterns);
+        const footage::RecorderNames names(job.input.name_patterns);
         options_.camera =
-            job.look.title.empty() && is_file ? video::segment_from_name(name, names).camera : job.look.title;
+            job.look.title.empty() && is_file ? footage::segment_from_name(name, names).camera : job.look.title;
     }
     OpenedFields opened;
     opened.span = job.fields.span;
@@ -302,13 +302,13 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
 }
 
-events::EventLine StreamWatch::line_of(const events::Event& event, std::size_t number) const {
-    const video::VideoInfo& info = stream_->info();
+tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size_t number) const {
+    const media::VideoInfo& info = stream_->info();
     const WallClock& clock = plan_->clock;
     const auto time = [&](double seconds) {
         return clock ? std::optional(clock->iso(seconds)) : std::optional<std::string>();
     };
-    events::EventLine line{
+    tracking::EventLine line{
         .camera = options_.camera, .clip = redact_secrets(info.name), .number = number, .kind = event.kind};
     if (event.identity) line.what = event.identity->what;
     line.first = event.first.seconds;
@@ -317,7 +317,7 @@ events::EventLine StreamWatch::line_of(const events::Event& event, std::size_t n
     line.end = time(line.last);
     line.open_ended = event.open_ended;
     line.box = VideoScale(plan_->clip.field_size, info.size)(event.box);
-    line.direction = events::direction_of(event);
+    line.direction = tracking::direction_of(event);
     if (const fs::path& page = page_of(plan_->job.output); !page.empty())
         line.page = fmt::format("{}#event={}", page::url_of_path(page.filename().string()), number);
     return line;
@@ -325,13 +325,13 @@ events::EventLine StreamWatch::line_of(const events::Event& event, std::size_t n
 
 std::int64_t StreamWatch::run() {
     check_memory(plan_->extent);
-    const video::VideoInfo& info = stream_->info();
+    const media::VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
     LivePictures pictures(*plan_, *stream_, *fields_, observer_);
     EndedSink ended;
     if (options_.on_event) {
-        ended = [this](const events::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };
+        ended = [this](const tracking::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };
     }
     const Outcome done = render_series(
         *plan_, *fields_, observer_, [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); }, ended);

@@ -8,20 +8,20 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
-#include "core/events/event_line.h"
 #include "core/fields/field_source.h"
+#include "core/media/live_source.h"
 #include "core/page/moments.h"
-#include "core/video/live_source.h"
+#include "core/tracking/event_line.h"
 
 namespace vvr::app {
 
 /// How long to watch a stream, and how long to wait for it.
 struct StreamOptions {
     std::optional<double> duration{};                 ///< seconds; none = unlimited
-    double patience = video::LiveOptions{}.patience;  ///< as in LiveOptions
+    double patience = media::LiveOptions{}.patience;  ///< as in LiveOptions
     std::string camera{};                             ///< for events; empty = from the title or the file's name
     /// Called with each event that has ended, on the thread that calls run(); may be empty.
-    std::function<void(const events::EventLine&)> on_event{};
+    std::function<void(const tracking::EventLine&)> on_event{};
 };
 
 /// Watches a stream and draws its picture again after each brick.
@@ -42,13 +42,13 @@ class StreamWatch {
     const std::string& name() const { return stream_->info().name; }
 
   private:
-    events::EventLine line_of(const events::Event& event, std::size_t number) const;
+    tracking::EventLine line_of(const tracking::Event& event, std::size_t number) const;
 
     Observer& observer_;
     StreamOptions options_;
     std::unique_ptr<const Plan> plan_;
     std::unique_ptr<page::RecentMoments> fields_;
-    video::LiveSource* stream_;  ///< owned by fields_
+    media::LiveSource* stream_;  ///< owned by fields_
 };
 
 }  // namespace vvr::app

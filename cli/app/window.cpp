@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/events/event_options.h"
+#include "core/tracking/event_options.h"
 
 namespace vvr::app {
 
@@ -26,11 +26,11 @@ Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink ful
     if (plan.colours_objects()) seen_.identify = objects_.identify();
 }
 
-void Window::add(const video::SharedFrame& frame, const fields::Field& field) {
+void Window::add(const media::SharedFrame& frame, const fields::Field& field) {
     if (begin_) fill_gap(field);
     if (!begin_) begin_ = {field.index, field.pts};
     if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
-    const events::FrameLabels& labels = builder_.add(frame, field);
+    const tracking::FrameLabels& labels = builder_.add(frame, field);
     if (plan_.colours_objects()) objects_.see(labels);
     if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
     keep_key_frame(frame);
@@ -45,7 +45,7 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     if (builder_.finder && (ended_ || plan_.products.events)) {
         builder_.set_findings(builder_.finder->finish());
         builder_.identify();
-        const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
+        const std::vector<tracking::Event> events = take_chosen_events(seen_, plan_.job.output.events);
         name_events(events);
         if (ended_) {
             report_ended(events, true);
@@ -57,12 +57,12 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     seen_.summary = std::move(summary);
     seen_.summary.problems.insert(seen_.summary.problems.end(), seen_.relearnt.begin(), seen_.relearnt.end());
     seen_.info = source.info();              // only now complete for a recording of several files
-    seen_.identify = bricks::no_identities;  // the other one refers to the objects of this window
+    seen_.identify = volume::no_identities;  // the other one refers to the objects of this window
     return std::move(seen_);
 }
 
 /// Stores the newest frame if it is a key frame.
-void Window::keep_key_frame(const video::SharedFrame& frame) {
+void Window::keep_key_frame(const media::SharedFrame& frame) {
     const std::int64_t step = plan_.window.step;
     const std::vector<std::int64_t>& layers = plan_.window.key_layers;
     if (frames_of_newest_ % step != 0 || std::ranges::find(layers, frames_of_newest_ / step) == layers.end()) return;
@@ -76,7 +76,7 @@ void Window::drop_oldest() {
     std::erase_if(seen_.keyframes, [](const KeyFrame& key) { return key.number < 0; });
     // Nobody lists those of a stream of days.
     if (!plan_.products.events)
-        std::erase_if(seen_.gaps, [&](const video::FrameGap& gap) { return gap.end < seen_.begin.seconds; });
+        std::erase_if(seen_.gaps, [&](const media::FrameGap& gap) { return gap.end < seen_.begin.seconds; });
     if (!first_of_bricks_.empty())
         std::erase_if(seen_.missing, [&](const auto& some) { return some.end < first_of_bricks_.front()->pts; });
 }
@@ -84,7 +84,7 @@ void Window::drop_oldest() {
 /// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is
 /// drawn. Of a gap longer than the window, only the end is shown.
 void Window::fill_gap(const fields::Field& next) {
-    const video::Frame& last = *seen_.last;  // add_missing leaves it as it is
+    const media::Frame& last = *seen_.last;  // add_missing leaves it as it is
     const std::int64_t gap = next.index - last.index - 1;
     const double length = (next.pts - last.pts) / static_cast<double>(gap + 1);
     const std::int64_t brick = plan_.window.brick_frames();
@@ -102,7 +102,7 @@ void Window::add_missing(std::int64_t index, double pts, Draw wanted) {
     if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
     seen_.volume.add_missing(index, pts);
     if (frames_of_newest_ == 0) {
-        first_of_bricks_.push_back(std::make_shared<const video::Frame>(video::Frame{index, pts, {}, {}}));
+        first_of_bricks_.push_back(std::make_shared<const media::Frame>(media::Frame{index, pts, {}, {}}));
     }
     if (++frames_of_newest_ == plan_.window.brick_frames()) complete_newest(wanted);
 }
@@ -122,11 +122,11 @@ void Window::complete_newest(Draw wanted) {
 
 /// Remembers the first track of each event, by which it is known from look to look. If that track has been forgotten,
 /// the rest of the event is still known by it.
-void Window::name_events(const std::vector<events::Event>& events) {
+void Window::name_events(const std::vector<tracking::Event>& events) {
     std::set<std::size_t> present;
-    for (const events::Event& event : events) present.insert(event.tracks.begin(), event.tracks.end());
+    for (const tracking::Event& event : events) present.insert(event.tracks.begin(), event.tracks.end());
     std::map<std::size_t, std::size_t> first_tracks;
-    for (const events::Event& event : events) {
+    for (const tracking::Event& event : events) {
         const auto before = first_tracks_.find(event.tracks.front());
         const bool is_forgotten = before != first_tracks_.end() && !present.contains(before->second);
         const std::size_t first = is_forgotten ? before->second : event.tracks.front();
@@ -135,24 +135,24 @@ void Window::name_events(const std::vector<events::Event>& events) {
     first_tracks_ = std::move(first_tracks);
 }
 
-std::size_t Window::number_of(const events::Event& event) {
+std::size_t Window::number_of(const tracking::Event& event) {
     return numbers_.try_emplace(first_track_of(event), numbers_.size() + 1).first->second;
 }
 
 /// Once shown, an object keeps its number in all pictures, and in the report.
 void Window::number_as_shown(ShownEvents& shown) {
     std::ranges::transform(shown.events, shown.numbers.begin(),
-                           [&](const events::Event& event) { return number_of(event); });
+                           [&](const tracking::Event& event) { return number_of(event); });
 }
 
 /// Passes on the events that have ended for good: none of their tracks is followed, and no later one can be linked.
 /// \param all also those that the end of the stream has cut
-void Window::report_ended(const std::vector<events::Event>& events, bool all) {
+void Window::report_ended(const std::vector<tracking::Event>& events, bool all) {
     std::set<std::size_t> reported;
-    for (const events::Event& event : events) {
+    for (const tracking::Event& event : events) {
         const double ago = seen_.last->pts - event.last.seconds;
         // Of a group, the same person may come out again.
-        const double wait = event.into ? events::thresholds.memory : events::thresholds.link.seconds;
+        const double wait = event.into ? tracking::thresholds.memory : tracking::thresholds.link.seconds;
         const bool is_over = all || (ago > wait && !builder_.finder->follows(event.tracks));
         const std::size_t first = first_track_of(event);
         const bool before = reported_.contains(first);
@@ -165,7 +165,7 @@ void Window::report_ended(const std::vector<events::Event>& events, bool all) {
 /// Removes the pictures of objects that were forgotten. In a stream of days, there would be no room for new ones.
 void Window::forget_crops_before(double seconds) {
     std::set<std::size_t> found;
-    for (const events::Event& event : seen_.findings.events) found.insert(event.tracks.begin(), event.tracks.end());
+    for (const tracking::Event& event : seen_.findings.events) found.insert(event.tracks.begin(), event.tracks.end());
     seen_.crops.forget_before(seconds, [&](std::size_t track) {
         return !found.contains(track) && !builder_.finder->follows(std::span(&track, 1));
     });
@@ -175,8 +175,8 @@ void Window::forget_crops_before(double seconds) {
 /// thing.
 std::set<std::size_t> Window::tracks_of_bearers(double seconds) const {
     std::set<std::size_t> tracks;
-    const std::vector<events::Event>& events = seen_.findings.events;
-    for (const events::Event& event : events) {
+    const std::vector<tracking::Event>& events = seen_.findings.events;
+    for (const tracking::Event& event : events) {
         const bool lasts = event.last.seconds >= seconds || builder_.finder->follows(event.tracks);
         if (!event.evidence || !lasts) continue;
         for (const std::optional<std::size_t>& other : {event.from, event.into, event.by}) {
@@ -188,18 +188,18 @@ std::set<std::size_t> Window::tracks_of_bearers(double seconds) const {
 
 /// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
-    constexpr double remembered = events::thresholds.memory;  // whoever returns within it may be the same object
+    constexpr double remembered = tracking::thresholds.memory;  // whoever returns within it may be the same object
     // After a gap in the signal, the last look may be long ago: what ended since then isn't reported yet.
     const double kept = ended_ ? std::min(seen_.begin.seconds, looked_) : seen_.begin.seconds;
     if (!plan_.products.events) builder_.finder->forget_ended_before(kept - remembered, bearers_);
     looked_ = seen_.last->pts;
-    events::EventFinder until_now = *builder_.finder;
+    tracking::EventFinder until_now = *builder_.finder;
     builder_.set_findings(until_now.finish());
     seen_.findings.largest_share = builder_.finder->largest_share_since(seen_.begin.seconds);
     bearers_ = tracks_of_bearers(kept - remembered);
     if (!plan_.products.events) forget_crops_before(kept - remembered);
     builder_.identify();
-    const std::vector<events::Event> events = take_chosen_events(seen_, plan_.job.output.events);
+    const std::vector<tracking::Event> events = take_chosen_events(seen_, plan_.job.output.events);
     name_events(events);
     ShownEvents shown = events_between(events, seen_.begin.seconds, seen_.last->pts);
     number_as_shown(shown);
@@ -213,7 +213,7 @@ void Window::look_at_events() {
     }
     if (ended_) report_ended(events, false);
     seen_.events = std::move(shown);
-    seen_.scene = video::picture_of(*seen_.first);
+    seen_.scene = media::picture_of(*seen_.first);
 }
 
 }  // namespace vvr::app

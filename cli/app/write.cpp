@@ -19,12 +19,12 @@
 #include "core/base/json_text.h"
 #include "core/base/plane.h"
 #include "core/base/text.h"
-#include "core/events/event_table.h"
+#include "core/footage/recorder_names.h"
+#include "core/footage/recording.h"
 #include "core/image/picture.h"
+#include "core/media/container.h"
 #include "core/page/html.h"
-#include "core/video/container.h"
-#include "core/video/recorder_names.h"
-#include "core/video/recording.h"
+#include "core/tracking/event_table.h"
 
 namespace vvr::app {
 
@@ -49,9 +49,9 @@ void write_text(const std::filesystem::path& file, const std::string& text, Obse
 std::string table_of(const nlohmann::ordered_json& report) {
     const nlohmann::ordered_json& input = report.at("input");
     const auto& camera = input.at("camera");
-    std::string text = events::events_table_heading();
+    std::string text = tracking::events_table_heading();
     if (report.at("events").is_null()) return text;
-    return text + events::events_table_lines(
+    return text + tracking::events_table_lines(
                       report, {camera.is_null() ? "" : camera.get<std::string>(), input.at("name").get<std::string>()});
 }
 
@@ -133,13 +133,13 @@ page::PageIndex index_of(const fs::path& page, const fs::path& index) {
 }
 
 /// The camera to show on the page; empty if it is unknown, or in the title already.
-std::string page_camera_of(const RenderJob& job, const video::VideoInfo& info) {
+std::string page_camera_of(const RenderJob& job, const media::VideoInfo& info) {
     const bool titled = !job.look.title.empty() || !info.segments.empty();
     return job.output.page_camera.empty() && titled ? std::string() : camera_of(job, info);
 }
 
 /// The file name to show in small print; empty if the page already shows it.
-std::string file_name_of(const RenderJob& job, const video::VideoInfo& info, const page::PageContent& content) {
+std::string file_name_of(const RenderJob& job, const media::VideoInfo& info, const page::PageContent& content) {
     if (job.input.names.size() > 1) {
         const std::string files = counted(std::ssize(job.input.names), "file");
         return info.unread > 0 ? fmt::format("{}, {} could not be read", files, info.unread) : files;
@@ -153,7 +153,7 @@ std::string cut_extension(const std::string& file, double rate) {
     std::error_code none;
     if (!fs::is_regular_file(file, none)) return {};
     try {
-        return std::string(video::extension_for(video::open_input(file), rate));
+        return std::string(media::extension_for(media::open_input(file), rate));
     } catch (const Error&) {
         return {};
     }
@@ -174,7 +174,7 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.camera = page_camera_of(job, seen.info);
     content.heading = job.output.page_heading;
     content.file = file_name_of(job, seen.info, content);
-    for (const video::SegmentPlace& segment : seen.info.segments) {
+    for (const media::SegmentPlace& segment : seen.info.segments) {
         if (segment.end <= segment.begin) continue;  // entirely overlapped by another file
         content.segments.push_back(
             {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
@@ -199,11 +199,11 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
     content.clock = plan.clock;
     if (seen.events) {
         content.events = seen.events->events;
-        for (const events::Event& event : *content.events) content.deeds.push_back(glance::deed_of(event));
+        for (const tracking::Event& event : *content.events) content.deeds.push_back(annotation::deed_of(event));
         if (plan.products.series) content.numbers = seen.events->numbers;
         content.colours = composed.objects.colours;
         content.not_chosen = seen.not_chosen.size();
-        if (plan.products.portraits) content.portraits = glance::portraits_of(seen.events->events, seen.crops);
+        if (plan.products.portraits) content.portraits = annotation::portraits_of(seen.events->events, seen.crops);
     }
     content.live = live;
     content.unseen = unseen_of(plan, seen);
@@ -214,7 +214,8 @@ std::string page_text(const RunContext& context, image::Picture picture, const i
 }
 
 void add_lettering(FinishedPicture& finished) {
-    if (!finished.context.plan.products.only_page) labels::draw(finished.picture, finished.context.composed.lettering);
+    if (!finished.context.plan.products.only_page)
+        annotation::draw(finished.picture, finished.context.composed.lettering);
 }
 
 void Writer::write(FinishedPicture&& finished) {
@@ -234,8 +235,8 @@ void Writer::write(FinishedPicture&& finished) {
                                    moments.problem));
     }
     const std::optional<ShownEvents>& shown = finished.context.seen.events;
-    const std::span<const events::Event> events =
-        shown ? std::span<const events::Event>(shown->events) : std::span<const events::Event>();
+    const std::span<const tracking::Event> events =
+        shown ? std::span<const tracking::Event>(shown->events) : std::span<const tracking::Event>();
     files_.add_still(page::best_still(moments.stills, events));
     if (files_.wants_stills()) {
         const std::optional<page::ContactSheet> sheet = page::contact_sheet(moments.stills, events);

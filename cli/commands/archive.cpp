@@ -23,7 +23,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fields/filter.h"
-#include "core/video/input_files.h"
+#include "core/footage/input_files.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
@@ -79,7 +79,7 @@ void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& ar
         {.letter = 'o',
          .help = fmt::format("{}; created if missing", archive::index_name),
          .use = options::FileUse::filled});
-    add(archive_text::match, archive.match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
+    add(archive_text::match, archive.match, {.help = fmt::format("{}", fmt::join(footage::video_extensions(), " "))});
     add(archive_text::exclude, archive.exclude);
     add(archive_text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
     add(archive_text::day_begins, archive.day);

@@ -32,10 +32,10 @@
 #include "core/base/error.h"
 #include "core/base/plane.h"
 #include "core/base/setting.h"
+#include "core/footage/piece_names.h"
 #include "core/image/picture_file.h"
-#include "core/video/container.h"
-#include "core/video/frame_span.h"
-#include "core/video/piece_names.h"
+#include "core/media/container.h"
+#include "core/media/frame_span.h"
 
 namespace vvr::commands {
 
@@ -80,10 +80,10 @@ bool is_open(const fs::path& path) {
 
 /// The extension that fits the piece.
 std::string_view extension_of_piece(const CutJob& job, const app::FootagePart& first) {
-    const std::string_view extension = video::extension_for(video::open_input(first.file.path), job.search.input.rate);
+    const std::string_view extension = media::extension_for(media::open_input(first.file.path), job.search.input.rate);
     if (!extension.empty()) return extension;
     throw Error(ErrorCode::input_unsuitable, fmt::format("no container supports all streams of '{}'; {}",
-                                                         first.file.path, video::encode_with_ffmpeg));
+                                                         first.file.path, media::encode_with_ffmpeg));
 }
 
 /// The full file name: adds the fitting extension, and in a folder a name based on the first file.
@@ -94,7 +94,7 @@ fs::path named(const CutJob& job, const Selection& selection, const app::Footage
     const bool is_folder = !job.path.has_filename() || fs::is_directory(job.path, none);
     if (!is_folder) return fs::path(job.path) += ending;
     const std::string stem = fs::path(first.file.path).stem().string();
-    const video::FrameSpan& span = selection.span;
+    const media::FrameSpan& span = selection.span;
     const std::string begin = span.first > 0 ? fmt::format("{}f", span.first) : fmt::format("{:.3f}s", span.start);
     const std::string end = span.stop  ? fmt::format("-{}f", *span.stop)
                             : span.end ? fmt::format("-{:.3f}s", *span.end)
@@ -104,7 +104,7 @@ fs::path named(const CutJob& job, const Selection& selection, const app::Footage
 }
 
 void check_output(const CutJob& job, const fs::path& path, const app::Footage& footage, app::Observer& observer) {
-    for (const video::Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
+    for (const footage::Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
     if (!job.report.empty()) check_not_input(path, job.report, "report");
     const auto held = observer.guard();
     check_file_path(path);
@@ -113,9 +113,9 @@ void check_output(const CutJob& job, const fs::path& path, const app::Footage& f
 // ---- Properties of the piece
 
 /// Sets the clock of the footage from the first file of the piece.
-void set_clock(const CutJob& job, const app::Footage& footage, const video::SegmentPlace& first, app::PieceJob& piece) {
-    const auto file = std::ranges::find(footage.recording.segments, first.path, &video::Segment::path);
-    const video::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
+void set_clock(const CutJob& job, const app::Footage& footage, const media::SegmentPlace& first, app::PieceJob& piece) {
+    const auto file = std::ranges::find(footage.recording.segments, first.path, &footage::Segment::path);
+    const media::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
     const app::StartTime& start = job.search.look.start_time;
     piece.clock = app::clock_of(start, info);
     if (start.from != app::StartTime::From::none) piece.created = info.created;
@@ -144,7 +144,7 @@ std::optional<app::PieceFacts> write_piece(const app::PieceJob& piece, app::Obse
     }
     auto facts = app::copy_piece(piece, observer, stop);
     if (!facts) return facts;
-    for (const video::FrameGap& gap : std::span(facts->gaps).first(std::min(most, facts->gaps.size()))) {
+    for (const media::FrameGap& gap : std::span(facts->gaps).first(std::min(most, facts->gaps.size()))) {
         observer.warn(fmt::format("'{}' has no frames from {}, where {} missing; the piece keeps this gap", piece.name,
                                   app::interval_text(piece, gap.begin, gap.end),
                                   gap.frames == 1 ? "1 is" : fmt::format("{} are", gap.frames)));
@@ -214,8 +214,8 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
         observer.warn(fmt::format("'{}': the camera is not known; --camera-name names it", piece.name));
     }
     observer.info(fmt::format("'{}': {}, {}{}, {} and {}", job.evidence.string(), file, still,
-                              record.still->box ? ", " + record.still->marked : "", video::record_name,
-                              video::sums_name));
+                              record.still->box ? ", " + record.still->marked : "", footage::record_name,
+                              footage::sums_name));
     return true;
 }
 
@@ -231,9 +231,9 @@ const std::string& camera_of(const CutJob& job, const Selection& selection, cons
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& stop) {
     const bool open = is_open(asked.path);
-    if (!open) video::container_of(asked.path);
+    if (!open) media::container_of(asked.path);
     const app::Footage footage = app::find_footage(asked.search.input);
-    const video::RequestedSpan& asked_span = asked.search.fields.span.asked;
+    const media::RequestedSpan& asked_span = asked.search.fields.span.asked;
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
     if (!job.evidence.empty()) check_is_free(job.evidence, cut_text::evidence.name);
@@ -263,7 +263,7 @@ class Cut final : public Command {
         const options::AddOptions add(line, output);
         add(cut_text::output, job_.path,
             {.letter = 'o',
-             .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
+             .help = fmt::format(": {}", fmt::join(names_of(media::containers()), " ")),
              .use = options::FileUse::written});
         add(cut_text::evidence, job_.evidence, {.use = options::FileUse::written});
         add(cut_text::event, job_.event);

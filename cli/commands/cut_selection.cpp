@@ -17,9 +17,9 @@
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
-#include "core/video/container.h"
-#include "core/video/demuxer.h"
-#include "core/video/input.h"
+#include "core/media/container.h"
+#include "core/media/demuxer.h"
+#include "core/media/input.h"
 
 namespace vvr::commands {
 
@@ -57,13 +57,13 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     std::vector<app::PieceEvent> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
     const app::VideoScale scale(plan.clip.field_size, seen.info.size);
-    for (const events::Event& event : seen.events->events) {
+    for (const tracking::Event& event : seen.events->events) {
         events.push_back(app::piece_event(event, std::ssize(events) + 1, scale));
     }
     const app::PieceEvent& event = choose_event(job, events, footage.recording.name);
-    const video::FrameSpan span = app::span_around(event.first, event.last, job.margin);
+    const media::FrameSpan span = app::span_around(event.first, event.last, job.margin);
     // A search that ended early does not know the files after that, which the margin may reach into.
-    std::vector<video::SegmentPlace> places = fields.source->info().segments;
+    std::vector<media::SegmentPlace> places = fields.source->info().segments;
     if (places.empty() || places.back().path != footage.recording.segments.back().path) {
         places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
     }
@@ -102,8 +102,8 @@ void check_frame(const CutJob& job, const app::Footage& footage, std::int64_t fr
                 {setting.name});
 }
 
-video::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
-    video::FrameSpan span = job.search.fields.span;
+media::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
+    media::FrameSpan span = job.search.fields.span;
     check_frame(job, footage, span.first, setting::start);
     check_frame(job, footage, span.stop.value_or(0), setting::end);
     const bool empty = (span.end && span.first == 0 && *span.end <= span.start) ||
@@ -120,17 +120,17 @@ video::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
 }
 
 Selection select_between(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
-    const video::FrameSpan span = span_between(job, footage);
+    const media::FrameSpan span = span_between(job, footage);
     return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
 }  // namespace
 
-video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file, double begin, double rate) {
-    const video::ClipHeader header =
-        video::header_of(video::Demuxer(video::open_input(file.path), video::Demuxer::Kind::video, rate));
+media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin, double rate) {
+    const media::ClipHeader header =
+        media::header_of(media::Demuxer(media::open_input(file.path), media::Demuxer::Kind::video, rate));
     const std::int64_t before = std::llround(begin);
-    video::VideoInfo info;
+    media::VideoInfo info;
     info.name = footage.recording.name;
     info.duration = begin + header.length;
     if (file.begin) info.began = *file.begin - before;
@@ -140,14 +140,14 @@ video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file
 }
 
 CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer) {
-    video::FrameSpan& span = job.search.fields.span;
+    media::FrameSpan& span = job.search.fields.span;
     if (job.event || (!span.asked.start && !span.asked.end)) return job;
-    video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    media::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
     info.duration = 0;  // it is that of the first file
     const WallClock known = app::clock_of(job.search.look.start_time, info);
-    const std::optional<video::RequestedTime> start = span.asked.start;
-    span = video::resolve(span, known, info);
-    if (start && video::seconds_of(*start, *known) < 0) {
+    const std::optional<media::RequestedTime> start = span.asked.start;
+    span = media::resolve(span, known, info);
+    if (start && media::seconds_of(*start, *known) < 0) {
         observer.warn(
             fmt::format("'{}' begins at {}, later than the requested start of the piece", info.name, known->iso(0)));
     }

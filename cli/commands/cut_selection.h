@@ -9,10 +9,10 @@
 #include "cli/app/footage.h"
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
+#include "core/footage/segment.h"
 #include "core/image/picture_file.h"
-#include "core/video/frame_source.h"
-#include "core/video/frame_span.h"
-#include "core/video/segment.h"
+#include "core/media/frame_source.h"
+#include "core/media/frame_span.h"
 
 // Which part of the footage `vvr cut` cuts: an event, or what is between two times.
 namespace vvr::commands {
@@ -29,19 +29,19 @@ struct CutJob {
 
 /// The part of the footage that is in the piece.
 struct Selection {
-    video::FrameSpan span;
-    std::vector<video::SegmentPlace> places;      ///< of the files that are at hand
+    media::FrameSpan span;
+    std::vector<media::SegmentPlace> places;      ///< of the files that are at hand
     std::optional<app::PieceEvent> event{};       ///< that is cut
     std::vector<app::PieceEvent> known_events{};  ///< of the report or the search
     image::Metadata settings{};                   ///< with which the event was found
     std::string camera{};                         ///< of the report; empty = unknown
-    video::Unseen unseen{};                       ///< the areas in which nobody looked for events
+    footage::Unseen unseen{};                     ///< the areas in which nobody looked for events
 };
 
 /// Properties of the recording that say when its second 0 was.
 /// \param file of the footage
 /// \param begin of the file, in seconds of the recording
-video::VideoInfo info_of(const app::Footage& footage, const video::Segment& file, double begin, double rate);
+media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin, double rate);
 
 /// The job, in which the wall-clock limits of the span are seconds of the recording.
 CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer);

@@ -26,8 +26,8 @@ extern "C" {
 #include "core/base/version.h"
 #include "core/base/wall_clock.h"
 #include "core/image/text.h"
+#include "core/media/hwaccel.h"
 #include "core/page/preview.h"
-#include "core/video/hwaccel.h"
 #include "gl/context.h"
 
 namespace vvr::commands {
@@ -121,11 +121,11 @@ struct DecoderReport {
 
 std::vector<DecoderReport> look_for_decoders() {
     std::vector<DecoderReport> found;
-    for (const video::HwaccelRow& row : video::hwaccels()) {
+    for (const media::HwaccelRow& row : media::hwaccels()) {
         if (row.device == AV_HWDEVICE_TYPE_NONE) continue;
         DecoderReport& report = found.emplace_back(DecoderReport{row.name});
         try {
-            video::open_device(row);
+            media::open_device(row);
         } catch (const Error& error) {
             report.error = error;
         }
@@ -238,7 +238,7 @@ class Doctor final : public Command {
   private:
     bool json_ = false;
     app::BackendOptions backend_;
-    Choice<video::HwaccelRow> hwaccel_{video::hwaccels().front()};
+    Choice<media::HwaccelRow> hwaccel_{media::hwaccels().front()};
     app::DetectorOptions detector_;
     int threads_ = 0;  // unused; accepted because config files may set it for all commands
 };

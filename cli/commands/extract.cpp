@@ -15,10 +15,10 @@
 #include "cli/options/job_options.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/events/overlay.h"
+#include "core/dataset/data_folder.h"
 #include "core/fields/field_source.h"
 #include "core/fields/flow.h"
-#include "core/store/data_folder.h"
+#include "core/tracking/overlay.h"
 
 namespace vvr::commands {
 
@@ -35,9 +35,9 @@ struct ExtractJob {
 };
 
 /// Converts the part's number to a span of frames. The last part has no end, as the header's length can be wrong.
-void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
+void choose_part(ExtractJob& job, const media::VideoInfo& clip) {
     if (!job.part) return;
-    if (job.fields.span != video::FrameSpan{}) {
+    if (job.fields.span != media::FrameSpan{}) {
         throw Error(ErrorCode::options_conflict, "part selects the frames already; remove the start and the end",
                     {"part", setting::start.name, setting::end.name});
     }
@@ -62,7 +62,7 @@ void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
 /// Writes the data files of Fig. 3: scalar fields, flow, seeds. Replaces an older extraction in the folder.
 /// \throws Error usage, io, not_video, limit
 void extract(ExtractJob job, app::Observer& observer) {
-    store::check_data_folder(job.folder);
+    dataset::check_data_folder(job.folder);
     const auto begin = std::chrono::steady_clock::now();
     constexpr bool colour = true;
     std::vector<std::string> warnings;
@@ -80,24 +80,24 @@ void extract(ExtractJob job, app::Observer& observer) {
     choose_part(job, clip->info());
     app::check_has_end(clip->info(), observer);
     // Parts must make the picture that the whole clip makes; the picture leaves the clock out.
-    if (job.fields.filter->traits.object && !job.part) job.fields.overlays = events::find_clocks(*clip);
+    if (job.fields.filter->traits.object && !job.part) job.fields.overlays = tracking::find_clocks(*clip);
     for (const PixelBox& box : job.fields.overlays) {
         observer.info(fmt::format("the fields leave out the camera's clock, {}x{} at {},{} of the field", box.width(),
                                   box.height(), box.left, box.top));
     }
-    const std::int64_t expected = video::expected_frames(clip->info(), job.fields.span);
+    const std::int64_t expected = media::expected_frames(clip->info(), job.fields.span);
     const std::int64_t flow_every = fields::has_flow(job.fields.flow) ? job.fields.flow.every : 0;
-    std::optional<store::DataFolder> folder;
+    std::optional<dataset::DataFolder> folder;
     std::int64_t frames = 0;
     const fields::FieldSummary summary =
-        fields::compute_fields(*clip, job.fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+        fields::compute_fields(*clip, job.fields, [&](const media::SharedFrame& frame, fields::Field&& field) {
             // Create the folder only now, so that an older extraction stays if this one fails early.
             if (!folder) folder.emplace(job.folder, flow_every);
             folder->add(*frame, field);
             observer.frames(++frames, expected);
         });
     app::require_frames(summary.frames, clip->info());
-    store::Manifest manifest;
+    dataset::Manifest manifest;
     manifest.clip = clip->info();
     manifest.clip.title = app::title_of("", clip->info());
     manifest.span = job.fields.span;

@@ -13,7 +13,7 @@
 #include "cli/options/output_files.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/video/input.h"
+#include "core/media/input.h"
 
 namespace vvr::commands {
 
@@ -30,7 +30,7 @@ Error invalid(const fs::path& list, const std::string& what) {
 
 /// Names of files are relative to the folder of the list, so that it can be used from anywhere.
 std::string in_folder(const fs::path& folder, const std::string& name) {
-    return video::is_url(name) || fs::path(name).is_absolute() ? name : (folder / name).string();
+    return media::is_url(name) || fs::path(name).is_absolute() ? name : (folder / name).string();
 }
 
 /// A setting that names a file: the value may also be a word, such as the name of a transfer function.

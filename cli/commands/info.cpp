@@ -16,14 +16,14 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
-#include "core/labels/time_ticks.h"
-#include "core/store/manifest.h"
-#include "core/video/recorder_names.h"
-#include "core/video/recording.h"
+#include "core/dataset/manifest.h"
+#include "core/footage/recorder_names.h"
+#include "core/footage/recording.h"
 
 namespace vvr::commands {
 
@@ -31,30 +31,30 @@ namespace {
 
 /// The files of an input in order, each with its camera, start time, and the source of that time. Empty for inputs
 /// without them, such as a stream or pictures.
-std::vector<video::Segment> list_clips(const app::InputOptions& options) {
-    if (std::ranges::all_of(options.names, store::is_data_folder)) return {};
-    const video::RecorderNames layouts(options.name_patterns);
-    std::vector<video::Segment> clips;
+std::vector<footage::Segment> list_clips(const app::InputOptions& options) {
+    if (std::ranges::all_of(options.names, dataset::is_data_folder)) return {};
+    const footage::RecorderNames layouts(options.name_patterns);
+    std::vector<footage::Segment> clips;
     std::error_code none;
-    if (auto recording = video::find_recording(options.names, layouts, options.join)) {
+    if (auto recording = footage::find_recording(options.names, layouts, options.join)) {
         clips = std::move(recording->segments);
     } else if (std::filesystem::is_regular_file(options.names.front(), none)) {
-        clips = {video::segment_from_name(options.names.front(), layouts)};
+        clips = {footage::segment_from_name(options.names.front(), layouts)};
     }
-    for (video::Segment& clip : clips) {
+    for (footage::Segment& clip : clips) {
         if (!options.camera.empty()) clip.camera = options.camera;
     }
     return clips;
 }
 
 /// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
-std::string text_of(const video::Segment& clip) {
+std::string text_of(const footage::Segment& clip) {
     const std::string camera =
         clip.camera.empty() ? "camera not known (--camera-name names it)" : "camera " + shown_text(clip.camera);
     const std::string_view by = row_of(clip.begin_source).words;
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
     const bool named = clip.begin_source == ClockSource::file_name;
-    return fmt::format("{}, {} UTC {}{}", camera, labels::format_clock(*clip.begin), by,
+    return fmt::format("{}, {} UTC {}{}", camera, annotation::format_clock(*clip.begin), by,
                        named ? fmt::format(" ({})", clip.layout) : "");
 }
 
@@ -70,7 +70,7 @@ std::string or_unknown(double value, const std::string& text) {
 struct Facts {
     const fields::FieldSource& source;
     app::Extent extent;
-    std::vector<video::Segment> files;
+    std::vector<footage::Segment> files;
     std::vector<std::string> warnings;
     std::optional<app::RenderTime> time{};  ///< none = not measured
 };
@@ -79,14 +79,14 @@ struct Facts {
 std::string text_of(const app::RenderTime& time) {
     if (time.frames_per_second <= 0) return "unknown: the first seconds have too few frames";
     const std::string takes =
-        time.seconds > 0 ? fmt::format("about {}", labels::format_duration(std::max(1.0, std::round(time.seconds))))
+        time.seconds > 0 ? fmt::format("about {}", annotation::format_duration(std::max(1.0, std::round(time.seconds))))
                          : fmt::format("1 s for about {:.0f} frames", time.frames_per_second);
     return fmt::format("{} on this machine, judging by the first {}", takes, counted(time.measured, "frame"));
 }
 
 std::string as_text(const Facts& facts) {
     const auto& [source, extent, files, warnings, time] = facts;
-    const video::VideoInfo& info = source.info();
+    const media::VideoInfo& info = source.info();
     std::string text = shown_text(redact_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
         text += fmt::format("  {:<8} {}\n", name, value);
@@ -98,11 +98,12 @@ std::string as_text(const Facts& facts) {
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, from {}", info.frames, counted_by)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (recording_time_is_known(info)) {
-        line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));
+        line("recorded",
+             fmt::format("{} UTC, {}", annotation::format_clock(*info.began), row_of(info.began_source).words));
     }
     if (info.created) {
         line("written",
-             fmt::format("{} UTC, from the container{}", labels::format_clock(*info.created),
+             fmt::format("{} UTC, from the container{}", annotation::format_clock(*info.created),
                          recording_time_is_known(info)
                              ? ""
                              : "; it may have been recorded at another time (--start-time container uses this one)"));
@@ -117,28 +118,28 @@ std::string as_text(const Facts& facts) {
     if (time) line("time", text_of(*time));
     if (!files.empty())
         text += counted(std::ssize(files), "file") + (files.size() > 1 ? ", in the order of time" : "") + "\n";
-    for (const video::Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
+    for (const footage::Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
     return text;
 }
 
-nlohmann::ordered_json json_of(const video::Segment& clip) {
+nlohmann::ordered_json json_of(const footage::Segment& clip) {
     using Json = nlohmann::ordered_json;
     return {{"file", clip.path},
             {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
-            {"begin", clip.begin ? Json(labels::format_clock(*clip.begin)) : Json()},
+            {"begin", clip.begin ? Json(annotation::format_clock(*clip.begin)) : Json()},
             {"recorded_by", row_of(clip.begin_source).name},
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
 std::string as_json(const Facts& facts) {
     const auto& [source, extent, files, warnings, measured] = facts;
-    const video::VideoInfo& info = source.info();
+    const media::VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
     const auto time = [](std::optional<std::int64_t> utc) {
-        return utc ? nlohmann::ordered_json(labels::format_clock(*utc)) : nlohmann::ordered_json();
+        return utc ? nlohmann::ordered_json(annotation::format_clock(*utc)) : nlohmann::ordered_json();
     };
     nlohmann::ordered_json listed = nlohmann::ordered_json::array();
-    for (const video::Segment& clip : files) listed.push_back(json_of(clip));
+    for (const footage::Segment& clip : files) listed.push_back(json_of(clip));
     const nlohmann::ordered_json json{
         {"name", info.name},
         {"container", info.container},

@@ -19,6 +19,7 @@
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "core/annotation/time_ticks.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -30,11 +31,10 @@
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
-#include "core/labels/time_ticks.h"
+#include "core/media/frame.h"
+#include "core/media/frame_source.h"
+#include "core/media/scaler.h"
 #include "core/page/page.h"
-#include "core/video/frame.h"
-#include "core/video/frame_source.h"
-#include "core/video/scaler.h"
 
 namespace vvr::commands {
 
@@ -51,7 +51,7 @@ struct InspectJob {
 /// The frame with that number, or the one shown at that time. Counts decoded frames from the first one and ignores the
 /// container's numbers. Seeks back to the first frame.
 /// \throws Error usage with the clip's length when the clip ends earlier
-Moment find_frame(video::FrameSource& clip, const app::Time& time) {
+Moment find_frame(media::FrameSource& clip, const app::Time& time) {
     const bool by_number = time.unit == app::Time::Unit::frames;
     Moment found;
     double before = 0;
@@ -180,7 +180,7 @@ struct Inspection {
 
 /// Fig. 4: the difference object, the flow as green lines and the seeds, side by side over the dimmed frame.
 /// \param frame in colour
-Inspection inspect(const video::Frame& frame, const fields::Field& field) {
+Inspection inspect(const media::Frame& frame, const fields::Field& field) {
     const Size size = field.scalar.size();
     const double scale = static_cast<double>(panel_width) / size.width;
     const int height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
@@ -219,11 +219,11 @@ Inspection inspect(const video::Frame& frame, const fields::Field& field) {
 }
 
 /// The frame in the clip's size and colours.
-Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {
+Plane<Bgr> picture_of(media::FrameSource& clip, const Moment& moment) {
     clip.seek(moment.seconds - 1);
-    video::Scaler scale(clip);
+    media::Scaler scale(clip);
     while (const auto frame = clip.next()) {
-        if (frame->index >= moment.frame) return video::picture_of(scale(*frame));
+        if (frame->index >= moment.frame) return media::picture_of(scale(*frame));
     }
     throw Error(
         ErrorCode::no_frame,
@@ -242,7 +242,7 @@ std::string polygons_of(std::string_view setting, const std::string& area, app::
 }
 
 /// The requested frame; by default the middle one, but early enough to be found quickly.
-app::Time wanted_frame(const InspectJob& job, const video::VideoInfo& info) {
+app::Time wanted_frame(const InspectJob& job, const media::VideoInfo& info) {
     constexpr double farthest = 60;
     return job.frame.value_or(app::Time{std::min(info.duration / 2, farthest), app::Time::Unit::seconds});
 }
@@ -263,7 +263,7 @@ void write_region_editor(const InspectJob& job, app::Observer& observer) {
     app::report_warnings(warnings, {}, observer);
     const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     content.name = app::shown_name(clip->info().name);
-    content.moment = labels::format_moment(found.seconds);
+    content.moment = annotation::format_moment(found.seconds);
     content.frame = picture_of(*clip, found);
     const std::string text = page::make_region_editor(content);
     const auto held = observer.guard();
@@ -287,7 +287,7 @@ void inspect(const InspectJob& job, app::Observer& observer) {
     fields.span.stop = found.frame + 1;
     Inspection inspection;
     const fields::FieldSummary summary =
-        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, const fields::Field& field) {
+        fields::compute_fields(*clip, fields, [&](const media::SharedFrame& frame, const fields::Field& field) {
             if (field.index == found.frame) inspection = inspect(*frame, field);
         });
     app::report_warnings(warnings, summary.problems, observer);

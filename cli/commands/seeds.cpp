@@ -23,13 +23,13 @@
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
+#include "core/dataset/stored_fields.h"
 #include "core/fields/filter.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/frame_files.h"
 #include "core/fields/options.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
-#include "core/store/stored_fields.h"
 
 namespace vvr::commands {
 
@@ -61,7 +61,7 @@ class SeedFolder {
     void add(const fields::SeedList& list) {
         if (stop_.stop_requested()) throw Stopped();
         const std::string text = fields::format_seeds(list);
-        replace_file(folder_.hidden() / store::stored::seed_file(list.frame).filename(),
+        replace_file(folder_.hidden() / dataset::stored::seed_file(list.frame).filename(),
                      std::as_bytes(std::span(text)));
         ++lists_;
         seeds_ += std::ssize(list.seeds);
@@ -103,7 +103,7 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
 }
 
 void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
-    store::StoredFields fields(std::array{job.flow.string()});
+    dataset::StoredFields fields(std::array{job.flow.string()});
     const auto filter =
         std::ranges::find(fields.settings(), setting::filter.name, [](const auto& s) { return s.first; });
     const bool marks =
@@ -117,7 +117,7 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
     }
     Plane<std::uint16_t> age;
     const fields::FieldNeeds needs{.seeds = false, .flow = true, .colour = false, .every = fields.interval(1)};
-    fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) {
+    fields.read(needs, [&](const media::SharedFrame&, const fields::Field& field) {
         age = fields::aged(age, field.scalar);
         if (field.flow.u.empty()) return;
         folder.add({field.index, field.flow.u.size(),
@@ -137,7 +137,7 @@ bool write_seeds(const StoredFlowSeedsJob& job, app::Observer& observer, const s
     const auto held = observer.guard();  // outlives the folder, so that a signal finds it whole or removed
     SeedFolder folder(job.folder, seeds_text::output.name, stop);
     try {
-        if (store::is_data_folder(job.flow)) {
+        if (dataset::is_data_folder(job.flow)) {
             seeds_of_extraction(job, folder);
         } else {
             seeds_of_files(job, folder);

@@ -136,7 +136,7 @@ class Watch final : public Command {
         cli::EventFile events(events_to_, environment.log);
         job_.output.reports_events = !events_to_.empty();
         if (job_.output.reports_events) {
-            options_.on_event = [&events](const events::EventLine& one) { events.add(one); };
+            options_.on_event = [&events](const tracking::EventLine& one) { events.add(one); };
         }
         app::StreamWatch watch(job_, options_, console);
         const cli::GracefulShutdown stop(environment.signals, [&watch] { watch.stop(); });

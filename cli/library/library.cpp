@@ -25,12 +25,12 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/version.h"
-#include "core/events/event.h"
-#include "core/events/event_line.h"
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
-#include "core/video/frame_source.h"
-#include "core/video/memory_source.h"
+#include "core/media/frame_source.h"
+#include "core/media/memory_source.h"
+#include "core/tracking/event.h"
+#include "core/tracking/event_line.h"
 
 using vvr::Error;
 using vvr::ErrorCode;
@@ -140,27 +140,27 @@ void list_events(Made& made) {
     const auto number_of = [&](const std::optional<std::size_t>& place) {
         return place ? static_cast<int>(shown.numbers[*place]) : 0;
     };
-    for (const vvr::events::Event& found : shown.events) {
+    for (const vvr::tracking::Event& found : shown.events) {
         auto& path = made.paths.emplace_back();
-        for (const vvr::events::PathPoint& point : found.path) {
+        for (const vvr::tracking::PathPoint& point : found.path) {
             const glm::dvec2 place = scale(point.place);
             path.push_back({point.at.frame, point.at.seconds, place.x, place.y});
         }
     }
     for (std::size_t k = 0; k < shown.events.size(); ++k) {
-        const vvr::events::Event& found = shown.events[k];
+        const vvr::tracking::Event& found = shown.events[k];
         const vvr::PixelBox box = scale(found.box);
         vvr_event event{};
         event.number = static_cast<int>(shown.numbers[k]);
-        event.kind = vvr::events::name_of(found.kind).data();
+        event.kind = vvr::tracking::name_of(found.kind).data();
         event.object_class = found.identity ? found.identity->what->name.data() : "";
         event.score = found.identity ? found.identity->score : 0;
         event.first_frame = found.first.frame;
         event.last_frame = found.last.frame;
         event.first_seconds = found.first.seconds;
         event.last_seconds = found.last.seconds;
-        event.still_seconds = vvr::events::stationary_seconds(found);
-        event.direction = vvr::events::direction_of(found).data();
+        event.still_seconds = vvr::tracking::stationary_seconds(found);
+        event.direction = vvr::tracking::direction_of(found).data();
         event.x = box.left;
         event.y = box.top;
         event.width = box.width();
@@ -177,8 +177,8 @@ void list_events(Made& made) {
 
 constexpr const char* name_of_frames = "frames in memory";
 
-vvr::video::PixelOrder order_of(int format) {
-    using vvr::video::PixelOrder;
+media::PixelOrder order_of(int format) {
+    using media::PixelOrder;
     constexpr std::array orders{PixelOrder::grey, PixelOrder::rgb, PixelOrder::bgr, PixelOrder::rgba, PixelOrder::bgra};
     if (format >= 0 && static_cast<std::size_t>(format) < orders.size())
         return orders[static_cast<std::size_t>(format)];
@@ -191,22 +191,22 @@ vvr::video::PixelOrder order_of(int format) {
 vvr::app::InputOptions input_of(const vvr_frames& frames) {
     vvr::app::InputOptions input;
     input.names = {name_of_frames};
-    input.open = [&frames](const vvr::video::SourceOptions& options) {
-        vvr::video::MemoryFrames memory{.name = name_of_frames,
-                                        .size = {frames.width, frames.height},
-                                        .order = order_of(frames.format),
-                                        .rate = frames.frames_per_second,
-                                        .frames = frames.frames,
-                                        .read = {}};
+    input.open = [&frames](const media::SourceOptions& options) {
+        media::MemoryFrames memory{.name = name_of_frames,
+                                   .size = {frames.width, frames.height},
+                                   .order = order_of(frames.format),
+                                   .rate = frames.frames_per_second,
+                                   .frames = frames.frames,
+                                   .read = {}};
         if (frames.read != nullptr) {
-            memory.read = [&frames](std::int64_t index, vvr::video::MemoryFrame& frame) {
+            memory.read = [&frames](std::int64_t index, media::MemoryFrame& frame) {
                 vvr_frame view{};
                 if (frames.read(frames.user, index, &view) == 0) return false;
                 frame = {view.pixels, view.stride, view.seconds};
                 return true;
             };
         }
-        return std::make_unique<vvr::video::MemorySource>(std::move(memory), options);
+        return std::make_unique<media::MemorySource>(std::move(memory), options);
     };
     return input;
 }
@@ -288,7 +288,7 @@ vvr_rendering* vvr_read_clip_info(const char* clip) {
         vvr::app::require_input(input);
         std::vector<std::string> warnings;
         made.summary.info = vvr::app::open_clip(input, false, 0, warnings)->info();
-        const vvr::video::VideoInfo& info = made.summary.info;
+        const media::VideoInfo& info = made.summary.info;
         made.clip = {info.container.c_str(), info.codec.c_str(), info.size.width, info.size.height, info.rate,
                      info.duration,          info.frames};
     });

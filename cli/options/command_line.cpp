@@ -10,7 +10,7 @@
 #include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr::options {
 
@@ -221,7 +221,7 @@ void CommandLine::give_camera() {
     const std::vector<std::string> known = cameras();
     if (!known.empty() && (found_camera_ != nullptr || !camera_.empty())) {
         const Option* const patterns = find_in(options_, setting::names.name);
-        section_ = video::name_of_camera(
+        section_ = footage::name_of_camera(
             !camera_.empty() ? camera_
                              : camera_of_input(inputs_, patterns == nullptr ? inputs_ : patterns->given, known),
             known);

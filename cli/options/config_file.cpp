@@ -13,10 +13,10 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/video/input.h"
-#include "core/video/input_files.h"
-#include "core/video/recorder_names.h"
-#include "core/video/recording.h"
+#include "core/footage/input_files.h"
+#include "core/footage/recorder_names.h"
+#include "core/footage/recording.h"
+#include "core/media/input.h"
 
 namespace vvr::options {
 
@@ -210,10 +210,10 @@ std::vector<Section> read_config(const ConfigChoice& config, const std::vector<C
 
 std::string camera_of_input(const std::vector<std::string>& inputs, const std::vector<std::string>& patterns,
                             std::span<const std::string> known) {
-    if (inputs.empty() || inputs.front().starts_with('@') || video::is_url(inputs.front())) return {};
+    if (inputs.empty() || inputs.front().starts_with('@') || media::is_url(inputs.front())) return {};
     std::vector<std::string> files;
     try {
-        files = video::files_of_inputs(inputs);
+        files = footage::files_of_inputs(inputs);
     } catch (const Error&) {
         return {};  // opening the input reports it
     }
@@ -222,7 +222,7 @@ std::string camera_of_input(const std::vector<std::string>& inputs, const std::v
     const std::string& input = inputs.front();
     if (files.empty()) files.push_back(std::filesystem::is_directory(input, none) ? input + "/clip" : input);
     for (std::string& file : files) file = std::filesystem::absolute(file, none).lexically_normal().string();
-    video::RecorderNames names(patterns);
+    footage::RecorderNames names(patterns);
     names.compare(files);
     for (const std::string& section : known) names.describe_camera(section, {});
     const std::string camera = names.camera_of(files.front());

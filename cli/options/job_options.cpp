@@ -13,9 +13,9 @@
 #include "cli/options/add_option.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
+#include "core/dataset/scalar_picture.h"
 #include "core/fields/settings.h"
-#include "core/store/scalar_picture.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr::options {
 
@@ -44,11 +44,11 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
 
 void add_name_options(CommandLine& line, app::InputOptions& options) {
     AddOptions(line, Group::input)(setting::names, options.name_patterns,
-                                   {.help = fmt::format("{}", fmt::join(video::known_recorders(), ", "))});
+                                   {.help = fmt::format("{}", fmt::join(footage::known_recorders(), ", "))});
 }
 
 void add_decode_option(CommandLine& line, app::InputOptions& options) {
-    AddOptions(line, Group::input)(setting::decode, options.decode, video::frame_choices());
+    AddOptions(line, Group::input)(setting::decode, options.decode, media::frame_choices());
 }
 
 void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help) {
@@ -60,7 +60,7 @@ void add_recording_options(CommandLine& line, app::InputOptions& options, const 
     AddOptions(line, Group::plan)({"input-problem", "", ""}, options.problems);
 }
 
-void add_span_options(CommandLine& line, video::FrameSpan& span) {
+void add_span_options(CommandLine& line, media::FrameSpan& span) {
     const AddOptions add(line, Group::input);
     add(setting::start, span);
     add(setting::end, span);
@@ -68,7 +68,7 @@ void add_span_options(CommandLine& line, video::FrameSpan& span) {
 }
 
 void add_field_options(CommandLine& line, fields::FieldOptions& options) {
-    options.read_given = store::read_scalar;
+    options.read_given = dataset::read_scalar;
     fields::each_field_setting(options, AddOptions(line, Group::fields));
     // A filter that is given too is set later.
     line.after(setting::field, [&options] { options.filter = "given"; });
@@ -93,8 +93,8 @@ void add_thread_options(CommandLine& line, int& threads) {
     AddOptions(line, Group::run)(setting::threads, threads);
 }
 
-void add_hwaccel_option(CommandLine& line, Choice<video::HwaccelRow>& hwaccel) {
-    AddOptions(line, Group::run)(setting::hwaccel, hwaccel, video::hwaccels());
+void add_hwaccel_option(CommandLine& line, Choice<media::HwaccelRow>& hwaccel) {
+    AddOptions(line, Group::run)(setting::hwaccel, hwaccel, media::hwaccels());
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {

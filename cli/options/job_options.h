@@ -37,7 +37,7 @@ void add_decode_option(CommandLine& line, app::InputOptions& options);
 void add_recording_options(CommandLine& line, app::InputOptions& options, const std::string& help);
 
 /// The part of the clip to read.
-void add_span_options(CommandLine& line, video::FrameSpan& span);
+void add_span_options(CommandLine& line, media::FrameSpan& span);
 
 /// The file for the lines of events that have ended.
 void add_events_to_option(CommandLine& line, Group group, std::filesystem::path& file);
@@ -57,7 +57,7 @@ void add_preset_option(CommandLine& line, Group group);
 void add_thread_options(CommandLine& line, int& threads);
 
 /// What decodes video.
-void add_hwaccel_option(CommandLine& line, Choice<video::HwaccelRow>& hwaccel);
+void add_hwaccel_option(CommandLine& line, Choice<media::HwaccelRow>& hwaccel);
 
 /// The OpenGL backend and its device.
 void add_backend_options(CommandLine& line, app::BackendOptions& backend);
@@ -76,7 +76,7 @@ image::Metadata record_of_fields(const CommandLine& line);
 void add_output_options(CommandLine& line, app::OutputOptions& options);
 
 /// Which events count. Shared, so that an event has the same number in every command.
-void add_event_options(CommandLine& line, Group group, events::EventChoice& choice);
+void add_event_options(CommandLine& line, Group group, tracking::EventChoice& choice);
 
 /// The allowed difference of two pictures, for `compare` and `render --golden`.
 void add_comparison_options(CommandLine& line, app::ComparisonOptions& options);

@@ -131,7 +131,7 @@ void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) 
     add(text::diff, options.diff, {.use = FileUse::written});
 }
 
-void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
+void add_event_options(CommandLine& line, Group group, tracking::EventChoice& choice) {
     const AddOptions add(line, group);
     add(setting::events, choice);
 }

@@ -18,8 +18,8 @@
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/footage/input_files.h"
 #include "core/image/name_pattern.h"
-#include "core/video/input_files.h"
 
 namespace vvr::options {
 
@@ -57,7 +57,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 /// Whether an archive gives its files such names, the pieces of its clips too.
 bool is_name_of_archive(const fs::path& file) {
     const std::string extension = extension_of(file);
-    return !extension.empty() && (extension == ".js" || video::is_video_name(file.string()) ||
+    return !extension.empty() && (extension == ".js" || footage::is_video_name(file.string()) ||
                                   std::ranges::any_of(archive::output_rows, [&](const archive::OutputRow& row) {
                                       return row.extension.ends_with(extension);
                                   }));
@@ -183,7 +183,7 @@ void check_no_input_overwritten(const CommandLine& line, std::span<const std::st
     }
     if (outputs.empty()) return;
     for (const std::string& input : inputs) {
-        for (const fs::path& file : video::files_of_input(input)) outputs.refuse(file, input);
+        for (const fs::path& file : footage::files_of_input(input)) outputs.refuse(file, input);
     }
 }
 

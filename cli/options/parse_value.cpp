@@ -227,14 +227,14 @@ std::optional<std::int64_t> parse_date_time(std::string_view text) {
     return midnight.time_since_epoch().count() + *clock;
 }
 
-std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text) {
+std::variant<app::Time, media::RequestedTime> parse_place(std::string_view text) {
     constexpr std::string_view forms = "a date and time like 2026-11-22 02:00, or a time of day like @02:00";
     if (text.starts_with('@')) {
         const auto clock = time_of_day(text.substr(1));
         if (!clock) refuse(text, forms);
-        return video::RequestedTime{*clock, false, std::string(text)};
+        return media::RequestedTime{*clock, false, std::string(text)};
     }
-    if (const auto seconds = parse_date_time(text)) return video::RequestedTime{*seconds, true, std::string(text)};
+    if (const auto seconds = parse_date_time(text)) return media::RequestedTime{*seconds, true, std::string(text)};
     // An invalid date, or a date without a time.
     if (text.size() > 4 && text[4] == '-') refuse(text, forms);
     return parse_time(text);
@@ -246,7 +246,7 @@ std::chrono::minutes parse_minute_of_day(std::string_view text) {
     return std::chrono::minutes(*seconds / 60);
 }
 
-video::DayPart parse_day_part(std::string_view text) {
+media::DayPart parse_day_part(std::string_view text) {
     const auto ends = split(text, '-');
     const auto begin = time_of_day(ends.front());
     const auto end = ends.size() == 2 ? time_of_day(ends.back()) : std::nullopt;

@@ -12,7 +12,7 @@
 #include "cli/app/job.h"
 #include "core/base/plane.h"
 #include "core/base/setting.h"
-#include "core/video/frame_span.h"
+#include "core/media/frame_span.h"
 
 /// Parsing of option values. Each function throws Error usage with the given text and what was expected.
 namespace vvr::options {
@@ -50,14 +50,14 @@ app::Time parse_time(std::string_view text);
 std::optional<std::int64_t> parse_date_time(std::string_view text);
 
 /// A time in a clip as above, or a wall-clock time: `2026-11-22 02:00`, or `@02:00` for the next time that the clock
-/// shows it. `seconds_of` (core/video/frame_span.h) converts the latter to seconds of the clip. Without the @, 02:00 is
+/// shows it. `seconds_of` (core/media/frame_span.h) converts the latter to seconds of the clip. Without the @, 02:00 is
 /// two minutes from the beginning.
-std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text);
+std::variant<app::Time, media::RequestedTime> parse_place(std::string_view text);
 
 /// `12:00`, `6:30`.
 std::chrono::minutes parse_minute_of_day(std::string_view text);
 
 /// `02:00-05:00`: a part of each day.
-video::DayPart parse_day_part(std::string_view text);
+media::DayPart parse_day_part(std::string_view text);
 
 }  // namespace vvr::options

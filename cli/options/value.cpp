@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/annotation/time_ticks.h"
 #include "core/base/error.h"
-#include "core/labels/time_ticks.h"
 #include "core/scene/theme.h"
 #include "core/scene/transfer_function.h"
 
@@ -92,12 +92,12 @@ app::StartTime parse_start_time(const std::string& text) {
 
 /// Sets one end of a span, in whichever way it is given.
 template <class Seconds, class Frame>
-void set_end(const std::string& text, Seconds& seconds, Frame& frame, std::optional<video::RequestedTime>& asked) {
+void set_end(const std::string& text, Seconds& seconds, Frame& frame, std::optional<media::RequestedTime>& asked) {
     const auto place = parse_place(text);
     seconds = {};
     frame = {};
     asked.reset();
-    if (const auto* const clock = std::get_if<video::RequestedTime>(&place)) {
+    if (const auto* const clock = std::get_if<media::RequestedTime>(&place)) {
         asked = *clock;
     } else if (const auto& time = std::get<app::Time>(place); time.unit == app::Time::Unit::seconds) {
         seconds = time.value;
@@ -107,19 +107,19 @@ void set_end(const std::string& text, Seconds& seconds, Frame& frame, std::optio
 }
 
 /// A length among the kinds is the least one of an event; alone, it is that of all kinds.
-events::EventChoice parse_events(const Setting& setting, const std::string& text) {
+tracking::EventChoice parse_events(const Setting& setting, const std::string& text) {
     constexpr Range lengths{0, 86'400};
-    events::EventChoice choice{.kinds = {}, .least = 0};
+    tracking::EventChoice choice{.kinds = {}, .least = 0};
     bool only_length = false;
     for (const std::string& word : split_list(text)) {
         if (!word.empty() && word[0] >= '0' && word[0] <= '9') {
             choice.least = parse_duration(word, lengths);
             only_length = choice.kinds.empty();
         } else {
-            choice.kinds.insert(choose(setting.name, word, events::event_kinds, ", or a length like 5s").kind);
+            choice.kinds.insert(choose(setting.name, word, tracking::event_kinds, ", or a length like 5s").kind);
         }
     }
-    if (only_length && choice.kinds.empty()) choice.kinds = events::all_kinds();
+    if (only_length && choice.kinds.empty()) choice.kinds = tracking::all_kinds();
     return choice;
 }
 
@@ -233,8 +233,8 @@ Value value_of(const Setting& /*setting*/, app::Time& time) {
     });
 }
 
-Value value_of(const Setting& /*setting*/, video::DayPart& part) {
-    return bound(part, parse_day_part, [](const video::DayPart& of) { return of.text; });
+Value value_of(const Setting& /*setting*/, media::DayPart& part) {
+    return bound(part, parse_day_part, [](const media::DayPart& of) { return of.text; });
 }
 
 Value value_of(const Setting& /*setting*/, archive::DayRule& rule) {
@@ -242,7 +242,7 @@ Value value_of(const Setting& /*setting*/, archive::DayRule& rule) {
                  [](std::chrono::minutes of) { return fmt::format("{:02}:{:02}", of.count() / 60, of.count() % 60); });
 }
 
-Value value_of(const Setting& setting, video::FrameSpan& span) {
+Value value_of(const Setting& setting, media::FrameSpan& span) {
     if (setting.name == setting::end.name) {
         return {[&span](const std::string& text) { set_end(text, span.end, span.stop, span.asked.end); },
                 [&span] {
@@ -260,7 +260,7 @@ Value value_of(const Setting& setting, video::FrameSpan& span) {
 
 Value value_of(const Setting& /*setting*/, app::StartTime& time) {
     return bound(time, parse_start_time, [](const app::StartTime& of) {
-        if (of.from == app::StartTime::From::given) return labels::format_clock(of.clock->begin);
+        if (of.from == app::StartTime::From::given) return annotation::format_clock(of.clock->begin);
         return names_where(clock_words, [&](const ClockWord& word) { return word.from == of.from; });
     });
 }
@@ -278,7 +278,7 @@ Value value_of(const Setting& /*setting*/, Size& size, app::Word below_zero) {
     });
 }
 
-Value value_of(const Setting& /*setting*/, video::Aspect& aspect) {
+Value value_of(const Setting& /*setting*/, media::Aspect& aspect) {
     return {[&aspect](const std::string& text) {
                 const auto [width, height] = parse_pair(text, ':', {1, 10'000}, {1, 10'000});
                 aspect = {static_cast<int>(width), static_cast<int>(height)};
@@ -342,14 +342,14 @@ Value value_of(const Setting& setting, app::Parts& parts) {
     return value;
 }
 
-Value value_of(const Setting& setting, events::EventChoice& choice) {
+Value value_of(const Setting& setting, tracking::EventChoice& choice) {
     Value value = bound(
         choice, [setting](const std::string& text) { return parse_events(setting, text); },
-        [](const events::EventChoice& of) {
-            return names_where(events::event_kinds, [&](const auto& row) { return of.kinds.contains(row.kind); }) +
+        [](const tracking::EventChoice& of) {
+            return names_where(tracking::event_kinds, [&](const auto& row) { return of.kinds.contains(row.kind); }) +
                    (of.least > 0 ? fmt::format(",{}s", of.least) : "");
         });
-    value.choices = values_of(events::event_kinds);
+    value.choices = values_of(tracking::event_kinds);
     return value;
 }
 

@@ -22,9 +22,9 @@
 #include "cli/options/parse_value.h"
 #include "core/archive/camera_days.h"
 #include "core/base/setting.h"
-#include "core/events/event.h"
 #include "core/image/comparison.h"
-#include "core/video/frame_span.h"
+#include "core/media/frame_span.h"
+#include "core/tracking/event.h"
 
 // The kinds of value that a setting may have. value_of() is called with a setting and the variable that holds its
 // value; the type of the variable decides how text becomes the value, and how the value is printed.
@@ -56,7 +56,7 @@ Value value_of(const Setting& setting, std::chrono::seconds& length);
 /// `2/8`: the second of eight shares.
 Value value_of(const Setting& setting, std::pair<int, int>& share);
 Value value_of(const Setting& setting, Size& size, app::Word below_zero = {});
-Value value_of(const Setting& setting, video::Aspect& aspect);
+Value value_of(const Setting& setting, media::Aspect& aspect);
 Value value_of(const Setting& setting, glm::vec4& colour);
 Value value_of(const Setting& setting, space::View& view);
 Value value_of(const Setting& setting, space::LayoutOptions& radii);
@@ -64,11 +64,11 @@ Value value_of(const Setting& setting, image::Tolerance& limits);
 Value value_of(const Setting& setting, app::Time& time);
 Value value_of(const Setting& setting, app::StartTime& time);
 /// The span's start, or its end for the setting `end`.
-Value value_of(const Setting& setting, video::FrameSpan& span);
-Value value_of(const Setting& setting, video::DayPart& part);
+Value value_of(const Setting& setting, media::FrameSpan& span);
+Value value_of(const Setting& setting, media::DayPart& part);
 Value value_of(const Setting& setting, archive::DayRule& rule);
 Value value_of(const Setting& setting, app::Parts& parts);
-Value value_of(const Setting& setting, events::EventChoice& choice);
+Value value_of(const Setting& setting, tracking::EventChoice& choice);
 Value value_of(const Setting& setting, std::optional<app::NamedTransfer>& transfer);
 Value value_of(const Setting& setting, fields::SeedSelection& selection);
 Value value_of(const Setting& setting, fields::SeedFlags& flags);

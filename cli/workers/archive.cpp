@@ -16,6 +16,7 @@
 #include "cli/console.h"
 #include "cli/log.h"
 #include "cli/workers/archive_run.h"
+#include "core/annotation/time_ticks.h"
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
 #include "core/base/atomic_file.h"
@@ -24,8 +25,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/base/wall_clock.h"
-#include "core/labels/time_ticks.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr::workers {
 
@@ -37,16 +37,16 @@ namespace fs = std::filesystem;
 /// (Frigate)".
 /// \param clip path relative to the archive
 std::string describe_name(const std::string& clip, const ArchiveJob& job) {
-    const video::RecorderName name = job.names.read(clip);
+    const footage::RecorderName name = job.names.read(clip);
     const std::string camera = job.names.camera_of(clip);
     std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
     const auto begin =
-        name.begin ? video::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
+        name.begin ? footage::utc_of(*name.begin) : archive::begin_of_clip({clip}, job.names, job.rules.day, job.in);
     if (!begin) {
         return fmt::format("{}, {}{}", text, row_of(ClockSource::none).words,
                            name.no_clock ? ": the camera did not know it either" : "");
     }
-    text += ", " + labels::format_clock(*begin + local_offset(*begin));
+    text += ", " + annotation::format_clock(*begin + local_offset(*begin));
     if (!name.begin) return fmt::format("{} {}", text, row_of(ClockSource::container).words);
     return fmt::format("{} {} ({})", text, row_of(ClockSource::file_name).words, name.layout);
 }
@@ -77,7 +77,7 @@ Shares split_for_threads(const ArchiveOptions& options, std::size_t clips) {
             std::min(own_memory_limit(), options.max_memory.value_or(std::max(memory / workers, least_limit)))};
 }
 
-ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& names) {
+ArchiveJob job_of(const ArchiveOptions& options, const footage::RecorderNames& names) {
     ArchiveJob job;
     job.names = names;
     job.in = options.in;
@@ -184,7 +184,7 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
 void warn_of_unset_clocks(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
     const auto unset =
         std::ranges::count_if(clips, [&](const archive::Clip& clip) { return job.names.read(clip.path).no_clock; });
-    if (unset > 0) log.warn("'{}': {}", job.in.string(), video::text_of_unset_clocks(unset));
+    if (unset > 0) log.warn("'{}': {}", job.in.string(), footage::text_of_unset_clocks(unset));
 }
 
 void warn_of_undated(const ArchiveJob& job, spdlog::logger& log) {
@@ -206,7 +206,7 @@ void warn_of_unused_cameras(const std::vector<archive::Clip>& clips, const Archi
     std::vector<std::string> sections;
     for (const auto& [section, pictures] : job.of_cameras) sections.push_back(section);
     std::set<std::string> unused(sections.begin(), sections.end());
-    for (const std::string& camera : cameras) unused.erase(video::name_of_camera(camera, sections));
+    for (const std::string& camera : cameras) unused.erase(footage::name_of_camera(camera, sections));
     cameras.erase("");
     const std::string known =
         cameras.empty() ? "no name or folder of its clips gives a camera; describe the names with --names"
@@ -278,7 +278,7 @@ bool succeeds(spdlog::logger& log, const std::function<bool()>& step) {
 }  // namespace
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
-    ArchiveJob job = job_of(options, video::RecorderNames(options.pictures.names, options.in));
+    ArchiveJob job = job_of(options, footage::RecorderNames(options.pictures.names, options.in));
     const archive::ClipNames clips(options.match, options.exclude);
     if (!options.draws()) {
         make_folder(options.out);

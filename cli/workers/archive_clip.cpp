@@ -26,8 +26,8 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/media/settings.h"
 #include "core/page/html.h"
-#include "core/video/settings.h"
 
 namespace vvr::workers {
 
@@ -112,7 +112,7 @@ const PictureSettings& ArchiveJob::pictures_of(const std::string& path) const {
     if (of_cameras.empty()) return pictures;
     std::vector<std::string> cameras;
     for (const auto& [camera, settings] : of_cameras) cameras.push_back(camera);
-    const auto own = of_cameras.find(video::name_of_camera(camera_of(path), cameras));
+    const auto own = of_cameras.find(footage::name_of_camera(camera_of(path), cameras));
     return own == of_cameras.end() ? pictures : own->second;
 }
 
@@ -301,16 +301,16 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
 
 /// Call it while the older report is still in its place. Whoever removes a sidecar to have a clip drawn again leaves
 /// it, so it counts without one too. That of a killed run has been removed: its events were not reported.
-std::vector<events::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
+std::vector<tracking::EventLine> ClipTask::find_new_events(const archive::Sidecar& sidecar) const {
     if (!job_->reports_events || !sidecar.events) return {};
     const archive::OlderReport older =
         archive::read_older_report(archive::output_path(job_->out, clip_.path, archive::OutputKind::report));
-    std::vector<events::EventLine> lines =
+    std::vector<tracking::EventLine> lines =
         archive::new_events(staged(archive::OutputKind::report), older,
                             day() != nullptr ? archive::Reported::day : archive::Reported::clip);
     const bool has_page = std::ranges::count(sidecar.files, archive::OutputKind::page) > 0;
     const fs::path page = archive::output_path("", clip_.path, archive::OutputKind::page);
-    for (events::EventLine& line : lines) {
+    for (tracking::EventLine& line : lines) {
         line.camera = camera();
         const fs::path file = fs::path(line.clip).lexically_relative(job_->in);
         line.clip = archive::text_of_path(file.string());

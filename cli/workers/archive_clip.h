@@ -13,8 +13,8 @@
 #include "core/archive/need.h"
 #include "core/base/error.h"
 #include "core/base/lock_file.h"
-#include "core/events/event_line.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
+#include "core/tracking/event_line.h"
 
 namespace vvr::workers {
 
@@ -39,7 +39,7 @@ struct ArchiveJob {
     int threads = 1;                                   ///< per worker
     bool reports_events = false;                       ///< new events are reported
     std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
-    video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
+    footage::RecorderNames names{};                    ///< how to read the camera and time from a clip's name
 
     const archive::CameraDay* day_of(const std::string& path) const;
 
@@ -76,7 +76,7 @@ class ClipTask {
     archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
     /// After `finish`: the events that no earlier run has reported, if they are to be reported.
-    const std::vector<events::EventLine>& new_events() const { return new_events_; }
+    const std::vector<tracking::EventLine>& new_events() const { return new_events_; }
 
   private:
     ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, LockFile claim);
@@ -87,7 +87,7 @@ class ClipTask {
     std::filesystem::path staged_pieces() const;
     std::string file_name() const;
     archive::Sidecar read_results(const WorkerResult& end) const;
-    std::vector<events::EventLine> find_new_events(const archive::Sidecar& sidecar) const;
+    std::vector<tracking::EventLine> find_new_events(const archive::Sidecar& sidecar) const;
     int earlier_tries() const;
     bool is_outside(const WorkerResult& end) const;
     void add_older_pieces(archive::Sidecar& sidecar) const;
@@ -99,7 +99,7 @@ class ClipTask {
     archive::Clip clip_;
     std::optional<archive::Sidecar> before_;
     LockFile lock_;
-    std::vector<events::EventLine> new_events_;
+    std::vector<tracking::EventLine> new_events_;
     bool report_moved_ = false;
     bool finished_ = false;
 };

@@ -24,7 +24,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
-#include "core/events/event_table.h"
+#include "core/tracking/event_table.h"
 
 namespace vvr::workers {
 
@@ -160,12 +160,12 @@ std::set<std::string> gone_of(const ArchiveJob& job, const archive::ClipNames& c
 }
 
 /// The rules by which the names of these clips tell their cameras.
-video::RecorderNames names_for(const ArchiveJob& job, const std::vector<archive::Sidecar>& sidecars) {
+footage::RecorderNames names_for(const ArchiveJob& job, const std::vector<archive::Sidecar>& sidecars) {
     std::vector<std::string> clips;
     for (const archive::Sidecar& sidecar : sidecars) {
         if (!sidecar.day) clips.push_back(sidecar.clip.path);
     }
-    video::RecorderNames names = job.names;
+    footage::RecorderNames names = job.names;
     names.compare(clips);
     return names;
 }
@@ -291,7 +291,7 @@ class Drawing {
         if (!sidecar) return;
         tally_.add(*sidecar, drawn.end.message.warnings);
         const auto held = environment_.signals.hold();
-        for (const events::EventLine& line : drawn.task->new_events()) events_.add(line);
+        for (const tracking::EventLine& line : drawn.task->new_events()) events_.add(line);
     }
 
     const ArchiveJob& job_;
@@ -328,7 +328,7 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
     }
     archive::tidy(job.out, outputs);
     std::erase_if(outputs.sidecars, [](const auto& one) { return one.state == archive::Sidecar::State::outside; });
-    const video::RecorderNames names = names_for(job, outputs.sidecars);
+    const footage::RecorderNames names = names_for(job, outputs.sidecars);
     const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
     for (const auto& [name, text] : days) {
         try {
@@ -347,9 +347,9 @@ void write_index(const ArchiveJob& job, const archive::ClipNames& clip_names, co
 
 bool write_events_table(const ArchiveJob& job, bool days, const fs::path& table, const cli::Environment& environment) {
     bool all = true;
-    std::string text = events::events_table_heading();
+    std::string text = tracking::events_table_heading();
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
-    const video::RecorderNames names = names_for(job, outputs.sidecars);
+    const footage::RecorderNames names = names_for(job, outputs.sidecars);
     for (const archive::Sidecar& sidecar : outputs.sidecars) {
         if (sidecar.day.has_value() != days || sidecar.files.empty()) continue;
         try {

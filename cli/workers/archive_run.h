@@ -8,7 +8,7 @@
 #include "cli/event_file.h"
 #include "cli/workers/archive_clip.h"
 #include "core/archive/clips.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr::workers {
 

@@ -14,7 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
-#include "core/video/creation_time.h"
+#include "core/footage/creation_time.h"
 
 namespace vvr::archive {
 
@@ -38,13 +38,13 @@ std::string path_of_day(const std::string& camera, const std::string& date, cons
 
 }  // namespace
 
-std::optional<std::int64_t> begin_of_clip(const Clip& clip, const video::RecorderNames& names, const DayRule& rule,
+std::optional<std::int64_t> begin_of_clip(const Clip& clip, const footage::RecorderNames& names, const DayRule& rule,
                                           const std::filesystem::path& in) {
     std::optional<std::int64_t> begin;
     if (const auto named = names.read(clip.path).begin) {
-        begin = video::utc_of(*named, written_at(clip));
+        begin = footage::utc_of(*named, written_at(clip));
     } else if (rule.by_container) {
-        begin = video::creation_time_of(in / clip.path);
+        begin = footage::creation_time_of(in / clip.path);
     }
     return begin && can_be_time(*begin) ? begin : std::nullopt;
 }
@@ -67,7 +67,7 @@ std::string words_of_day(const std::string& date, const DayRule& rule) {
     return rule.is_night() ? "night of " + date : date;
 }
 
-CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling,
+CameraDays group_by_day(const std::vector<Clip>& clips, const footage::RecorderNames& names, const Settling& settling,
                         const DayRule& rule, const std::filesystem::path& in) {
     CameraDays grouped;
     std::map<std::string, CameraDay> days;

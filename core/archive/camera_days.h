@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/archive/clips.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 // What a camera records from one day's beginning to the next, as one recording.
 namespace vvr::archive {
@@ -58,12 +58,12 @@ struct CameraDays {
 
 /// The beginning of a clip by its name, or by its container if the rule says so; seconds since 1970.
 /// \param in the folder of the clips
-std::optional<std::int64_t> begin_of_clip(const Clip& clip, const video::RecorderNames& names, const DayRule& rule,
+std::optional<std::int64_t> begin_of_clip(const Clip& clip, const footage::RecorderNames& names, const DayRule& rule,
                                           const std::filesystem::path& in);
 
 /// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
 /// \param in the folder of the clips
-CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling,
+CameraDays group_by_day(const std::vector<Clip>& clips, const footage::RecorderNames& names, const Settling& settling,
                         const DayRule& rule = {}, const std::filesystem::path& in = {});
 
 }  // namespace vvr::archive

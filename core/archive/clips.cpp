@@ -26,8 +26,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/wall_clock.h"
-#include "core/video/demuxer.h"
-#include "core/video/input_files.h"
+#include "core/footage/input_files.h"
+#include "core/media/demuxer.h"
 
 namespace vvr::archive {
 
@@ -48,7 +48,7 @@ bool fits(const std::string& pattern, const std::string& clip) {
 bool ClipNames::matches(const std::string& clip) const {
     const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
     if (std::ranges::any_of(excluded_, fits_clip)) return false;
-    if (videos_ && video::is_video_name(std::string(file_name(clip)))) return true;
+    if (videos_ && footage::is_video_name(std::string(file_name(clip)))) return true;
     return std::ranges::any_of(patterns_, fits_clip);
 }
 
@@ -60,7 +60,7 @@ ClipNames ClipNames::with_all() const {
 
 std::string ClipNames::wanted() const {
     std::string names;
-    if (videos_) names = fmt::format("{}", fmt::join(video::video_extensions(), " "));
+    if (videos_) names = fmt::format("{}", fmt::join(footage::video_extensions(), " "));
     return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
 }
 
@@ -184,7 +184,7 @@ class Walk {
     }
 
     void add(const std::string& path, fs::file_type type) {
-        if (video::is_system_folder_name(std::string(file_name(path))) && type == fs::file_type::directory) {
+        if (footage::is_system_folder_name(std::string(file_name(path))) && type == fs::file_type::directory) {
             skip(path);
             return;
         }
@@ -195,7 +195,7 @@ class Walk {
         const bool clip = names_.matches(path);
         const bool link = type == fs::file_type::symlink;
         if (!clip && !link) return;
-        if (clip && video::is_playlist_name(path)) {
+        if (clip && media::is_playlist_name(path)) {
             scan_.problems.push_back({path, "it is a playlist, not a video file; exclude it"});
             return;
         }

@@ -13,9 +13,9 @@
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/detector/classes.h"
-#include "core/events/event_kind.h"
-#include "core/events/event_table.h"
-#include "core/events/path.h"
+#include "core/tracking/event_kind.h"
+#include "core/tracking/event_table.h"
+#include "core/tracking/path.h"
 
 namespace vvr::archive {
 
@@ -62,11 +62,11 @@ PixelBox box_of(const Json& box) {
     return {left, top, left + count_of(box.at("width")), top + count_of(box.at("height"))};
 }
 
-events::EventLine line_of(const Json& event) {
-    events::EventLine line;
+tracking::EventLine line_of(const Json& event) {
+    tracking::EventLine line;
     const auto name = event.at("kind").get<std::string>();
-    const auto kind = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
-    if (kind == events::event_kinds.end())
+    const auto kind = std::ranges::find(tracking::event_kinds, name, &tracking::EventKindRow::name);
+    if (kind == tracking::event_kinds.end())
         throw Error(ErrorCode::worker_result_invalid, fmt::format("there is no kind of event '{}'", name));
     line.kind = kind->kind;
     line.number = static_cast<std::size_t>(count_of(event.at("number")));
@@ -82,7 +82,7 @@ events::EventLine line_of(const Json& event) {
     if (const Json& what = event.at("class"); !what.is_null())
         line.what = detector::find_class(what.get<std::string>());
     if (const Json& direction = event.at("direction"); !direction.is_null()) {
-        const events::Heading* const heading = events::find_heading(direction.get<std::string>());
+        const tracking::Heading* const heading = tracking::find_heading(direction.get<std::string>());
         if (heading != nullptr) line.direction = heading->name;
     }
     return line;
@@ -102,12 +102,12 @@ OlderReport read_older_report(const fs::path& report) {
     }
 }
 
-std::vector<events::EventLine> new_events(const fs::path& report, const OlderReport& older, Reported about) {
+std::vector<tracking::EventLine> new_events(const fs::path& report, const OlderReport& older, Reported about) {
     try {
         const Json json = parsed(report);
-        std::vector<events::EventLine> lines;
+        std::vector<tracking::EventLine> lines;
         for (const Json& event : json.at("events")) {
-            events::EventLine line = line_of(event);
+            tracking::EventLine line = line_of(event);
             if (line.clip.empty()) line.clip = only_file_of(json);
             const bool is_old = about == Reported::clip ? line.first <= older.end : older.files.contains(line.clip);
             if (!older.exists || !is_old) lines.push_back(std::move(line));
@@ -120,10 +120,10 @@ std::vector<events::EventLine> new_events(const fs::path& report, const OlderRep
     }
 }
 
-std::string table_lines_of(const fs::path& out, const Sidecar& sidecar, const video::RecorderNames& names) {
+std::string table_lines_of(const fs::path& out, const Sidecar& sidecar, const footage::RecorderNames& names) {
     const std::string& path = sidecar.clip.path;
     const fs::path file = output_path(out, path, OutputKind::report);
-    events::TableClip place;
+    tracking::TableClip place;
     place.camera = text_of_path(sidecar.day ? sidecar.day->camera : names.camera_of(path));
     place.clip = text_of_path(path);
     // A report names files as the run was given them.
@@ -137,8 +137,8 @@ std::string table_lines_of(const fs::path& out, const Sidecar& sidecar, const vi
     try {
         const Json report = parsed(file);
         if (report.at("events").is_null()) return {};
-        const std::string lines = events::events_table_lines(report, place);
-        return lines.empty() ? events::empty_table_line(place, sidecar.day ? "" : place.clip) : lines;
+        const std::string lines = tracking::events_table_lines(report, place);
+        return lines.empty() ? tracking::empty_table_line(place, sidecar.day ? "" : place.clip) : lines;
     } catch (const Json::exception& error) {
         throw Error(ErrorCode::file_invalid,
                     fmt::format("cannot read the events in '{}': {}; remove '{}' to draw it again", file.string(),

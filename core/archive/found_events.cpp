@@ -18,9 +18,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t before_path = 3;
 
-events::EventKind kind_of(const std::string& name) {
-    const auto row = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
-    if (row == events::event_kinds.end())
+tracking::EventKind kind_of(const std::string& name) {
+    const auto row = std::ranges::find(tracking::event_kinds, name, &tracking::EventKindRow::name);
+    if (row == tracking::event_kinds.end())
         throw Error(ErrorCode::file_invalid, fmt::format("the kind of event '{}' is unknown", name));
     return row->kind;
 }
@@ -42,13 +42,13 @@ FoundEvent event_of(const Json& event, double width, double height) {
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
     found.still = whole(still * 10);
-    std::vector<events::Waypoint> way;
+    std::vector<tracking::Waypoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");
-        way.push_back(events::waypoint(point.at("seconds").get<double>(),
-                                       {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
+        way.push_back(tracking::waypoint(point.at("seconds").get<double>(),
+                                         {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
     }
-    found.path = events::simplified(way);
+    found.path = tracking::simplified(way);
     // Older reports have no class.
     if (const auto what = event.find("class"); what != event.end() && !what->is_null()) {
         found.what = class_of(what->get<std::string>());
@@ -80,8 +80,8 @@ std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
 }
 
 Json json_of(const FoundEvent& event) {
-    Json json{events::name_of(event.kind), event.number, event.still};
-    for (const events::Waypoint& point : event.path) {
+    Json json{tracking::name_of(event.kind), event.number, event.still};
+    for (const tracking::Waypoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     if (event.what != nullptr) json.push_back(event.what->name);

@@ -6,17 +6,17 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/detector/classes.h"
-#include "core/events/event_kind.h"
-#include "core/events/path.h"
+#include "core/tracking/event_kind.h"
+#include "core/tracking/path.h"
 
 namespace vvr::archive {
 
 /// What an archive knows of an event.
 struct FoundEvent {
-    events::EventKind kind = events::EventKind::moved;
-    int number = 0;                      ///< in the picture, the page and the report
-    int still = 0;                       ///< the sum of its stays, tenths of a second; of older sidecars, the longest
-    std::vector<events::Waypoint> path;  ///< its simplified path, from its first to its last moment
+    tracking::EventKind kind = tracking::EventKind::moved;
+    int number = 0;                        ///< in the picture, the page and the report
+    int still = 0;                         ///< the sum of its stays, tenths of a second; of older sidecars, the longest
+    std::vector<tracking::Waypoint> path;  ///< its simplified path, from its first to its last moment
     const detector::ObjectClass* what = nullptr;  ///< null = unknown
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;

@@ -22,9 +22,9 @@
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/detector/classes.h"
-#include "core/events/event_kind.h"
 #include "core/page/html.h"
 #include "core/page/moments.h"
+#include "core/tracking/event_kind.h"
 #include "web_files.h"
 
 namespace vvr::archive {
@@ -69,27 +69,27 @@ struct Place {
     double seconds = 0;  ///< length
 };
 
-Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
+Place place_of(const Sidecar& sidecar, const footage::RecorderNames& names) {
     return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names),
             sidecar.seconds};
 }
 
 /// What the index says of a clip's events of a kind: seconds or a number; 0 = nothing.
-Json tally_of(const events::EventKindRow& row, const std::vector<FoundEvent>& found) {
+Json tally_of(const tracking::EventKindRow& row, const std::vector<FoundEvent>& found) {
     int most = 0;
     int count = 0;
     for (const FoundEvent& event : found) {
         if (event.kind != row.kind) continue;
-        most = std::max(most, row.tally == events::Tally::still ? event.still : length_of(event));
+        most = std::max(most, row.tally == tracking::Tally::still ? event.still : length_of(event));
         ++count;
     }
     switch (row.tally) {
-        case events::Tally::none:
+        case tracking::Tally::none:
             return 0;
-        case events::Tally::count:
+        case tracking::Tally::count:
             return count;
-        case events::Tally::lasts:
-        case events::Tally::still:
+        case tracking::Tally::lasts:
+        case tracking::Tally::still:
             return most / 10.0;
     }
     return {};
@@ -99,7 +99,7 @@ Json tally_of(const events::EventKindRow& row, const std::vector<FoundEvent>& fo
 Json tallies_of(const Sidecar& sidecar) {
     if (sidecar.found.empty()) return {};
     Json tallies = Json::array();
-    for (const events::EventKindRow& row : events::ranked_kinds()) tallies.push_back(tally_of(row, sidecar.found));
+    for (const tracking::EventKindRow& row : tracking::ranked_kinds()) tallies.push_back(tally_of(row, sidecar.found));
     return tallies;
 }
 
@@ -126,9 +126,9 @@ Json classes_by_group(const std::vector<Sidecar>& sidecars) {
 }
 
 /// The filters by kind, the most important first.
-std::vector<const events::KindChoice*> choices_of_kinds() {
-    std::vector<const events::KindChoice*> choices;
-    for (const events::EventKindRow& row : events::ranked_kinds()) {
+std::vector<const tracking::KindChoice*> choices_of_kinds() {
+    std::vector<const tracking::KindChoice*> choices;
+    for (const tracking::EventKindRow& row : tracking::ranked_kinds()) {
         if (row.choice != nullptr && std::ranges::count(choices, row.choice) == 0) choices.push_back(row.choice);
     }
     return choices;
@@ -136,7 +136,7 @@ std::vector<const events::KindChoice*> choices_of_kinds() {
 
 std::string buttons_of_kinds() {
     std::string buttons;
-    for (const events::KindChoice* choice : choices_of_kinds()) {
+    for (const tracking::KindChoice* choice : choices_of_kinds()) {
         buttons += fmt::format("<label><input type=\"radio\" name=\"kind\" value=\"{}\"><span>{}</span></label>\n",
                                choice->name, choice->words);
     }
@@ -145,7 +145,7 @@ std::string buttons_of_kinds() {
 
 std::string orders_of_kinds() {
     std::string orders;
-    for (const events::KindChoice* choice : choices_of_kinds()) {
+    for (const tracking::KindChoice* choice : choices_of_kinds()) {
         orders += fmt::format("<option value=\"{}\">{}</option>", choice->name, choice->order);
     }
     return orders;
@@ -207,13 +207,13 @@ constexpr std::string_view day_file_end = ".js";
 
 }  // namespace
 
-Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
+Begin begin_of(const Sidecar& sidecar, const footage::RecorderNames& names) {
     // The time of the file when its outputs were made, because a later attempt doesn't show in them.
     const std::int64_t end = shown_by(sidecar).clip.modified / 1'000'000'000;
     const std::int64_t written = std::clamp<std::int64_t>(end - std::llround(sidecar.seconds), 0, last_time - 1);
     const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
     if (named) {
-        if (const std::int64_t begin = video::utc_of(*named, written); can_be_time(begin)) {
+        if (const std::int64_t begin = footage::utc_of(*named, written); can_be_time(begin)) {
             return {begin, ClockSource::file_name};
         }
     }
@@ -223,7 +223,7 @@ Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     return {written, ClockSource::modified};
 }
 
-std::string listed_date_of(const Sidecar& sidecar, const video::RecorderNames& names) {
+std::string listed_date_of(const Sidecar& sidecar, const footage::RecorderNames& names) {
     return sidecar.day ? sidecar.day->date : date_of(begin_of(sidecar, names).utc);
 }
 
@@ -243,7 +243,7 @@ void check_own_index(const std::filesystem::path& out) {
                             file.string()));
 }
 
-DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
+DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const footage::RecorderNames& names) {
     // If clips of a camera's day or night are listed singly, its picture would repeat them.
     std::map<std::string, std::set<std::int64_t>> single;  // begins, by camera
     for (const Sidecar& sidecar : sidecars) {
@@ -279,7 +279,7 @@ bool is_day_file(std::string_view name) {
     return is_date_text(name.substr(0, name.size() - day_file_end.size()));
 }
 
-std::string make_index(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names,
+std::string make_index(const std::vector<Sidecar>& sidecars, const footage::RecorderNames& names,
                        const std::set<std::string>& gone) {
     std::vector<Place> places;
     for (const Sidecar& sidecar : sidecars) places.push_back(place_of(sidecar, names));

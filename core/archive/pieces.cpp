@@ -8,7 +8,7 @@
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
-#include "core/video/piece_names.h"
+#include "core/footage/piece_names.h"
 
 namespace vvr::archive {
 
@@ -30,7 +30,7 @@ fs::path pieces_folder(const fs::path& out, const std::string& clip) {
 }
 
 bool is_pieces_folder(const fs::path& folder) {
-    return folder.extension() == piece_extension && is_own_file(folder / video::record_name);
+    return folder.extension() == piece_extension && is_own_file(folder / footage::record_name);
 }
 
 std::vector<std::string> list_pieces(const fs::path& folder) {
@@ -40,7 +40,7 @@ std::vector<std::string> list_pieces(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (video::is_piece_name(name) && is_own_file(entry->path())) names.push_back(name);
+        if (footage::is_piece_name(name) && is_own_file(entry->path())) names.push_back(name);
     }
     std::ranges::sort(names);
     return names;

@@ -19,7 +19,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/input_files.h"
+#include "core/footage/input_files.h"
 
 namespace vvr::archive {
 
@@ -52,7 +52,7 @@ bool seems_empty(const fs::path& folder) {
 /// The folder of a missing clip, if it may be an unmounted disk: an empty folder, a broken link, or a camera's own
 /// top-level folder without clips.
 std::optional<std::string> missing_folder(const fs::path& in, const std::string& clip, const Present& present,
-                                          const video::RecorderNames& recorders) {
+                                          const footage::RecorderNames& recorders) {
     fs::path missing;
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
@@ -96,7 +96,7 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         if (entry->is_directory(none)) {
             std::error_code closed;
             // Only root may read lost+found, which each file system of the ext family has at its top.
-            if (hidden || video::is_system_folder_name(path.filename().string()) || fs::equivalent(path, in, none)) {
+            if (hidden || footage::is_system_folder_name(path.filename().string()) || fs::equivalent(path, in, none)) {
                 entry.disable_recursion_pending();
             } else if (fs::directory_iterator(path, closed); closed) {
                 outputs.problems.push_back({path.lexically_relative(out).string(), closed.message(), true});
@@ -209,7 +209,7 @@ std::optional<std::vector<std::string>> remove_clip(const fs::path& out, const f
 }
 
 Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,
-                     const video::RecorderNames& recorders, const std::vector<Sidecar>& sidecars) {
+                     const footage::RecorderNames& recorders, const std::vector<Sidecar>& sidecars) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
     // With no time to wait, no clip is left out.
     const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
@@ -226,7 +226,7 @@ Present find_present(const fs::path& in, const fs::path& out, const ClipNames& n
 }
 
 SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
-                             const video::RecorderNames& recorders) {
+                             const footage::RecorderNames& recorders) {
     if (present.days.contains(sidecar.clip.path)) return {};
     if (sidecar.day && sidecar.day->files.empty()) return {SourceState::unknown, {}};
     const auto is_found = [&](const std::string& clip) {

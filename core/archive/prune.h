@@ -9,7 +9,7 @@
 #include "core/archive/clips.h"
 #include "core/archive/sidecar.h"
 #include "core/base/lock_file.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr::archive {
 
@@ -66,7 +66,7 @@ struct Present {
 /// Looks at all clips. One that is still being written, is excluded or has an impossible time exists too.
 /// \throws Error io if the folder can't be read
 Present find_present(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
-                     const video::RecorderNames& recorders, const std::vector<Sidecar>& sidecars = {});
+                     const footage::RecorderNames& recorders, const std::vector<Sidecar>& sidecars = {});
 
 /// Whether a clip, or all clips of a day, are certainly gone.
 enum class SourceState {
@@ -83,7 +83,7 @@ struct SourceStatus {
 };
 
 SourceStatus source_state_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
-                             const video::RecorderNames& recorders);
+                             const footage::RecorderNames& recorders);
 
 /// Refuses to prune where it is uncertain which clips are gone.
 /// \throws Error io if there is no clip at all, or if a part of the folder can't be read

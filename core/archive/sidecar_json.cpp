@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
-#include "core/video/piece_names.h"
+#include "core/footage/piece_names.h"
 
 // The text of sidecars.
 namespace vvr::archive {
@@ -138,7 +138,7 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
 std::vector<std::string> pieces_of(const Json& names) {
     std::vector<std::string> pieces;
     for (const Json& name : names) {
-        if (video::is_piece_name(name.get<std::string>())) pieces.push_back(name.get<std::string>());
+        if (footage::is_piece_name(name.get<std::string>())) pieces.push_back(name.get<std::string>());
     }
     return pieces;
 }

@@ -12,7 +12,7 @@
 
 #include "core/base/plane.h"
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 namespace vvr::fields {
 
@@ -129,7 +129,7 @@ struct Field {
     std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
     bool infrared = false;         ///< compared with the empty scene of the camera's infrared mode
-    video::Absence before = video::Absence::no_signal;  ///< why frames before it are missing, if some are
+    media::Absence before = media::Absence::no_signal;  ///< why frames before it are missing, if some are
     std::shared_ptr<const NewScene> scene{};            ///< with which it is the first to be compared; usually null
 };
 

@@ -26,8 +26,8 @@
 #include "core/fields/opencv_threads.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
-#include "core/video/frame_span.h"
-#include "core/video/scaler.h"
+#include "core/media/frame_span.h"
+#include "core/media/scaler.h"
 
 namespace vvr::fields {
 
@@ -36,7 +36,7 @@ class ClipReader {
   public:
     /// \param source at its first frame
     /// \param from_first whether all frames before the span are needed too
-    ClipReader(video::FrameSource& source, const FieldOptions& options, int context, bool from_first);
+    ClipReader(media::FrameSource& source, const FieldOptions& options, int context, bool from_first);
 
     /// The next frame's job; an empty function at the end.
     FrameJob operator()();
@@ -46,18 +46,18 @@ class ClipReader {
     double last_pts() const { return last_pts_; }
 
     /// Damage in the span, and next to it.
-    std::vector<video::Damage>& damage() { return damage_; }
+    std::vector<media::Damage>& damage() { return damage_; }
 
     /// Whether the clip has no further frame.
     bool has_ended() const { return has_ended_; }
 
   private:
-    std::shared_ptr<video::DecodedFrame> read();
+    std::shared_ptr<media::DecodedFrame> read();
     void seek_to_span();
     void collect_context();
 
-    video::FrameSource& source_;
-    video::FrameSpan span_;
+    media::FrameSource& source_;
+    media::FrameSpan span_;
     std::size_t context_;
     bool begun_ = false;
     bool from_first_;
@@ -66,31 +66,31 @@ class ClipReader {
     std::int64_t last_index_ = -1;
     double last_pts_ = 0;
     std::int64_t damaged_ = 0;  ///< packets so far
-    std::vector<video::Damage> damage_;
+    std::vector<media::Damage> damage_;
     bool has_ended_ = false;
-    std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
-    oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
+    std::deque<std::shared_ptr<media::DecodedFrame>> waiting_;
+    oneapi::tbb::enumerable_thread_specific<media::Scaler> scalers_;
 };
 
-ClipReader::ClipReader(video::FrameSource& source, const FieldOptions& options, int context, bool from_first)
+ClipReader::ClipReader(media::FrameSource& source, const FieldOptions& options, int context, bool from_first)
     : source_(source),
       span_(options.span),
       context_(static_cast<std::size_t>(context)),
       from_first_(from_first),
       full_size_(options.full_size),
-      scalers_([&source] { return video::Scaler(source); }) {}
+      scalers_([&source] { return media::Scaler(source); }) {}
 
-std::shared_ptr<video::DecodedFrame> ClipReader::read() {
+std::shared_ptr<media::DecodedFrame> ClipReader::read() {
     const double before = last_pts_;
-    std::shared_ptr<video::DecodedFrame> frame = source_.next();
+    std::shared_ptr<media::DecodedFrame> frame = source_.next();
     if (frame) {
         last_index_ = frame->index;
         last_pts_ = frame->pts;
     }
     const std::int64_t damaged = source_.damaged();
     const std::int64_t more = damaged - std::exchange(damaged_, damaged);
-    const bool is_wanted = !video::is_before(span_, last_index_, last_pts_) &&
-                           !video::is_past(span_, last_index_, before) && !video::is_between_parts(span_, last_pts_);
+    const bool is_wanted = !media::is_before(span_, last_index_, last_pts_) &&
+                           !media::is_past(span_, last_index_, before) && !media::is_between_parts(span_, last_pts_);
     if (more > 0 && is_wanted) add_damage(damage_, {before, last_pts_, more});
     has_ended_ = frame == nullptr;
     return frame;
@@ -100,7 +100,7 @@ std::shared_ptr<video::DecodedFrame> ClipReader::read() {
 void ClipReader::collect_context() {
     waiting_.clear();
     while (auto frame = read()) {
-        const bool counts = !video::is_before(span_, frame->index, frame->pts);
+        const bool counts = !media::is_before(span_, frame->index, frame->pts);
         waiting_.push_back(std::move(frame));
         if (counts) return;
         if (waiting_.size() > context_) waiting_.pop_front();
@@ -109,7 +109,7 @@ void ClipReader::collect_context() {
 }
 
 void ClipReader::seek_to_span() {
-    if (from_first_ || span_ == video::FrameSpan{}) return;
+    if (from_first_ || span_ == media::FrameSpan{}) return;
     const double rate = source_.info().rate;
     if (rate > 0) {
         const double start = std::max(span_.start, static_cast<double>(span_.first) / rate);
@@ -126,7 +126,7 @@ void ClipReader::seek_to_span() {
 
 FrameJob ClipReader::operator()() {
     if (!std::exchange(begun_, true)) seek_to_span();
-    std::shared_ptr<video::DecodedFrame> decoded;
+    std::shared_ptr<media::DecodedFrame> decoded;
     if (waiting_.empty()) {
         decoded = read();
     } else {
@@ -134,9 +134,9 @@ FrameJob ClipReader::operator()() {
         waiting_.pop_front();
     }
     if (!decoded) return {};
-    if (video::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
+    if (media::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
     return [this, decoded]() -> ReadFrame {
-        video::Frame frame = scalers_.local()(*decoded);
+        media::Frame frame = scalers_.local()(*decoded);
         if (!full_size_) return {std::move(frame)};
         frame.full_size.picture = decoded;
         return {std::move(frame), decoded};
@@ -145,7 +145,7 @@ FrameJob ClipReader::operator()() {
 
 namespace {
 
-void validate(const video::FrameSpan& span) {
+void validate(const media::FrameSpan& span) {
     // Written this way, the condition also refuses NaN.
     if (!(span.start >= 0) || span.first < 0) {
         throw Error(ErrorCode::option_value_out_of_range,
@@ -155,7 +155,7 @@ void validate(const video::FrameSpan& span) {
     }
     if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
         throw Error(ErrorCode::span_empty,
-                    fmt::format("end: the clip {} is empty; give an end after the start", video::text_of(span)),
+                    fmt::format("end: the clip {} is empty; give an end after the start", media::text_of(span)),
                     {setting::end.name});
     }
 }
@@ -227,9 +227,9 @@ class FirstError {
 };
 
 struct Result {
-    video::SharedFrame frame;
+    media::SharedFrame frame;
     Field field;
-    std::shared_ptr<const video::DecodedFrame> decoded;  ///< while the sink runs
+    std::shared_ptr<const media::DecodedFrame> decoded;  ///< while the sink runs
 };
 
 int threads_of(const FieldOptions& options) {
@@ -264,10 +264,10 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     int turns_left = work.reach();  // empty turns after the last frame, which give the last frames their neighbours
     bool ended = false;
     std::int64_t frames = 0;
-    const auto is_wanted = [&](const video::Frame& frame) {
-        return !video::is_before(options.span, frame.index, frame.pts) &&
-               !video::is_past(options.span, frame.index, frame.pts) &&
-               !video::is_between_parts(options.span, frame.pts);
+    const auto is_wanted = [&](const media::Frame& frame) {
+        return !media::is_before(options.span, frame.index, frame.pts) &&
+               !media::is_past(options.span, frame.index, frame.pts) &&
+               !media::is_between_parts(options.span, frame.pts);
     };
 
     FirstError first;
@@ -297,7 +297,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
         PipelineFrame* const here = neighbours[static_cast<std::size_t>(work.reach())].get();
         if (here == nullptr) return nullptr;
         // Its later neighbours keep the frame, but not the picture.
-        std::shared_ptr<const video::DecodedFrame> decoded = std::move(here->decoded);
+        std::shared_ptr<const media::DecodedFrame> decoded = std::move(here->decoded);
         if (here->learning || !is_wanted(*here->frame)) return nullptr;
         return std::make_shared<Result>(Result{here->frame, work.finish(neighbours), std::move(decoded)});
     };
@@ -336,7 +336,7 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
     return run(read, work, options, 0, sink);
 }
 
-FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
+FieldSummary compute_fields(media::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
                             const SceneSink& scene_sink, const LivingFinder& find_living) {
     validate(options);
     EmptyScene scene{.reference = {},
@@ -354,21 +354,21 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     summary.frames = run([&] { return read(); }, work, options, std::int64_t{decoded.width} * decoded.height, sink);
     if (read.has_ended()) check_no_more_files(options, read.last_index() + 1);
     summary.damage = std::move(read.damage());
-    for (const video::Damage& damage : summary.damage) summary.damaged += damage.packets;
+    for (const media::Damage& damage : summary.damage) summary.damaged += damage.packets;
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
     // A stream may end with the frames from which the reference was learnt.
-    if (summary.frames == 0 && options.span != video::FrameSpan{}) {
+    if (summary.frames == 0 && options.span != media::FrameSpan{}) {
         throw Error(ErrorCode::span_empty,
                     fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
-                                source.info().name, video::text_of(options.span),
+                                source.info().name, media::text_of(options.span),
                                 counted(read.last_index() + 1, "frame"), read.last_pts()),
                     {setting::start.name, setting::end.name});
     }
     return summary;
 }
 
-ClipFields::ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options)
+ClipFields::ClipFields(std::unique_ptr<media::FrameSource> clip, FieldOptions options)
     : clip_(std::move(clip)), options_(std::move(options)) {}
 
 FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
@@ -384,12 +384,12 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     return summary;
 }
 
-void ClipFields::read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) {
+void ClipFields::read_again(std::span<const double> times, const std::function<void(const media::Frame&)>& sink) {
     // How far the camera had moved is not known any more.
     if (shakes_) return;
-    video::Scaler scale(*clip_);
-    clip_->read_again(times, [&](const std::shared_ptr<video::DecodedFrame>& decoded) {
-        video::Frame frame = scale(*decoded);
+    media::Scaler scale(*clip_);
+    clip_->read_again(times, [&](const std::shared_ptr<media::DecodedFrame>& decoded) {
+        media::Frame frame = scale(*decoded);
         frame.pts = *std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - frame.pts); });
         frame.full_size.picture = decoded;
         sink(frame);

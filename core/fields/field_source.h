@@ -11,8 +11,8 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 #include "core/fields/reference.h"
-#include "core/video/frame_gaps.h"
-#include "core/video/frame_source.h"
+#include "core/media/frame_gaps.h"
+#include "core/media/frame_source.h"
 
 namespace vvr::fields {
 
@@ -20,13 +20,13 @@ namespace vvr::fields {
 using SceneSink = std::function<void(const Reference&)>;
 
 /// Receives each frame with its field, in frame order, from one thread at a time.
-using FieldSink = std::function<void(const video::SharedFrame&, Field&&)>;
+using FieldSink = std::function<void(const media::SharedFrame&, Field&&)>;
 
 /// The result of a pass over a clip.
 struct FieldSummary {
     std::int64_t frames = 0;              ///< frames that reached the sink
     std::int64_t damaged = 0;             ///< packets that failed to decode
-    std::vector<video::Damage> damage{};  ///< when; empty for an extraction, which does not know it
+    std::vector<media::Damage> damage{};  ///< when; empty for an extraction, which does not know it
     Reference reference;                  ///< empty if none was needed
     std::vector<std::string> problems{};  ///< problems of the files that were read, one sentence each
 };
@@ -37,16 +37,16 @@ struct FieldSummary {
 /// `options.span` begins either.
 ///
 /// \throws Error usage for invalid options, not_video if no frame decodes; and whatever `sink` throws
-FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
+FieldSummary compute_fields(media::FrameSource& source, const FieldOptions& options, const FieldSink& sink,
                             const SceneSink& scene_sink = {}, const LivingFinder& find_living = {});
 
 /// A frame, and the decoded picture to which it refers, if that is kept.
 struct ReadFrame {
-    ReadFrame(video::Frame made, std::shared_ptr<const video::DecodedFrame> kept = nullptr)
+    ReadFrame(media::Frame made, std::shared_ptr<const media::DecodedFrame> kept = nullptr)
         : frame(std::move(made)), decoded(std::move(kept)) {}
 
-    video::Frame frame;
-    std::shared_ptr<const video::DecodedFrame> decoded;
+    media::Frame frame;
+    std::shared_ptr<const media::DecodedFrame> decoded;
 };
 
 /// Makes one frame. Called once, on any thread.
@@ -66,7 +66,7 @@ struct FieldNeeds {
     bool flow = true;
     bool flow_of_every_frame = false;  ///< flow at all frames
     bool colour = false;               ///< every frame's picture; else those of the first and last frame suffice
-    bool full_size = false;            ///< decoded pictures in full size, for `video::crop_of` in the sink
+    bool full_size = false;            ///< decoded pictures in full size, for `media::crop_of` in the sink
     std::int64_t every = 1;            ///< seeds and flow at frames whose number is a multiple of this
     SceneSink scene{};                 ///< who wants the empty scene
     LivingFinder find_living{};        ///< keeps whoever it finds out of the empty scene
@@ -80,7 +80,7 @@ class FieldSource {
     FieldSource(const FieldSource&) = delete;
     FieldSource& operator=(const FieldSource&) = delete;
 
-    virtual const video::VideoInfo& info() const = 0;
+    virtual const media::VideoInfo& info() const = 0;
     virtual Size field_size() const = 0;
 
     /// The number of fields according to the clip's header; 0 = unknown.
@@ -98,22 +98,22 @@ class FieldSource {
     /// Passes the frames at some times again, with their pictures in full size. Passes none where they can't be had.
     /// \param times of frames that `read` passed, ascending; the frames that come have the same
     virtual void read_again(std::span<const double> /*times*/,
-                            const std::function<void(const video::Frame&)>& /*sink*/) {}
+                            const std::function<void(const media::Frame&)>& /*sink*/) {}
 };
 
 /// Fields that are computed from a clip.
 class ClipFields final : public FieldSource {
   public:
-    ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options);
+    ClipFields(std::unique_ptr<media::FrameSource> clip, FieldOptions options);
 
-    const video::VideoInfo& info() const override { return clip_->info(); }
+    const media::VideoInfo& info() const override { return clip_->info(); }
     Size field_size() const override { return clip_->field_size(); }
-    std::int64_t expected_frames() const override { return vvr::video::expected_frames(clip_->info(), options_.span); }
+    std::int64_t expected_frames() const override { return media::expected_frames(clip_->info(), options_.span); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
-    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override;
+    void read_again(std::span<const double> times, const std::function<void(const media::Frame&)>& sink) override;
 
   private:
-    std::unique_ptr<video::FrameSource> clip_;
+    std::unique_ptr<media::FrameSource> clip_;
     FieldOptions options_;
     bool begun_ = false;
     bool shakes_ = false;

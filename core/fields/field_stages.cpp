@@ -81,7 +81,7 @@ FieldStages::SceneStage FieldStages::stage_of(const Reference& scene) const {
     return stage;
 }
 
-std::shared_ptr<PipelineFrame> FieldStages::begin(video::Frame frame) const {
+std::shared_ptr<PipelineFrame> FieldStages::begin(media::Frame frame) const {
     std::shared_ptr<PipelineFrame> shot;
     if (infrared_) {
         shot = compared(frame, *infrared_);
@@ -94,10 +94,10 @@ std::shared_ptr<PipelineFrame> FieldStages::begin(video::Frame frame) const {
     return shot;
 }
 
-std::shared_ptr<PipelineFrame> FieldStages::compared(video::Frame frame, const SceneStage& scene) const {
+std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, const SceneStage& scene) const {
     auto shot = std::make_shared<PipelineFrame>();
     if (scene.stabilizer) shot->visible = scene.stabilizer->align(frame, scene.stabilizer->shift_of(frame.grey));
-    shot->frame = std::make_shared<const video::Frame>(std::move(frame));
+    shot->frame = std::make_shared<const media::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
     if (scene.object && !scene.object->adapts()) store_object(*shot, scene.object->find(shot->smooth));
     return shot;
@@ -117,7 +117,7 @@ Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
             shot->scene = found.scene;
             store_object(*shot, std::move(found));
         }
-        shot->before = std::exchange(learning_, shot->learning) ? video::Absence::unlearnt : shot->frame->before;
+        shot->before = std::exchange(learning_, shot->learning) ? media::Absence::unlearnt : shot->frame->before;
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {

@@ -19,15 +19,15 @@ namespace vvr::fields {
 
 /// A frame in the pipeline. The frames before and after it read it too, so nothing may be moved out of it.
 struct PipelineFrame {
-    video::SharedFrame frame;                            ///< aligned with the reference if the camera shakes
-    std::shared_ptr<const video::DecodedFrame> decoded;  ///< the frame's picture in full size, if kept
+    media::SharedFrame frame;                            ///< aligned with the reference if the camera shakes
+    std::shared_ptr<const media::DecodedFrame> decoded;  ///< the frame's picture in full size, if kept
     std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;             ///< the difference object, if needed
     Plane<std::uint8_t> darker;             ///< as FoundObject::darker
     bool infrared = false;                  ///< compared with the empty scene of the camera's infrared mode
     bool learning = false;                  ///< it serves only to learn the empty scene anew
-    video::Absence before{};                ///< as Field::before
+    media::Absence before{};                ///< as Field::before
     std::shared_ptr<const NewScene> scene;  ///< as Field::scene
     Quantiles levels{};                     ///< of the frame's grey; they show jumps of the light
     Plane<std::uint8_t> foreground;         ///< output of a filter that needs the frames in order
@@ -55,7 +55,7 @@ class FieldStages {
     bool is_stateful() const { return stateful_; }
 
     /// Runs the steps that need this frame alone. Thread-safe.
-    std::shared_ptr<PipelineFrame> begin(video::Frame frame) const;
+    std::shared_ptr<PipelineFrame> begin(media::Frame frame) const;
 
     /// Runs the steps that need the frames in order, one call at a time.
     /// \param shot null after the last frame
@@ -74,7 +74,7 @@ class FieldStages {
     };
 
     SceneStage stage_of(const Reference& scene) const;
-    std::shared_ptr<PipelineFrame> compared(video::Frame frame, const SceneStage& scene) const;
+    std::shared_ptr<PipelineFrame> compared(media::Frame frame, const SceneStage& scene) const;
     static void store_object(PipelineFrame& shot, FoundObject&& found);
     /// A filter and its parameters.
     struct ActiveFilter {

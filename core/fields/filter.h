@@ -10,14 +10,14 @@
 #include "core/fields/frame_files.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 namespace vvr::fields {
 
 /// The input of a filter. What its row doesn't request may be empty or null. A filter does not get the empty scene,
 /// only the difference object; another way to compare with the empty scene is a norm (NormRow in planes.h).
 struct FilterInput {
-    const video::Frame& frame;
+    const media::Frame& frame;
     const Planes& smooth;                        ///< the frame, smoothed by the setting
     const Planes* previous;                      ///< the previous frame, smoothed; null at the first
     const Plane<std::uint8_t>& object;           ///< the difference object

@@ -43,12 +43,12 @@ const std::uint8_t* first_byte(std::span<const Bgr> row) {
 }
 
 template <class Pixel>
-Plane<Pixel> median(std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane) {
+Plane<Pixel> median(std::span<const media::Frame> frames, Plane<Pixel> media::Frame::*plane) {
     Plane<Pixel> result((frames.front().*plane).size());
     oneapi::tbb::parallel_for(0, result.height(), [&](int j) {
         std::vector<const std::uint8_t*> rows(frames.size());
         std::ranges::transform(frames, rows.begin(),
-                               [&](const video::Frame& f) { return first_byte((f.*plane).row(j)); });
+                               [&](const media::Frame& f) { return first_byte((f.*plane).row(j)); });
         rank_rows(rows, (rows.size() + 1) / 2, bytes(result.row(j)));
     });
     return result;
@@ -56,9 +56,9 @@ Plane<Pixel> median(std::span<const video::Frame> frames, Plane<Pixel> video::Fr
 
 }  // namespace
 
-Planes median_reference(std::span<const video::Frame> frames) {
+Planes median_reference(std::span<const media::Frame> frames) {
     if (frames.empty()) return {};
-    return {median(frames, &video::Frame::grey), median(frames, &video::Frame::colour)};
+    return {median(frames, &media::Frame::grey), median(frames, &media::Frame::colour)};
 }
 
 namespace {
@@ -75,42 +75,42 @@ bool similar(const Bgr& a, const Bgr& b) {
 
 /// One channel of a pixel in some frames.
 template <class Value>
-std::uint8_t median_of(std::vector<std::uint8_t>& scratch, const std::vector<const video::Frame*>& frames,
+std::uint8_t median_of(std::vector<std::uint8_t>& scratch, const std::vector<const media::Frame*>& frames,
                        Value value) {
     scratch.clear();
-    for (const video::Frame* frame : frames) scratch.push_back(value(*frame));
+    for (const media::Frame* frame : frames) scratch.push_back(value(*frame));
     const auto half = scratch.begin() + std::ssize(scratch) / 2;
     std::ranges::nth_element(scratch, half);
     return *half;
 }
 
 /// Sets a pixel of the scene to its median in some frames.
-void set_median(Planes& scene, std::size_t i, const std::vector<const video::Frame*>& frames,
+void set_median(Planes& scene, std::size_t i, const std::vector<const media::Frame*>& frames,
                 std::vector<std::uint8_t>& scratch) {
-    scene.grey.pixels()[i] = median_of(scratch, frames, [i](const video::Frame& f) { return f.grey.pixels()[i]; });
+    scene.grey.pixels()[i] = median_of(scratch, frames, [i](const media::Frame& f) { return f.grey.pixels()[i]; });
     if (scene.colour.empty()) return;
     for (std::size_t c = 0; c < 3; ++c) {
         scene.colour.pixels()[i][c] =
-            median_of(scratch, frames, [i, c](const video::Frame& f) { return f.colour.pixels()[i][c]; });
+            median_of(scratch, frames, [i, c](const media::Frame& f) { return f.colour.pixels()[i][c]; });
     }
 }
 
 template <class Pixel>
 class FirstLasting {
   public:
-    FirstLasting(std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane)
+    FirstLasting(std::span<const media::Frame> frames, Plane<Pixel> media::Frame::*plane)
         : frames_(frames), plane_(plane) {}
 
     /// Whether more than three quarters of the frames look like `pixel` there: then nothing else can last.
     bool is_stable(std::size_t i, const Pixel& pixel) const { return 4 * count_similar(i, pixel) > 3 * frames_.size(); }
 
     /// The frames that show the first lasting level; none if there is no such level.
-    void find(std::size_t i, std::vector<const video::Frame*>& found) const {
+    void find(std::size_t i, std::vector<const media::Frame*>& found) const {
         found.clear();
-        for (const video::Frame& first : frames_) {
+        for (const media::Frame& first : frames_) {
             const Pixel& pixel = at(first, i);
             if (4 * count_similar(i, pixel) < frames_.size()) continue;
-            for (const video::Frame& frame : frames_) {
+            for (const media::Frame& frame : frames_) {
                 if (similar(at(frame, i), pixel)) found.push_back(&frame);
             }
             return;
@@ -118,25 +118,25 @@ class FirstLasting {
     }
 
   private:
-    const Pixel& at(const video::Frame& frame, std::size_t i) const { return (frame.*plane_).pixels()[i]; }
+    const Pixel& at(const media::Frame& frame, std::size_t i) const { return (frame.*plane_).pixels()[i]; }
 
     std::size_t count_similar(std::size_t i, const Pixel& pixel) const {
         std::size_t count = 0;
-        for (const video::Frame& frame : frames_) count += similar(at(frame, i), pixel) ? 1U : 0U;
+        for (const media::Frame& frame : frames_) count += similar(at(frame, i), pixel) ? 1U : 0U;
         return count;
     }
 
-    std::span<const video::Frame> frames_;
-    Plane<Pixel> video::Frame::*plane_;
+    std::span<const media::Frame> frames_;
+    Plane<Pixel> media::Frame::*plane_;
 };
 
 template <class Pixel>
-void correct(Planes& reference, std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane,
+void correct(Planes& reference, std::span<const media::Frame> frames, Plane<Pixel> media::Frame::*plane,
              const Plane<Pixel>& medians) {
     const FirstLasting<Pixel> lasting(frames, plane);
     using oneapi::tbb::blocked_range;
     oneapi::tbb::parallel_for(blocked_range<std::size_t>(0, medians.pixels().size()), [&](const auto& range) {
-        std::vector<const video::Frame*> shown;
+        std::vector<const media::Frame*> shown;
         std::vector<std::uint8_t> scratch;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (lasting.is_stable(i, medians.pixels()[i])) continue;
@@ -148,13 +148,13 @@ void correct(Planes& reference, std::span<const video::Frame> frames, Plane<Pixe
 
 }  // namespace
 
-Planes lasting_reference(std::span<const video::Frame> frames) {
+Planes lasting_reference(std::span<const media::Frame> frames) {
     Planes reference = median_reference(frames);
     const Planes medians = reference;
     if (medians.colour.empty()) {
-        correct(reference, frames, &video::Frame::grey, medians.grey);
+        correct(reference, frames, &media::Frame::grey, medians.grey);
     } else {
-        correct(reference, frames, &video::Frame::colour, medians.colour);
+        correct(reference, frames, &media::Frame::colour, medians.colour);
     }
     return reference;
 }
@@ -162,8 +162,8 @@ Planes lasting_reference(std::span<const video::Frame> frames) {
 namespace {
 
 /// Whether most of the frames show a pixel as it is in the scene.
-bool show(const std::vector<const video::Frame*>& frames, const Planes& scene, std::size_t i) {
-    const auto count = std::ranges::count_if(frames, [&](const video::Frame* frame) {
+bool show(const std::vector<const media::Frame*>& frames, const Planes& scene, std::size_t i) {
+    const auto count = std::ranges::count_if(frames, [&](const media::Frame* frame) {
         if (scene.colour.empty()) return similar(scene.grey.pixels()[i], frame->grey.pixels()[i]);
         return similar(scene.colour.pixels()[i], frame->colour.pixels()[i]);
     });
@@ -172,11 +172,11 @@ bool show(const std::vector<const video::Frame*>& frames, const Planes& scene, s
 
 }  // namespace
 
-void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene) {
+void look_behind(std::span<const media::Frame> frames, const LivingFinder& find_living, Planes& scene) {
     constexpr std::size_t looks = 8;
     constexpr std::size_t fewest = 2;  // what a single frame shows may be a shadow or a reflection
     const std::size_t step = std::max<std::size_t>(1, frames.size() / looks);
-    std::vector<const video::Frame*> seen;
+    std::vector<const media::Frame*> seen;
     std::vector<Plane<std::uint8_t>> hides;
     for (std::size_t k = 0; k < frames.size(); k += step) {
         const std::vector<PixelBox> boxes = find_living(frames[k]);
@@ -185,8 +185,8 @@ void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_
         Plane<std::uint8_t>& plane = hides.emplace_back(scene.grey.size());
         for (const PixelBox& living : boxes) fill(plane, living, 1);
     }
-    std::vector<const video::Frame*> behind;
-    std::vector<const video::Frame*> before;
+    std::vector<const media::Frame*> behind;
+    std::vector<const media::Frame*> before;
     std::vector<std::uint8_t> scratch;
     for (std::size_t i = 0; i < scene.grey.pixels().size(); ++i) {
         behind.clear();

@@ -8,7 +8,7 @@
 
 #include "core/base/plane.h"
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 // The empty scene, made of frames in which objects come and go.
 namespace vvr::fields {
@@ -19,7 +19,7 @@ void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t needed, st
 
 /// The median of each pixel and channel over frames: the upper of the two middle values for an even number. All frames
 /// must have the same size; without frames the result is empty.
-Planes median_reference(std::span<const video::Frame> frames);
+Planes median_reference(std::span<const media::Frame> frames);
 
 /// Frames for `lasting_reference`: a quarter of fewer is one frame, which doesn't show what lasts.
 inline constexpr std::size_t fewest_for_lasting = 8;
@@ -27,14 +27,14 @@ inline constexpr std::size_t fewest_for_lasting = 8;
 /// The empty scene of frames that are ordered by time. Each pixel is the median of the first level that lasts for at
 /// least a quarter of the frames, or else the median of all frames. Passers-by seldom stay that long. A bag left behind
 /// stays an object even if it lies there for most of the clip; the median of all frames would contain it.
-Planes lasting_reference(std::span<const video::Frame> frames);
+Planes lasting_reference(std::span<const media::Frame> frames);
 
 /// The boxes of people, vehicles and animals in a frame, field pixels.
-using LivingFinder = std::function<std::vector<PixelBox>(const video::Frame&)>;
+using LivingFinder = std::function<std::vector<PixelBox>(const media::Frame&)>;
 
 /// Replaces people, vehicles and animals in the empty scene by what is behind them. Looks at the first frame, and only
 /// if somebody is in it, at about ten more. Whoever is at a place in nearly all of them stays in the scene.
 /// \param frames from which `scene` was made, in order of time
-void look_behind(std::span<const video::Frame> frames, const LivingFinder& find_living, Planes& scene);
+void look_behind(std::span<const media::Frame> frames, const LivingFinder& find_living, Planes& scene);
 
 }  // namespace vvr::fields

@@ -71,7 +71,7 @@ class ObjectFinder {
     Plane<std::uint8_t> strong_;  ///< upper hysteresis threshold, as a value of the object
     std::optional<RunningReference> running_;
     std::optional<double> changed_{};     ///< seconds; when most of the picture changed, until that is learnt
-    std::vector<video::Frame> learnt_{};  ///< since then
+    std::vector<media::Frame> learnt_{};  ///< since then
 };
 
 }  // namespace vvr::fields

@@ -9,7 +9,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/setting.h"
-#include "core/video/frame_span.h"
+#include "core/media/frame_span.h"
 
 namespace vvr::fields {
 
@@ -100,7 +100,7 @@ using ReadScalar = Plane<std::uint8_t>(const std::filesystem::path& file, Size s
 struct FieldOptions {
     Choice<FilterRow> filter = "difference";
     std::string given_folder{};         ///< for the filter "given": a picture per frame, by the frame's number
-    ReadScalar* read_given = nullptr;   ///< of core/store, which knows pictures
+    ReadScalar* read_given = nullptr;   ///< of core/dataset, which knows pictures
     const FilterRow* second = nullptr;  ///< second filter, with its own default threshold; null = none
     ReferenceChoice reference = "median";
     Choice<NormRow> norm = "channel";                 ///< distance between two colours
@@ -115,9 +115,9 @@ struct FieldOptions {
     std::vector<PixelBox> overlays{};                 ///< the camera's clocks, field pixels; ignored like the mask
     FlowOptions flow{};
     SeedOptions seeds{};
-    video::FrameSpan span{};  ///< frames outside serve as neighbours only
+    media::FrameSpan span{};  ///< frames outside serve as neighbours only
     int threads = 0;          ///< 0 = one per core
-    bool full_size = false;   ///< frames refer to their decoded pictures, for `video::crop_of`
+    bool full_size = false;   ///< frames refer to their decoded pictures, for `media::crop_of`
 };
 
 /// Checks every value. `compute_fields` calls it first.

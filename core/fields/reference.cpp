@@ -21,8 +21,8 @@
 #include "core/fields/illumination.h"
 #include "core/fields/scene_noise.h"
 #include "core/fields/stabilizer.h"
-#include "core/video/open_source.h"
-#include "core/video/scaler.h"
+#include "core/footage/open_source.h"
+#include "core/media/scaler.h"
 
 namespace vvr::fields {
 
@@ -32,10 +32,10 @@ namespace {
 constexpr int frames_for_median = 31;
 
 /// Converts frames to the light of the first: levels of a pixel are comparable only in the same light.
-std::vector<video::Frame> relit_like_first(std::vector<video::Frame> frames, const IlluminationRow& illumination) {
+std::vector<media::Frame> relit_like_first(std::vector<media::Frame> frames, const IlluminationRow& illumination) {
     if (!illumination.compensates || frames.empty()) return frames;
     const Planes first{frames.front().grey, frames.front().colour};
-    oneapi::tbb::parallel_for_each(frames, [&](video::Frame& frame) {
+    oneapi::tbb::parallel_for_each(frames, [&](media::Frame& frame) {
         Planes picture{std::move(frame.grey), std::move(frame.colour)};
         picture = relight(picture, estimate_illumination(picture, first));
         frame.grey = std::move(picture.grey);
@@ -45,14 +45,14 @@ std::vector<video::Frame> relit_like_first(std::vector<video::Frame> frames, con
 }
 
 /// The grey levels of seven of the frames, which tell whether the camera shakes.
-std::vector<video::Frame> frames_for_shake(std::span<const video::Frame> frames) {
+std::vector<media::Frame> frames_for_shake(std::span<const media::Frame> frames) {
     const std::size_t count = std::min<std::size_t>(frames.size(), 7);
-    std::vector<video::Frame> some(count);
+    std::vector<media::Frame> some(count);
     for (std::size_t k = 0; k < count; ++k) some[k].grey = frames[k * frames.size() / count].grey;
     return some;
 }
 
-std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
+std::vector<media::Frame> spread_over_clip(media::FrameSource& clip) {
     return clip.sample(frames_for_median);
 }
 
@@ -60,15 +60,15 @@ std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
 /// \param seconds of the clip that are read
 /// \param step seconds between the frames, at least
 /// \param fewest frames, also if that takes longer
-std::vector<video::Frame> first_frames(video::FrameSource& clip, double seconds, double step, std::size_t fewest) {
+std::vector<media::Frame> first_frames(media::FrameSource& clip, double seconds, double step, std::size_t fewest) {
     constexpr double slack = 0.001;  // containers round times
-    video::Scaler scale(clip);
-    std::vector<video::Frame> frames;
+    media::Scaler scale(clip);
+    std::vector<media::Frame> frames;
     std::optional<double> first;
     double before = 0;
     clip.rewind();
     for (double passed = 0; frames.size() < fewest || passed + (passed - before) < seconds - slack;) {
-        const std::unique_ptr<video::DecodedFrame> decoded = clip.next();
+        const std::unique_ptr<media::DecodedFrame> decoded = clip.next();
         if (!decoded) break;
         if (!first) first = decoded->pts;
         before = std::exchange(passed, decoded->pts - *first);
@@ -79,13 +79,13 @@ std::vector<video::Frame> first_frames(video::FrameSource& clip, double seconds,
     return frames;
 }
 
-std::vector<video::Frame> first_frame(video::FrameSource& clip) {
+std::vector<media::Frame> first_frame(media::FrameSource& clip) {
     return first_frames(clip, 0, 0, 1);
 }
 
 // A live stream can't wait, so two seconds must be enough, or a few frames. A clip can be read again, so its first
 // twenty seconds are used: passers-by are absent for most of them.
-std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
+std::vector<media::Frame> first_seconds(media::FrameSource& clip) {
     const bool is_live = clip.info().duration <= 0 && clip.info().frames <= 0;
     return is_live ? first_frames(clip, 2, 0.08, fewest_for_lasting)
                    : first_frames(clip, frames_for_median * 0.64, 0.64, fewest_for_lasting);
@@ -107,24 +107,24 @@ constexpr std::ptrdiff_t fewest_of_mode = 3;
 // Grey levels between the darkest and the brightest twentieth of a picture; with less, the camera is covered.
 constexpr float least_contrast = 20;
 
-bool is_infrared(const video::Frame& frame) {
+bool is_infrared(const media::Frame& frame) {
     if (has_colours(frame.colour)) return false;
     const Quantiles levels = quantiles_of(frame.grey);
     return levels.back() - levels.front() >= least_contrast;
 }
 
 /// Takes the frames out that a camera made in its infrared mode. Takes none if there are too few of these or of others.
-std::vector<video::Frame> take_infrared(std::vector<video::Frame>& frames) {
-    const auto by_day = [](const video::Frame& frame) { return has_colours_everywhere(frame.colour); };
+std::vector<media::Frame> take_infrared(std::vector<media::Frame>& frames) {
+    const auto by_day = [](const media::Frame& frame) { return has_colours_everywhere(frame.colour); };
     if (std::ranges::count_if(frames, is_infrared) < fewest_of_mode) return {};
     if (std::ranges::count_if(frames, by_day) < fewest_of_mode) return {};
     const auto infrared = std::stable_partition(frames.begin(), frames.end(), std::not_fn(is_infrared));
-    std::vector<video::Frame> taken(std::make_move_iterator(infrared), std::make_move_iterator(frames.end()));
+    std::vector<media::Frame> taken(std::make_move_iterator(infrared), std::make_move_iterator(frames.end()));
     frames.erase(infrared, frames.end());
     return taken;
 }
 
-Reference learn_from(std::vector<video::Frame> frames, const SceneOfFrames scene, const FieldOptions& options,
+Reference learn_from(std::vector<media::Frame> frames, const SceneOfFrames scene, const FieldOptions& options,
                      const LivingFinder& find_living) {
     Reference reference;
     // A filter that shows the video itself or its motion must show the camera's motion too.
@@ -142,13 +142,13 @@ Reference learn_from(std::vector<video::Frame> frames, const SceneOfFrames scene
     return reference;
 }
 
-Reference learn(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
+Reference learn(media::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
                 const LivingFinder& find_living) {
-    std::vector<video::Frame> frames = row.sample(clip);
-    std::vector<video::Frame> infrared;
+    std::vector<media::Frame> frames = row.sample(clip);
+    std::vector<media::Frame> infrared;
     if (!row.adapts && options.illumination->compensates) infrared = take_infrared(frames);
     if (infrared.empty()) return learn_from(std::move(frames), row.scene, options, find_living);
-    const auto learn_mode = [&](std::vector<video::Frame> of_mode) {
+    const auto learn_mode = [&](std::vector<media::Frame> of_mode) {
         const SceneOfFrames scene = of_mode.size() < fewest_for_lasting ? median_reference : row.scene;
         return learn_from(std::move(of_mode), scene, options, find_living);
     };
@@ -179,15 +179,15 @@ ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row
     }
 }
 
-Reference make_reference(video::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living) {
+Reference make_reference(media::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living) {
     if (const ReferenceRow* const row = options.reference.row()) return learn(clip, *row, options, find_living);
     const std::string& picture_file = options.reference.name();
-    video::SourceOptions like_clip;
+    media::SourceOptions like_clip;
     like_clip.field_size = clip.field_size();
     like_clip.colour = clip.colour();
     check_is_file(picture_file);
-    const auto picture = video::open_source(picture_file, like_clip);
-    video::Frame frame = video::Scaler(*picture)(*picture->next());
+    const auto picture = footage::open_source(picture_file, like_clip);
+    media::Frame frame = media::Scaler(*picture)(*picture->next());
     return Planes{std::move(frame.grey), std::move(frame.colour)};
 }
 

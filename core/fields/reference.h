@@ -11,8 +11,8 @@
 #include "core/fields/median_scene.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
-#include "core/video/frame_source.h"
+#include "core/media/frame.h"
+#include "core/media/frame_source.h"
 
 namespace vvr::fields {
 
@@ -42,13 +42,13 @@ struct EmptyScene {
 bool needs_reference(const FieldOptions& options);
 
 /// Makes the empty scene of frames that are in order of time.
-using SceneOfFrames = Planes (*)(std::span<const video::Frame> frames);
+using SceneOfFrames = Planes (*)(std::span<const media::Frame> frames);
 
 /// One row of the table of references: the source of the empty scene.
 struct ReferenceRow {
     std::string_view name;
     std::string_view help;
-    std::vector<video::Frame> (*sample)(video::FrameSource& clip);  ///< frames to learn from, in order of time
+    std::vector<media::Frame> (*sample)(media::FrameSource& clip);  ///< frames to learn from, in order of time
     SceneOfFrames scene;
     bool needs_whole_clip = false;  ///< not possible for streams
     bool adapts = false;            ///< follows slow changes of the scene
@@ -62,6 +62,6 @@ std::span<const ReferenceRow> reference_kinds();
 /// and others none, each kind gives its own scene. Leaves the clip at its first frame.
 /// \param find_living may be empty; then whoever stands there for long may be in the scene
 /// \throws Error io or not_video for a picture that can't be read
-Reference make_reference(video::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living = {});
+Reference make_reference(media::FrameSource& clip, const FieldOptions& options, const LivingFinder& find_living = {});
 
 }  // namespace vvr::fields

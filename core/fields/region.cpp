@@ -17,9 +17,9 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fields/settings.h"
-#include "core/video/frame_source.h"
-#include "core/video/open_source.h"
-#include "core/video/scaler.h"
+#include "core/footage/open_source.h"
+#include "core/media/frame_source.h"
+#include "core/media/scaler.h"
 
 namespace vvr::fields {
 namespace {
@@ -148,10 +148,10 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
         return plane;
     }
     check_is_file(text);
-    video::SourceOptions options;
+    media::SourceOptions options;
     options.field_size = field;
-    const auto picture = video::open_source(text, options);
-    Plane<std::uint8_t> plane = video::Scaler(*picture)(*picture->next()).grey;
+    const auto picture = footage::open_source(text, options);
+    Plane<std::uint8_t> plane = media::Scaler(*picture)(*picture->next()).grey;
     for (std::uint8_t& p : plane.pixels()) p = p >= 128 ? 255 : 0;
     return plane;
 }

@@ -39,13 +39,13 @@ constexpr int max_excess = 2;
 
 }  // namespace
 
-Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth, bool shakes) {
+Plane<std::uint8_t> noise_of(std::span<const media::Frame> frames, const Planes& scene, double smooth, bool shakes) {
     const Sample sample = shakes ? shaking_camera : still_camera;
     if (frames.size() < fewest_frames) return {};
     const std::size_t step = std::max<std::size_t>(1, frames.size() / enough_frames);
     std::vector<Plane<std::uint8_t>> differences((frames.size() + step - 1) / step);
     oneapi::tbb::parallel_for(std::size_t{0}, differences.size(), [&](std::size_t k) {
-        const video::Frame& frame = frames[k * step];
+        const media::Frame& frame = frames[k * step];
         differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
     });
     const auto rank_of = [&](double part) {

@@ -5,7 +5,7 @@
 
 #include "core/base/plane.h"
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 namespace vvr::fields {
 
@@ -16,7 +16,7 @@ namespace vvr::fields {
 /// \param frames under the same light and, if the camera shakes, aligned
 /// \param scene the empty scene, smoothed by `smooth` as the frames will be
 /// \returns empty if there are too few frames
-Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth,
+Plane<std::uint8_t> noise_of(std::span<const media::Frame> frames, const Planes& scene, double smooth,
                              bool shakes = false);
 
 }  // namespace vvr::fields

@@ -268,7 +268,7 @@ FieldSummary ListedSeeds::read(const FieldNeeds& needs, const FieldSink& sink) {
     rest.flow = needs.flow || (needs.seeds && (shared_ || compares_));
     std::int64_t misfits = 0;
     std::int64_t first = 0;
-    FieldSummary summary = fields_->read(rest, [&](const video::SharedFrame& frame, Field&& field) {
+    FieldSummary summary = fields_->read(rest, [&](const media::SharedFrame& frame, Field&& field) {
         field.seeds.clear();
         const auto list = lists_.find(field.index);
         if (needs.seeds && list != lists_.end()) {

@@ -50,14 +50,14 @@ class ListedSeeds final : public FieldSource {
     ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
                 bool on_object, bool compares = false);
 
-    const video::VideoInfo& info() const override { return fields_->info(); }
+    const media::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
 
     /// All frames if there are only a few lists, because a person chose them; else the requested interval.
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
-    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override {
+    void read_again(std::span<const double> times, const std::function<void(const media::Frame&)>& sink) override {
         fields_->read_again(times, sink);
     }
 

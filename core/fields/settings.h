@@ -9,7 +9,7 @@
 #include "core/fields/seeds.h"
 #include "core/fields/shadows.h"
 #include "core/fields/stabilizer.h"
-#include "core/video/settings.h"
+#include "core/media/settings.h"
 
 /// The settings of FieldOptions.
 namespace vvr::setting {

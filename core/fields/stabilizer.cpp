@@ -91,7 +91,7 @@ void move_back(Plane<T>& plane, const Plane<T>& background, const Shift& shift) 
     plane = std::move(moved);
 }
 
-Planes planes_of(const video::Frame& frame) {
+Planes planes_of(const media::Frame& frame) {
     return {frame.grey, frame.colour};
 }
 
@@ -133,7 +133,7 @@ Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
     return consensus_shift(shifts);
 }
 
-VisibleArea Stabilizer::align(video::Frame& frame, const Shift& shift) const {
+VisibleArea Stabilizer::align(media::Frame& frame, const Shift& shift) const {
     const int width = frame.grey.width();
     const int height = frame.grey.height();
     move_back(frame.grey, reference_.grey, shift);
@@ -156,7 +156,7 @@ void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plan
     }
 }
 
-bool camera_shakes(std::span<const video::Frame> frames) {
+bool camera_shakes(std::span<const media::Frame> frames) {
     if (frames.size() < 2) return false;
     const Stabilizer stabilizer(planes_of(frames.front()));
     std::vector<char> moved(frames.size());
@@ -167,7 +167,7 @@ bool camera_shakes(std::span<const video::Frame> frames) {
     return std::ranges::count(moved, 1) >= 2;
 }
 
-void align(std::span<video::Frame> frames) {
+void align(std::span<media::Frame> frames) {
     if (frames.empty()) return;
     const Stabilizer stabilizer(planes_of(frames.front()));
     std::vector<Shift> shifts(frames.size());

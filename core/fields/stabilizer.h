@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/fields/planes.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 namespace vvr::fields {
 
@@ -47,7 +47,7 @@ class Stabilizer {
 
     /// Shifts the frame back by `shift`, and fills the uncovered area from the reference.
     /// \returns the area that the frame does show
-    VisibleArea align(video::Frame& frame, const Shift& shift) const;
+    VisibleArea align(media::Frame& frame, const Shift& shift) const;
 
   private:
     struct Landmarks;
@@ -61,9 +61,9 @@ void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plan
 
 /// Whether the camera shakes: it moves by half a pixel or more from the first of the frames to at least two others.
 /// \param frames of one scene in the same light; only their grey levels are used
-bool camera_shakes(std::span<const video::Frame> frames);
+bool camera_shakes(std::span<const media::Frame> frames);
 
 /// Aligns all frames to the median position of the camera.
-void align(std::span<video::Frame> frames);
+void align(std::span<media::Frame> frames);
 
 }  // namespace vvr::fields

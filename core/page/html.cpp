@@ -10,7 +10,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/text.h"
-#include "core/events/event_kind.h"
+#include "core/tracking/event_kind.h"
 
 extern "C" {
 #include <libavutil/base64.h>
@@ -142,27 +142,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The name of an emphasis, which is also a CSS class.
-std::string_view name_of(events::Emphasis emphasis) {
+std::string_view name_of(tracking::Emphasis emphasis) {
     switch (emphasis) {
-        case events::Emphasis::none:
+        case tracking::Emphasis::none:
             return "none";
-        case events::Emphasis::standing:
+        case tracking::Emphasis::standing:
             return "standing";
-        case events::Emphasis::strong:
+        case tracking::Emphasis::strong:
             return "strong";
     }
     return {};
 }
 
-std::string_view name_of(events::Tally tally) {
+std::string_view name_of(tracking::Tally tally) {
     switch (tally) {
-        case events::Tally::none:
+        case tracking::Tally::none:
             return "none";
-        case events::Tally::lasts:
+        case tracking::Tally::lasts:
             return "lasts";
-        case events::Tally::still:
+        case tracking::Tally::still:
             return "still";
-        case events::Tally::count:
+        case tracking::Tally::count:
             return "count";
     }
     return {};
@@ -172,7 +172,7 @@ std::string_view name_of(events::Tally tally) {
 
 Json json_of_kinds() {
     Json kinds = Json::array();
-    for (const events::EventKindRow& row : events::ranked_kinds()) {
+    for (const tracking::EventKindRow& row : tracking::ranked_kinds()) {
         kinds.push_back({{"name", row.name},
                          {"words", row.words},
                          {"by", row.by},

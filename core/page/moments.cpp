@@ -19,7 +19,7 @@
 
 namespace vvr::page {
 
-void Stills::add(const video::SharedFrame& frame, std::int64_t activity) {
+void Stills::add(const media::SharedFrame& frame, std::int64_t activity) {
     if (in_last_ == stretch_) end_stretch();
     if (in_last_ == 0 && kept_.size() == most_) merge_neighbours();
     ++in_last_;
@@ -30,7 +30,7 @@ void Stills::add(const video::SharedFrame& frame, std::int64_t activity) {
 
 void Stills::end_stretch() {
     if (!best_) return;
-    kept_.push_back({{best_->index, best_->pts, image::resized(video::picture_of(*best_), size_)}, best_activity_});
+    kept_.push_back({{best_->index, best_->pts, image::resized(media::picture_of(*best_), size_)}, best_activity_});
     best_.reset();
     in_last_ = 0;
 }
@@ -58,14 +58,14 @@ void Stills::merge_neighbours() {
 namespace {
 
 /// The frame that shows an event best. What was taken is seen until it goes.
-std::int64_t best_frame(const events::Event& event) {
+std::int64_t best_frame(const tracking::Event& event) {
     if (event.portrait) return event.portrait->at.frame;
     return row_of(event.kind).is_of_scene ? event.first.frame : (event.first.frame + event.last.frame) / 2;
 }
 
 /// A key to rank events; more informative events are greater.
-auto worth(const events::Event& event) {
-    return std::tuple(-row_of(event.kind).rank, events::stationary_seconds(event),
+auto worth(const tracking::Event& event) {
+    return std::tuple(-row_of(event.kind).rank, tracking::stationary_seconds(event),
                       event.last.seconds - event.first.seconds);
 }
 
@@ -75,7 +75,7 @@ const Still& nearest_to(std::span<const Still> stills, std::int64_t frame) {
 
 }  // namespace
 
-std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events) {
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const tracking::Event> events) {
     if (stills.empty()) return std::nullopt;
     const auto event = std::ranges::max_element(events, {}, worth);
     if (event == events.end()) return stills[stills.size() / 2];
@@ -87,9 +87,9 @@ namespace {
 constexpr int sheet_side = 240;
 
 /// The stills that a contact sheet shows, in order of time.
-std::vector<const Still*> sheet_stills(std::span<const Still> stills, std::span<const events::Event> events) {
+std::vector<const Still*> sheet_stills(std::span<const Still> stills, std::span<const tracking::Event> events) {
     std::set<const Still*> chosen;
-    for (const events::Event& event : events) {
+    for (const tracking::Event& event : events) {
         chosen.insert(&nearest_to(stills, (event.first.frame + event.last.frame) / 2));
         for (const Still& still : stills) {
             if (still.frame >= event.first.frame && still.frame <= event.last.frame) chosen.insert(&still);
@@ -105,7 +105,7 @@ std::vector<const Still*> sheet_stills(std::span<const Still> stills, std::span<
 
 }  // namespace
 
-std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const events::Event> events) {
+std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const tracking::Event> events) {
     if (stills.empty()) return std::nullopt;
     const std::vector<const Still*> shown = sheet_stills(stills, events);
     const Size tile = fit_into(stills.front().picture.size(), sheet_side);
@@ -167,7 +167,7 @@ constexpr int still_side = 320;
 constexpr std::size_t few_stills = Stills::most / 2;  // with a preview, a page needs them only until that has loaded
 
 /// Whether all current browsers play such a file.
-bool browsers_play(const video::VideoInfo& info) {
+bool browsers_play(const media::VideoInfo& info) {
     const auto is_one_of = [](const std::string& name, std::initializer_list<std::string_view> names) {
         return std::ranges::find(names, name) != names.end();
     };
@@ -184,7 +184,7 @@ fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const 
     begin();
     fields::FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    return fields_->read(more, [&](const media::SharedFrame& frame, fields::Field&& field) {
         look_at(frame, field);
         sink(frame, std::move(field));
     });
@@ -212,7 +212,7 @@ void WatchedFields::begin() {
     stills_.emplace(fit_into(info().size, still_side), has_film ? few_stills : Stills::most);
 }
 
-void WatchedFields::look_at(const video::SharedFrame& frame, const fields::Field& field) {
+void WatchedFields::look_at(const media::SharedFrame& frame, const fields::Field& field) {
     times_.add(field.index, field.pts);
     if (frame->grey.empty() && frame->colour.empty()) return;  // extracted data may have neither
     stills_->add(frame, cv::countNonZero(cv_view(field.scalar)));
@@ -234,7 +234,7 @@ fields::FieldSummary RecentMoments::read(const fields::FieldNeeds& needs, const 
     stills_.clear();
     fields::FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    return fields_->read(more, [&](const media::SharedFrame& frame, fields::Field&& field) {
         look_at(*frame, field);
         sink(frame, std::move(field));
     });
@@ -252,13 +252,13 @@ Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
     return moments;
 }
 
-void RecentMoments::look_at(const video::Frame& frame, const fields::Field& field) {
+void RecentMoments::look_at(const media::Frame& frame, const fields::Field& field) {
     times_.push_back({field.index, field.pts});
     if (std::ssize(times_) > frames_) times_.pop_front();
     while (!stills_.empty() && stills_.front().frame < times_.front().frame) stills_.pop_front();
     const std::int64_t apart = std::max<std::int64_t>(1, frames_ / most_stills);
     if (!stills_.empty() && field.index - stills_.back().frame < apart) return;
-    const Plane<Bgr> picture = video::picture_of(frame);
+    const Plane<Bgr> picture = media::picture_of(frame);
     if (picture.empty()) return;
     stills_.push_back({field.index, field.pts, image::resized(picture, fit_into(info().size, recent_still_side))});
 }

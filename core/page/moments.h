@@ -11,10 +11,10 @@
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
-#include "core/events/event.h"
 #include "core/fields/field_source.h"
+#include "core/media/frame.h"
 #include "core/page/preview.h"
-#include "core/video/frame.h"
+#include "core/tracking/event.h"
 
 namespace vvr::page {
 
@@ -38,7 +38,7 @@ class Stills {
 
     /// \param frame has its index in the clip; kept until the end of its stretch
     /// \param activity any measure, such as the number of moving pixels
-    void add(const video::SharedFrame& frame, std::int64_t activity);
+    void add(const media::SharedFrame& frame, std::int64_t activity);
 
     /// The stills in order of time. Call it once.
     std::vector<Still> take();
@@ -56,7 +56,7 @@ class Stills {
     std::size_t most_;
     std::int64_t stretch_ = 1;  ///< frames
     std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
-    video::SharedFrame best_;   ///< the most active frame of the last stretch; resized only at its end
+    media::SharedFrame best_;   ///< the most active frame of the last stretch; resized only at its end
     std::int64_t best_activity_ = 0;
     std::vector<Kept> kept_;  ///< of the stretches before
 };
@@ -64,7 +64,7 @@ class Stills {
 /// The most informative still of a clip. Events are ranked by kind, then by how long the object stood, then by
 /// duration. Without events, it is the middle still.
 /// \returns empty if there are no stills
-std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events);
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const tracking::Event> events);
 
 /// Small pictures of what happens in a clip, in one: from left to right and from the top down in order of time.
 struct ContactSheet {
@@ -78,7 +78,7 @@ struct ContactSheet {
 /// The stills that show events, at least one for each event; the middle one of a clip without events. If there are more
 /// than ContactSheet::most, some are left out evenly.
 /// \returns empty if there are no stills
-std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const events::Event> events);
+std::optional<ContactSheet> contact_sheet(std::span<const Still> stills, std::span<const tracking::Event> events);
 
 /// Consecutive frames at a constant rate.
 struct ConstantRateFrames {
@@ -132,12 +132,12 @@ class WatchedFields final : public fields::FieldSource {
     /// \param with_preview whether to make a preview; it is small if browsers can play the clip
     WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview);
 
-    const video::VideoInfo& info() const override { return fields_->info(); }
+    const media::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
     std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
     bool has_pictures() const override { return fields_->has_pictures(); }
-    void read_again(std::span<const double> times, const std::function<void(const video::Frame&)>& sink) override {
+    void read_again(std::span<const double> times, const std::function<void(const media::Frame&)>& sink) override {
         fields_->read_again(times, sink);
     }
     fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
@@ -147,7 +147,7 @@ class WatchedFields final : public fields::FieldSource {
 
   private:
     void begin();
-    void look_at(const video::SharedFrame& frame, const fields::Field& field);
+    void look_at(const media::SharedFrame& frame, const fields::Field& field);
 
     std::unique_ptr<fields::FieldSource> fields_;
     bool with_preview_;
@@ -163,7 +163,7 @@ class RecentMoments final : public fields::FieldSource {
     /// \param frames number of frames to keep
     RecentMoments(std::unique_ptr<fields::FieldSource> fields, std::int64_t frames);
 
-    const video::VideoInfo& info() const override { return fields_->info(); }
+    const media::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
     std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
@@ -174,7 +174,7 @@ class RecentMoments final : public fields::FieldSource {
     Moments since(std::int64_t first, std::int64_t last = std::numeric_limits<std::int64_t>::max()) const;
 
   private:
-    void look_at(const video::Frame& frame, const fields::Field& field);
+    void look_at(const media::Frame& frame, const fields::Field& field);
 
     std::unique_ptr<fields::FieldSource> fields_;
     std::int64_t frames_;

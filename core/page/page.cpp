@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/annotation/time_ticks.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/image/picture_file.h"
-#include "core/labels/time_ticks.h"
 #include "core/page/html.h"
 #include "core/page/page_data.h"
 #include "web_files.h"
@@ -71,7 +71,7 @@ using Json = nlohmann::ordered_json;
 std::string moment_text(double seconds, const WallClock& clock) {
     const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
     const std::int64_t whole = tenths / 10;
-    return fmt::format("{}.{}", labels::format_moment(static_cast<double>(whole), clock), tenths % 10);
+    return fmt::format("{}.{}", annotation::format_moment(static_cast<double>(whole), clock), tenths % 10);
 }
 
 /// A list of the events for browsers without scripts.
@@ -79,7 +79,7 @@ std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
     for (std::size_t k = 0; k < content.events->size(); ++k) {
-        const events::Event& event = (*content.events)[k];
+        const tracking::Event& event = (*content.events)[k];
         list += fmt::format(
             "<li>{}. {}: {}{}</li>\n", content.number_of(k),
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
@@ -148,13 +148,13 @@ std::string make_page(const PageContent& content) {
             {"name", shown(content.name)},
             {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
             {"file", shown(content.file)},
-            {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(begin, content.clock),
-                                    labels::format_moment(end, content.clock),
+            {"summary", fmt::format("{} to {}, {}; {}", annotation::format_moment(begin, content.clock),
+                                    annotation::format_moment(end, content.clock),
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
             {"unseen", unseen_text(content)},
             {"way", content.time_direction},
             {"list", list_of(content)},
-            {"first kind", std::string(events::ranked_kinds().front().words)},
+            {"first kind", std::string(tracking::ranked_kinds().front().words)},
             {"style", style},
             {"script", script},
             {"picture", url_of_picture(content)},

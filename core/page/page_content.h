@@ -9,11 +9,11 @@
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
-#include "core/events/event.h"
+#include "core/footage/unseen.h"
 #include "core/image/picture.h"
+#include "core/media/frame_span.h"
 #include "core/page/moments.h"
-#include "core/video/frame_span.h"
-#include "core/video/unseen.h"
+#include "core/tracking/event.h"
 
 namespace vvr::page {
 
@@ -86,17 +86,17 @@ struct PageContent {
     image::Metadata settings;        ///< of the picture
     std::string time_direction;      ///< in the picture: "from left to right"
     Moments moments;
-    video::FrameSpan span{};                           ///< the requested part of the clip
-    std::vector<video::MissingFrames> missing{};       ///< in it
-    std::optional<std::vector<events::Event>> events;  ///< none = not detected
-    std::vector<std::size_t> numbers;                  ///< numbers of the events in the picture; empty = index plus 1
-    std::vector<glm::vec3> colours;                    ///< of the events in the picture, sRGB; empty = no colours
-    std::vector<Plane<Bgr>> portraits;                 ///< of the events; an empty plane = none
-    std::size_t not_chosen = 0;                        ///< number of other events that were found
-    std::vector<std::string> deeds;                    ///< what each of them did: "went ↘"
+    media::FrameSpan span{};                             ///< the requested part of the clip
+    std::vector<media::MissingFrames> missing{};         ///< in it
+    std::optional<std::vector<tracking::Event>> events;  ///< none = not detected
+    std::vector<std::size_t> numbers;                    ///< numbers of the events in the picture; empty = index plus 1
+    std::vector<glm::vec3> colours;                      ///< of the events in the picture, sRGB; empty = no colours
+    std::vector<Plane<Bgr>> portraits;                   ///< of the events; an empty plane = none
+    std::size_t not_chosen = 0;                          ///< number of other events that were found
+    std::vector<std::string> deeds;                      ///< what each of them did: "went ↘"
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
-    video::Unseen unseen{};
+    footage::Unseen unseen{};
     Overlay overlay;
 
     /// The number that people see of the event at an index.

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/events/path.h"
 #include "core/image/picture_file.h"
 #include "core/page/html.h"
+#include "core/tracking/path.h"
 
 namespace vvr::page {
 
@@ -119,9 +119,9 @@ Json json_of(const image::Metadata& settings) {
 }
 
 /// The times at which an object stood still, in frames.
-Json json_of(const std::vector<events::Stay>& stays) {
+Json json_of(const std::vector<tracking::Stay>& stays) {
     Json json = Json::array();
-    for (const events::Stay& stay : stays) json.push_back({stay.first.frame, stay.last.frame});
+    for (const tracking::Stay& stay : stays) json.push_back({stay.first.frame, stay.last.frame});
     return json;
 }
 
@@ -156,7 +156,7 @@ Json json_of(const std::vector<ConstantRateFrames>& times) {
 
 /// The reason for each gap: where the numbers of frames skip.
 Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const PageContent& content) {
-    std::vector<video::SegmentPlace> files;
+    std::vector<media::SegmentPlace> files;
     for (const PageContent::Segment& file : content.segments)
         files.push_back({"", file.begin, file.begin + file.length});
     Json json = Json::array();
@@ -164,7 +164,7 @@ Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const PageConten
         const std::int64_t next = times[k - 1].first + times[k - 1].count;
         if (times[k].first > next)
             json.push_back(
-                video::reason_for_gap(content.span, files, content.missing, times[k - 1].at(next), times[k].begin));
+                media::reason_for_gap(content.span, files, content.missing, times[k - 1].at(next), times[k].begin));
     }
     return json;
 }
@@ -174,10 +174,10 @@ Json number_of(const std::optional<std::size_t>& place) {
 }
 
 /// An object's path in fractions of the picture's width and height, so the page needs no field size.
-Json json_of(const std::vector<events::PathPoint>& path, Size field) {
+Json json_of(const std::vector<tracking::PathPoint>& path, Size field) {
     const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
     Json json = Json::array();
-    for (const events::PathPoint& point : path) {
+    for (const tracking::PathPoint& point : path) {
         json.push_back({point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)});
     }
     return json;
@@ -191,23 +191,23 @@ Json json_of_place(const PixelBox& box, Size field) {
 }
 
 /// An object's path in the format of an archive's index.
-Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
+Json way_of(const std::vector<tracking::PathPoint>& path, Size field, Size shown) {
     const glm::dvec2 size(shown.width, shown.height);
     const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
-    std::vector<events::Waypoint> way;
-    for (const events::PathPoint& point : path) {
-        way.push_back(events::waypoint(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
+    std::vector<tracking::Waypoint> way;
+    for (const tracking::PathPoint& point : path) {
+        way.push_back(tracking::waypoint(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
     }
     Json json = Json::array();
-    for (const events::Waypoint& point : events::simplified(way)) {
+    for (const tracking::Waypoint& point : tracking::simplified(way)) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;
 }
 
-Json json_of(const events::Event& event, Size field, Size shown) {
+Json json_of(const tracking::Event& event, Size field, Size shown) {
     const auto& identity = event.identity;
-    return {{"kind", events::name_of(event.kind)},
+    return {{"kind", tracking::name_of(event.kind)},
             {"class", identity ? Json(identity->what->name) : Json()},
             {"group", identity ? Json(detector::name_of(identity->what->group)) : Json()},
             {"score", identity ? Json(std::round(identity->score * 100) / 100) : Json()},
@@ -216,7 +216,7 @@ Json json_of(const events::Event& event, Size field, Size shown) {
             {"last", event.last.frame},
             {"begin", to_six_decimals(event.first.seconds)},
             {"end", to_six_decimals(event.last.seconds)},
-            {"still", to_six_decimals(events::stationary_seconds(event))},
+            {"still", to_six_decimals(tracking::stationary_seconds(event))},
             {"stays", json_of(event.stays)},
             {"from", number_of(event.from)},
             {"into", number_of(event.into)},
@@ -247,7 +247,7 @@ Json json_of(const EncodedVideo& film) {
 Json json_of_events(const PageContent& content) {
     if (!content.events) return {};
     Json json = Json::array();
-    for (const events::Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
+    for (const tracking::Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
     for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
         json[k]["colour"] = css_of(content.colours[k]);
     }

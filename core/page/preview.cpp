@@ -147,11 +147,11 @@ std::optional<EncodedVideo> PreviewThread::finish() {
 }
 
 void PreviewThread::encode() {
-    video::SharedFrame frame;
+    media::SharedFrame frame;
     for (frames_.pop(frame); frame; frames_.pop(frame)) {
         if (error_) continue;  // takes the rest, so that nobody waits
         try {
-            preview_.add(frame->index, frame->pts, frame->colour.empty() ? video::picture_of(*frame) : frame->colour);
+            preview_.add(frame->index, frame->pts, frame->colour.empty() ? media::picture_of(*frame) : frame->colour);
         } catch (...) {
             error_ = std::current_exception();
         }

@@ -14,7 +14,7 @@
 
 #include "core/base/plane.h"
 #include "core/image/video_encoder.h"
-#include "core/video/frame.h"
+#include "core/media/frame.h"
 
 // The small video in a page, which can be watched without the clip.
 namespace vvr::page {
@@ -96,7 +96,7 @@ class PreviewThread {
     bool is_possible() const { return preview_.is_possible(); }
 
     /// Waits while earlier frames are not encoded yet.
-    void add(video::SharedFrame frame) { frames_.push(std::move(frame)); }
+    void add(media::SharedFrame frame) { frames_.push(std::move(frame)); }
 
     /// The preview, as Preview::finish. Call it once.
     std::optional<EncodedVideo> finish();
@@ -109,7 +109,7 @@ class PreviewThread {
     void end();
 
     Preview preview_;
-    oneapi::tbb::concurrent_bounded_queue<video::SharedFrame> frames_;  ///< null ends the thread
+    oneapi::tbb::concurrent_bounded_queue<media::SharedFrame> frames_;  ///< null ends the thread
     std::exception_ptr error_;
     std::jthread thread_;  ///< uses the members before it
 };

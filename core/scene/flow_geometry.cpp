@@ -55,11 +55,11 @@ GlyphMesh arrow_mesh(int sides) {
     return mesh;
 }
 
-std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+std::vector<Glyph> arrows(const volume::Volume& volume, std::span<const volume::FrameSeed> seeds,
                           const space::Layout& layout, const GlyphOptions& options) {
     std::vector<Glyph> glyphs;
     glyphs.reserve(seeds.size());
-    for (const bricks::FrameSeed& at : seeds) {
+    for (const volume::FrameSeed& at : seeds) {
         const glm::dvec3 c = volume.c_of({at.seed.x, at.seed.y, static_cast<double>(at.frame)});
         const glm::dvec3 v_c = volume.c_vector({at.seed.u, at.seed.v, options.time_velocity});
         glm::dvec3 v_p = layout.basis(c).transform(v_c) * options.frames;
@@ -110,7 +110,7 @@ void append(Tracelines& lines, const std::vector<TraceVertex>& points, double sp
 
 }  // namespace
 
-std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
+std::vector<glm::dvec3> trace(const volume::Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
     const glm::dvec3 low(-0.5);
     const glm::dvec3 high = glm::dvec3(volume.size().width, volume.size().height,
                                        volume.is_nonuniform() ? volume.frames() : volume.layers() * volume.step()) -
@@ -128,11 +128,11 @@ std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& st
     return points;
 }
 
-Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+Tracelines tracelines(const volume::Volume& volume, std::span<const volume::FrameSeed> seeds,
                       const space::Layout& layout, const TraceOptions& options) {
     Tracelines lines;
     std::vector<TraceVertex> points;
-    for (const bricks::FrameSeed& at : seeds) {
+    for (const volume::FrameSeed& at : seeds) {
         points.clear();
         const glm::dvec3 start = {at.seed.x, at.seed.y, static_cast<double>(at.frame)};
         for (const glm::dvec3& point : trace(volume, start, options)) {

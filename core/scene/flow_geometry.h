@@ -7,8 +7,8 @@
 #include <glm/glm.hpp>
 
 #include "core/base/plane.h"
-#include "core/bricks/volume.h"
 #include "core/space/layout.h"
+#include "core/volume/volume.h"
 
 namespace vvr::scene {
 
@@ -43,7 +43,7 @@ GlyphMesh arrow_mesh(int sides = 10);
 
 /// One arrow per seed, oriented by the transformed flow vector (e_x, e_y, e_t) at the seed (§5.2).
 /// \param seeds the seeds of `volume` to draw
-std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+std::vector<Glyph> arrows(const volume::Volume& volume, std::span<const volume::FrameSeed> seeds,
                           const space::Layout& layout, const GlyphOptions& options);
 
 /// A vertex of a traceline.
@@ -70,11 +70,11 @@ struct TraceOptions {
 /// after the last step, where the flow is slower than `rest`, or exactly on the volume's border.
 /// \param start column and row in field pixels, frame counted from the volume's first
 /// \returns points in the same coordinates, `start` first
-std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options);
+std::vector<glm::dvec3> trace(const volume::Volume& volume, const glm::dvec3& start, const TraceOptions& options);
 
 /// Tracelines from `seeds`, mapped to P-space. Lines of zero length are left out.
 /// \param seeds the seeds of `volume` to draw
-Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+Tracelines tracelines(const volume::Volume& volume, std::span<const volume::FrameSeed> seeds,
                       const space::Layout& layout, const TraceOptions& options);
 
 /// One period of the zebra texture (§6.2.1) in a single row: a dark (0) and a bright (255) stripe of equal length with

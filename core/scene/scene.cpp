@@ -17,10 +17,10 @@ constexpr std::int64_t shares_per_layer = 64;
 
 }  // namespace
 
-TimeTable::TimeTable(const bricks::Volume& volume)
+TimeTable::TimeTable(const volume::Volume& volume)
     : step_(volume.is_nonuniform() ? shares_per_layer : volume.step()), nonuniform_(volume.is_nonuniform()) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        const bricks::Layer& layer = volume.layer(i);
+        const volume::Layer& layer = volume.layer(i);
         layers_.push_back({layer.first_frame, layer.last_frame, layer.frames, layer.pts, layer.last_pts});
     }
 }
@@ -54,7 +54,7 @@ std::uint8_t byte_of(float value) {
 
 }  // namespace
 
-FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) {
+FloorShadow floor_shadow(const volume::Volume& volume, const glm::vec4& colour) {
     FloorShadow shadow;
     shadow.t_end = volume.t_end();
     shadow.colour = colour;
@@ -74,7 +74,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) 
     return shadow;
 }
 
-FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify) {
+FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::Identify& identify) {
     FloorShadow shadow = floor_shadow(volume, theme.shadow);
     const glm::vec3 untinted(theme.shadow);
     const std::vector<glm::vec4> palette = object_palette(theme);
@@ -87,7 +87,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
     };
     std::vector<Strongest> columns;
     for (int row = 0; row < shadow.darkness.height(); ++row) {
-        const bricks::Layer& layer = volume.layer(row);
+        const volume::Layer& layer = volume.layer(row);
         columns.assign(static_cast<std::size_t>(shadow.darkness.width()), {});
         layer.scalar.for_each_run([&](int column, int j, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
@@ -99,7 +99,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
         for (int i = 0; i < shadow.darkness.width(); ++i) {
             const std::uint16_t owner = columns[static_cast<std::size_t>(i)].owner;
             const bool has_owner = owner != 0 && identify;
-            const bricks::Identity identity = has_owner ? identify(volume.track_of(owner), layer) : bricks::Identity{};
+            const volume::Identity identity = has_owner ? identify(volume.track_of(owner), layer) : volume::Identity{};
             if (identity.look != 0) {
                 const glm::vec3 colour(palette[identity.look]);
                 shadow.tint.at(i, row) = bgr_of(glm::mix(untinted, colour, colour_part));
@@ -179,17 +179,17 @@ BoundingBox layout_bounds(const space::Layout& layout) {
     return box;
 }
 
-BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+BoundingBox visible_bounds(std::span<const volume::PlacedCells> bricks, const space::Layout& layout,
                            const TransferFunction& transfer) {
     BoundingBox box;
     const bool zero_is_empty = !transfer.visible({0, 0});
-    for (const bricks::PlacedCells& brick : bricks) {
-        const bricks::BrickCells& cells = *brick.cells;
+    for (const volume::PlacedCells& brick : bricks) {
+        const volume::BrickCells& cells = *brick.cells;
         for (int it = 0; it < cells.nt(); ++it) {
             for (int iy = 0; iy < cells.ny(); ++iy) {
                 for (int ix = 0; ix < cells.nx(); ++ix) {
                     if (!transfer.visible(cells.range(ix, iy, it))) continue;
-                    const bricks::CellBox part = cells.part(ix, iy, it, zero_is_empty);
+                    const volume::CellBox part = cells.part(ix, iy, it, zero_is_empty);
                     for (int i = 0; i < 8; ++i) {
                         const double x = (i & 1) != 0 ? part.x_high : part.x_low;
                         const double y = (i >> 1 & 1) != 0 ? part.y_high : part.y_low;

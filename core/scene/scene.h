@@ -9,15 +9,15 @@
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
-#include "core/bricks/cells.h"
-#include "core/bricks/owners.h"
-#include "core/bricks/volume.h"
 #include "core/scene/flow_geometry.h"
 #include "core/scene/slices.h"
 #include "core/scene/theme.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/volume/cells.h"
+#include "core/volume/owners.h"
+#include "core/volume/volume.h"
 
 namespace vvr::scene {
 
@@ -54,10 +54,10 @@ struct Scene {
 };
 
 /// The shadow of a volume: the maximum value of each frame column.
-FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour);
+FloorShadow floor_shadow(const volume::Volume& volume, const glm::vec4& colour);
 
 /// The shadow of a volume with owners, tinted by the objects' colours, so that a shadow can be matched to its object.
-FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify);
+FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::Identify& identify);
 
 /// The border of the volume's cross-section at time `t`, a t_C.
 std::vector<LineSegment> cross_section(const space::Layout& layout, double t, const glm::vec4& colour);
@@ -68,7 +68,7 @@ std::vector<LineSegment> volume_outline(const space::Layout& layout, const glm::
 /// Maps frames of a volume to frames and times of the clip.
 class TimeTable {
   public:
-    explicit TimeTable(const bricks::Volume& volume);
+    explicit TimeTable(const volume::Volume& volume);
 
     /// The clip's frame nearest to `frame`, a fractional number counted from the volume's first frame and clamped to
     /// the volume. Times within a layer are interpolated linearly between its first and last frame.
@@ -108,7 +108,7 @@ struct BoundingBox {
 BoundingBox layout_bounds(const space::Layout& layout);
 
 /// The bounding box of the visible cells: Fig. 5's box of the actually rendered volume.
-BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+BoundingBox visible_bounds(std::span<const volume::PlacedCells> bricks, const space::Layout& layout,
                            const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const BoundingBox& box);

@@ -20,7 +20,7 @@ struct SlicePolygon {
 
 /// The drawn part of a cell: a hexahedron in P-space.
 struct Proxy {
-    bricks::CellBox box;  ///< in C-space; may be smaller than the cell
+    volume::CellBox box;  ///< in C-space; may be smaller than the cell
     std::array<glm::dvec3, 8> corners;
     std::array<double, 8> depth{};  ///< in slices from the nearest slice
     float t_reference = 0;
@@ -132,11 +132,11 @@ struct Cutting {
 /// The proxies of a brick between two consecutive cell borders in time.
 using Slab = std::vector<Proxy>;
 
-Proxy make_proxy(const Cutting& cutting, const bricks::PlacedCells& brick, int ix, int iy, int it) {
-    const bricks::BrickCells& cells = *brick.cells;
+Proxy make_proxy(const Cutting& cutting, const volume::PlacedCells& brick, int ix, int iy, int it) {
+    const volume::BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
-    const bricks::CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
+    const volume::CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
     const auto t_at = [&](double t_b) { return std::lerp(brick.t_begin, brick.t_end, t_b); };
     const double t_low = cells.t[static_cast<std::size_t>(it)];
     const double t_high = cells.t[static_cast<std::size_t>(it) + 1];
@@ -156,7 +156,7 @@ Proxy make_proxy(const Cutting& cutting, const bricks::PlacedCells& brick, int i
     return proxy;
 }
 
-Slab make_slab(const Cutting& cutting, const bricks::PlacedCells& brick, int it) {
+Slab make_slab(const Cutting& cutting, const volume::PlacedCells& brick, int it) {
     Slab slab;
     for (int iy = 0; iy < brick.cells->ny(); ++iy) {
         for (int ix = 0; ix < brick.cells->nx(); ++ix) slab.push_back(make_proxy(cutting, brick, ix, iy, it));
@@ -193,10 +193,10 @@ SliceStack stack_slices(const space::Camera& camera, const space::Layout& layout
     return stack;
 }
 
-SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
+SliceMesh cut_slices(std::span<const volume::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
                      const TransferFunction& transfer, const space::Camera& camera, const SliceStack& stack) {
     const Cutting cutting{&layout, &transfer, &camera, &stack, camera.clip_from_p(), !transfer.visible({0, 0})};
-    const bricks::PlacedCells& brick = bricks[number];
+    const volume::PlacedCells& brick = bricks[number];
     const int nx = brick.cells->nx();
     const int ny = brick.cells->ny();
     const int nt = brick.cells->nt();
@@ -225,16 +225,16 @@ SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t nu
                 const Proxy& proxy = slab[at(ix, iy)];
                 if (!proxy.visible) continue;
                 // A box smaller than its cell doesn't touch the next one.
-                const auto touching = [&](bool exists, int x, int y, double bricks::CellBox::*far,
-                                          double bricks::CellBox::*near) {
+                const auto touching = [&](bool exists, int x, int y, double volume::CellBox::*far,
+                                          double volume::CellBox::*near) {
                     const Proxy* const beside = exists ? drawn(slab, at(x, y)) : nullptr;
                     return beside != nullptr && beside->box.*far == proxy.box.*near ? beside : nullptr;
                 };
                 const Neighbours neighbours = {
-                    touching(ix > 0, ix - 1, iy, &bricks::CellBox::x_high, &bricks::CellBox::x_low),
-                    touching(ix + 1 < nx, ix + 1, iy, &bricks::CellBox::x_low, &bricks::CellBox::x_high),
-                    touching(iy > 0, ix, iy - 1, &bricks::CellBox::y_high, &bricks::CellBox::y_low),
-                    touching(iy + 1 < ny, ix, iy + 1, &bricks::CellBox::y_low, &bricks::CellBox::y_high),
+                    touching(ix > 0, ix - 1, iy, &volume::CellBox::x_high, &volume::CellBox::x_low),
+                    touching(ix + 1 < nx, ix + 1, iy, &volume::CellBox::x_low, &volume::CellBox::x_high),
+                    touching(iy > 0, ix, iy - 1, &volume::CellBox::y_high, &volume::CellBox::y_low),
+                    touching(iy + 1 < ny, ix, iy + 1, &volume::CellBox::y_low, &volume::CellBox::y_high),
                     drawn(before, at(ix, iy)),
                     drawn(after, at(ix, iy))};
                 const auto [low, high] = std::ranges::minmax(proxy.depth);

@@ -7,10 +7,10 @@
 
 #include <glm/glm.hpp>
 
-#include "core/bricks/cells.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/volume/cells.h"
 
 namespace vvr::scene {
 
@@ -42,7 +42,7 @@ SliceStack stack_slices(const space::Camera& camera, const space::Layout& layout
 /// Intersects the slices with the visible cells of brick `number` that lie in the picture: one polygon per slice and
 /// cell, back to front. Adjacent polygons share the vertices on their common side, across bricks too, so that each
 /// pixel belongs to exactly one of them.
-SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
+SliceMesh cut_slices(std::span<const volume::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
                      const TransferFunction& transfer, const space::Camera& camera, const SliceStack& stack);
 
 /// Points in P-space whose convex hull contains the volume: what a camera must show.

@@ -49,7 +49,7 @@ glm::dvec4 TransferFunction::at(double value) const {
     return {glm::mix(low.colour, after->colour, share), std::lerp(low.extinction, after->extinction, share)};
 }
 
-bool TransferFunction::visible(const bricks::ValueRange& range) const {
+bool TransferFunction::visible(const volume::ValueRange& range) const {
     if (range.high < range.low) return false;
     return visible_below_[static_cast<std::size_t>(range.high) + 1] > visible_below_[range.low];
 }

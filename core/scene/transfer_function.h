@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/bricks/cells.h"
+#include "core/volume/cells.h"
 
 namespace vvr::scene {
 
@@ -31,7 +31,7 @@ class TransferFunction {
     glm::dvec4 at(double value) const;
 
     /// Whether any value in the range has an extinction above zero.
-    bool visible(const bricks::ValueRange& range) const;
+    bool visible(const volume::ValueRange& range) const;
 
     /// The function with all extinctions multiplied by `opacity`.
     TransferFunction scaled(double opacity) const;

@@ -11,11 +11,11 @@
 
 #include <hwy/targets.h>
 
-#include "core/events/event_finder.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
+#include "core/tracking/event_finder.h"
 
 /// What valgrind counts is what happens in here.
 extern "C" __attribute__((noipa)) void vvr_counted(const std::function<void()>& work) {
@@ -30,8 +30,8 @@ using namespace vvr;
 constexpr Size size{384, 288};
 
 /// Noise, and a square that goes to the right.
-video::Frame frame_of(int index) {
-    video::Frame frame{index, index / 25.0, Plane<std::uint8_t>(size), Plane<Bgr>(size)};
+media::Frame frame_of(int index) {
+    media::Frame frame{index, index / 25.0, Plane<std::uint8_t>(size), Plane<Bgr>(size)};
     std::uint32_t state = 12345U + static_cast<std::uint32_t>(index);
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
@@ -63,10 +63,10 @@ void jacobi() {
 
 void flow() {
     const auto method = fields::make_flow({});
-    const std::vector<video::Frame> clip{frame_of(0), frame_of(1), frame_of(2)};
+    const std::vector<media::Frame> clip{frame_of(0), frame_of(1), frame_of(2)};
     vvr_counted([&] {
         std::vector<fields::FlowFrame> prepared;
-        for (const video::Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
+        for (const media::Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
         (*method)(std::vector<const fields::FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]},
                   {0, 0, size.width, size.height});
     });
@@ -76,19 +76,19 @@ void fields() {
     fields::FieldOptions options;
     options.flow.method = "none";
     fields::EmptyScene scene;
-    const video::Frame empty = frame_of(-60);
+    const media::Frame empty = frame_of(-60);
     scene.reference = fields::Planes{empty.grey, empty.colour};
     fields::FieldStages work(scene, options);
-    std::vector<video::Frame> clip;
+    std::vector<media::Frame> clip;
     for (int f = 0; f < 4; ++f) clip.push_back(frame_of(f));
     vvr_counted([&] {
-        for (const video::Frame& frame : clip) work.finish(work.gather(work.begin(frame)));
+        for (const media::Frame& frame : clip) work.finish(work.gather(work.begin(frame)));
     });
 }
 
 void events() {
-    events::EventFinder finder(size, {});
-    std::vector<video::Frame> clip;
+    tracking::EventFinder finder(size, {});
+    std::vector<media::Frame> clip;
     std::vector<Plane<std::uint8_t>> fields;
     for (int f = 0; f < 20; ++f) {
         clip.push_back(frame_of(f));

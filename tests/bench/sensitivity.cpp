@@ -14,16 +14,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/events/event_finder.h"
-#include "core/events/event_options.h"
 #include "core/fields/field_source.h"
-#include "core/video/open_source.h"
+#include "core/footage/open_source.h"
+#include "core/tracking/event_finder.h"
+#include "core/tracking/event_options.h"
 
 namespace vvr {
 namespace {
 
-using events::thresholds;
 using nlohmann::json;
+using tracking::thresholds;
 
 struct Threshold {
     std::string_view name;
@@ -52,7 +52,7 @@ void change(const Threshold& threshold, double factor) {
 /// A clip's fields, read once.
 struct Clip {
     struct Frame {
-        video::SharedFrame frame;
+        media::SharedFrame frame;
         Plane<std::uint8_t> field;
         Moment at;
     };
@@ -63,8 +63,8 @@ struct Clip {
 };
 
 Clip read(const std::string& name) {
-    video::SourceOptions source{.colour = true};
-    const auto opened = video::open_source(name, source);
+    media::SourceOptions source{.colour = true};
+    const auto opened = footage::open_source(name, source);
     fields::FieldOptions options;
     options.flow.method = "none";
     Clip clip;
@@ -72,7 +72,7 @@ Clip read(const std::string& name) {
     clip.scale = static_cast<double>(opened->info().size.width) / clip.size.width;
     fields::compute_fields(
         *opened, options,
-        [&](const video::SharedFrame& frame, fields::Field&& field) {
+        [&](const media::SharedFrame& frame, fields::Field&& field) {
             clip.frames.push_back({frame, std::move(field.scalar), {field.index, field.pts}});
         },
         [&](const fields::Reference& scene) {
@@ -84,20 +84,20 @@ Clip read(const std::string& name) {
 
 /// In the form of the report of `vvr render`, of which it has what the measures need.
 json events_of(const Clip& clip) {
-    events::EventFinder finder(clip.size, {.labels = false});
+    tracking::EventFinder finder(clip.size, {.labels = false});
     finder.set_scene(clip.scene);
     for (const Clip::Frame& one : clip.frames) finder.add({one.field, one.frame->grey, one.frame->colour}, one.at);
     json all = json::array();
     const auto place = [&](double pixel) { return (pixel + 0.5) * clip.scale - 0.5; };
-    for (const events::Event& event : finder.finish().events) {
+    for (const tracking::Event& event : finder.finish().events) {
         json path = json::array();
-        for (const events::PathPoint& point : event.path) {
+        for (const tracking::PathPoint& point : event.path) {
             path.push_back(
                 {{"frame", point.at.frame}, {"place", {{"x", place(point.place.x)}, {"y", place(point.place.y)}}}});
         }
         const PixelBox& box = event.box;
         all.push_back({{"number", all.size() + 1},
-                       {"kind", events::name_of(event.kind)},
+                       {"kind", tracking::name_of(event.kind)},
                        {"first", {{"frame", event.first.frame}, {"seconds", event.first.seconds}}},
                        {"last", {{"frame", event.last.frame}, {"seconds", event.last.seconds}}},
                        {"box",
@@ -124,7 +124,7 @@ void walk(const std::string& name) {
     print("", 1, clip);
     for (const Threshold& threshold : table()) {
         for (const double factor : {0.75, 1.25}) {
-            const events::Thresholds before = thresholds;
+            const tracking::Thresholds before = thresholds;
             change(threshold, factor);
             print(threshold.name, factor, clip);
             thresholds = before;

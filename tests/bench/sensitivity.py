@@ -21,7 +21,7 @@ from claim_truth import is_true  # noqa: E402
 from measure import table  # noqa: E402
 from threshold_table import numbers  # noqa: E402
 
-HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../core/events/event_options.h")
+HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../core/tracking/event_options.h")
 
 
 def variations(program, clip):

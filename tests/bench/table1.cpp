@@ -73,15 +73,15 @@ class Drawing {
   public:
     /// \param context several drawings may share one
     /// \param volume outlives this
-    Drawing(std::shared_ptr<gl::Context> context, const bricks::Volume& volume, app::RenderJob job)
+    Drawing(std::shared_ptr<gl::Context> context, const volume::Volume& volume, app::RenderJob job)
         : plan_(app::make_plan(std::move(job), {{}, volume.size(), volume.layers(), {}, {}, {}})),
           volume_(&volume),
-          bricks_(bricks::cut_into(volume.layers(), plan_.job.bricks.window)),
+          bricks_(volume::cut_into(volume.layers(), plan_.job.bricks.window)),
           tiles_(gl::cut_tiles(plan_.picture.size, plan_.picture.tile_samples)) {
         drawing_.context = std::move(context);
         app::make_renderer(plan_, plan_.picture.tile_samples, drawing_);
         const int textures =
-            app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_sub_bricks(bricks_).size()));
+            app::textures_of({.series = true}, static_cast<int>(volume::cut_into_sub_bricks(bricks_).size()));
         drawing_.window =
             std::make_unique<gl::BrickWindow>(drawing_.context->gl(), *plan_.layout, volume.layers(), textures);
         show();
@@ -105,13 +105,13 @@ class Drawing {
 
   private:
     void show() {
-        const std::int64_t pieces_of_brick = std::ssize(bricks::cut_into_sub_bricks(std::array{bricks_.front()}));
-        drawing_.window->show(*volume_, bricks::cut_into_sub_bricks(bricks_), oldest_ * pieces_of_brick);
+        const std::int64_t pieces_of_brick = std::ssize(volume::cut_into_sub_bricks(std::array{bricks_.front()}));
+        drawing_.window->show(*volume_, volume::cut_into_sub_bricks(bricks_), oldest_ * pieces_of_brick);
     }
 
     app::Plan plan_;
-    const bricks::Volume* volume_;
-    std::vector<bricks::Brick> bricks_;
+    const volume::Volume* volume_;
+    std::vector<volume::Brick> bricks_;
     std::int64_t oldest_ = 0;  ///< number of the first brick of the window
     std::vector<PixelBox> tiles_;
     app::Drawing drawing_;
@@ -119,24 +119,24 @@ class Drawing {
 
 /// The volume of the left-bag scene seen through a filter, with the seeds and the flow that `vvr render` wants of it.
 /// All layers are kept, as in the paper. \param scale of each side of it; less than 1 is for trying whether all works
-bricks::Volume left_bag_volume(const std::string& filter, double scale) {
+volume::Volume left_bag_volume(const std::string& filter, double scale) {
     generator::Options scene;
     scene.frames = scaled(1600, scale);
     scene.size = scaled(scene.size, scale);
-    video::SourceOptions in_colour{.colour = true};
+    media::SourceOptions in_colour{.colour = true};
     fields::FieldOptions options{.filter = filter};
     fields::ClipFields fields(generator::open_scene(generator::make_left_bag(scene), in_colour), options);
     const app::RenderJob job = paper_job({1, 1}, 1, {app::Part::volume, app::Part::arrows, app::Part::tracelines});
     const app::Plan plan = app::make_plan(job, {fields.info(), fields.field_size(), scene.frames, {}, {}, {}});
     const fields::FieldNeeds needs = app::needs_of(plan, fields, scene.frames);
-    bricks::Volume volume(fields.field_size(),
+    volume::Volume volume(fields.field_size(),
                           {.capacity = scene.frames, .step = 1, .seed_interval = needs.every, .keep_flow = true});
-    fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) { volume.add(field); });
+    fields.read(needs, [&](const media::SharedFrame&, const fields::Field& field) { volume.add(field); });
     return volume;
 }
 
 /// The share of the voxels that aren't 0.
-double occupied_share(const bricks::Volume& volume) {
+double occupied_share(const volume::Volume& volume) {
     std::int64_t lit = 0;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         volume.layer(i).scalar.for_each_run([&](int, int, std::span<const std::uint8_t> values) {
@@ -148,7 +148,7 @@ double occupied_share(const bricks::Volume& volume) {
 }
 
 std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<gl::Context>& context,
-                                                   const bricks::Volume& volume, Size size, int runs) {
+                                                   const volume::Volume& volume, Size size, int runs) {
     std::vector<std::unique_ptr<Drawing>> drawings;
     std::vector<std::function<void()>> works;
     for (const Style& style : styles) {
@@ -162,7 +162,7 @@ std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<gl::Con
 }
 
 nlohmann::json measure(const std::shared_ptr<gl::Context>& context, const std::string& filter, int runs, double scale) {
-    const bricks::Volume volume = left_bag_volume(filter, scale);
+    const volume::Volume volume = left_bag_volume(filter, scale);
     nlohmann::json report{
         {"renderer", context->renderer()},    {"version", context->version()},  {"filter", filter},
         {"occupied", occupied_share(volume)}, {"seeds", volume.seeds().size()}, {"rows", nlohmann::json::array()}};

@@ -1,4 +1,4 @@
-"""The numbers of `Thresholds` in core/events/event_options.h, in order: as rows of a C++ table, or as names with their
+"""The numbers of `Thresholds` in core/tracking/event_options.h, in order: as rows of a C++ table, or as names with their
 comments. Usage: threshold_table.py EVENT_OPTIONS.H > threshold_table.inc"""
 import re
 import sys

@@ -13,7 +13,7 @@ BEGINS = [datetime.datetime(2026, 11, day, hour, minute, 7, tzinfo=UTC) for day,
 CAMERAS = ("back-door", "front-door")
 
 # Layouts in the words of strftime; {c} is the camera, {end} the time five minutes later in the form that follows it.
-# tests/unit/video/recorder_names_test.cpp has all of them.
+# tests/unit/footage/recorder_names_test.cpp has all of them.
 TREES = {
     "hours": "{c}/%Y%m%d/%H/%M",
     "start and end": "{c}/%Y-%m-%d/%H-%M-%S_{end:%H-%M-%S}",

@@ -15,7 +15,7 @@ namespace vvr {
 namespace {
 
 TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
+    const volume::Volume volume = test::wandering_balls({48, 36}, 96);
     test::Shot shot;
     shot.options.size = {320, 200};
     shot.scene.lines =

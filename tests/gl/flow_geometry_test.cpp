@@ -38,7 +38,7 @@ class ArrowTip : public testing::TestWithParam<Place> {};
 TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     const auto& [layout_name, seed, frame] = GetParam();
     constexpr Size field_size{96, 72};
-    bricks::Volume volume(field_size, {64});
+    volume::Volume volume(field_size, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field = test::field_of(i, field_size);
         if (i == frame) field.seeds = {seed};
@@ -131,7 +131,7 @@ Shot before_the_box(const scene::TransferFunction& transfer = scene::TransferFun
 }
 
 TEST(Tracelines, HideTheVolumeAndAreHidden) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     const auto middle_with_line_at = [&](float z) {
         Shot shot = before_the_box();
         shot.scene.tracelines = line({-0.25F, 0.2F, z}, {0.25F, 0.2F, z});
@@ -149,7 +149,7 @@ TEST(Tracelines, HideTheVolumeAndAreHidden) {
 }
 
 TEST(Tracelines, HideEachOtherAndArrows) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     const auto middle = [&](float line_z, float arrow_z) {
         Shot shot = before_the_box(nothing);
         shot.options.glyphs.thickness = 1;
@@ -168,7 +168,7 @@ TEST(Tracelines, HideEachOtherAndArrows) {
 }
 
 TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     for (const float width : {0.2F, 0.001F}) {
         Shot shot = before_the_box(nothing);
         shot.options.samples = 4;
@@ -189,7 +189,7 @@ TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
 }
 
 TEST(Tracelines, LineUpWithoutJoiningOneAnother) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     Shot shot = before_the_box(nothing);
     shot.options.traces.width = 0.02F;
     shot.scene.tracelines = line({-0.5F, 0.1F, 0.1F}, {-0.4F, 0.1F, 0.1F});
@@ -209,7 +209,7 @@ class Animated {
         renderer_.emplace(*context_, *layout_, options_);
         renderer_->set_transfer(scene::default_transfer_function());
         window_.emplace(context_->gl(), *layout_, 32, 1);
-        window_->show(volume_, bricks::cut_into(32, 1));
+        window_->show(volume_, volume::cut_into(32, 1));
         renderer_->set_scene({{}, line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F}), {}, {}, {}});
     }
 
@@ -218,7 +218,7 @@ class Animated {
     Size size() const { return options_.size; }
 
   private:
-    bricks::Volume volume_;
+    volume::Volume volume_;
     std::unique_ptr<space::Layout> layout_ = space::make_layout("horseshoe", space::shape_for({48, 36}));
     std::unique_ptr<gl::Context> context_ = gl::open_context("software");
     gl::RenderOptions options_;

@@ -51,7 +51,7 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     constexpr Size field{96, 72};
     generator::Options options{.size = field, .frames = static_cast<int>(12 * look.rate), .rate = look.rate};
     const generator::Scene discs = generator::make_one_object_a_second(options);
-    video::SourceOptions source_options{.colour = true};
+    media::SourceOptions source_options{.colour = true};
     fields::ClipFields source(generator::open_scene(discs, source_options), {});
 
     app::RenderJob job;
@@ -115,13 +115,13 @@ class Layers : public testing::Test {
         options_.view = {0, 0, 0, 0.04};
     }
 
-    image::PixelData draw(const bricks::Volume& volume, const scene::TransferFunction& transfer, scene::Scene scene,
+    image::PixelData draw(const volume::Volume& volume, const scene::TransferFunction& transfer, scene::Scene scene,
                           int bricks = 4) {
         layout_ = space::make_layout(layout_name_, space::shape_for(volume.size()));
         gl::Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
         gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
-        window.show(volume, bricks::cut_into(volume.layers(), bricks));
+        window.show(volume, volume::cut_into(volume.layers(), bricks));
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
         picture_ = renderer.draw(window);
@@ -153,7 +153,7 @@ TEST_F(Layers, OfAnEmptySceneAreEmpty) {
 
 TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
     // Looked at from the front the box's time runs across the picture: its middle is frame 20.
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     options_.glyphs.thickness = 0.4F;
     const auto middle = [&](const scene::TransferFunction& transfer, float z) {
         scene::Scene scene;
@@ -179,7 +179,7 @@ TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
 }
 
 TEST_F(Layers, OfATracelineRunThroughItsFrames) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     scene::Scene scene;
     scene.tracelines = {{{-0.5F, 0.2F, -0.1F}, 0, 1, 1, 4}, {{0.5F, 0.2F, -0.1F}, 1, 1, 1, 24}};
     options_.traces.width = 0.1F;
@@ -194,7 +194,7 @@ TEST_F(Layers, OfATracelineRunThroughItsFrames) {
 }
 
 TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     scene::Scene scene;
     scene.frames.push_back({0.5, Plane<Bgr>({32, 24}, {40, 50, 60}), 0.5F, 17});
     options_.view = {-90, 0, 0, 0.04};  // along time
@@ -205,7 +205,7 @@ TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
 }
 
 TEST_F(Layers, LinesShowNothing) {
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     scene::Scene scene;
     scene.lines = {{{-0.5F, 0.2F, -0.1F}, {0.5F, 0.2F, -0.1F}, {0, 0, 0, 1}}};
     EXPECT_EQ(draw(volume, nothing, scene).frame.at(50, 38), -1);
@@ -214,7 +214,7 @@ TEST_F(Layers, LinesShowNothing) {
 
 TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
     // With more samples a tile holds fewer pixels: one tile here, several there.
-    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
+    const volume::Volume volume = test::wandering_balls({48, 36}, 96);
     layout_name_ = "horseshoe";
     options_.view = {10, 40, 30, 0.04};
     options_.size = {1280, 960};
@@ -233,7 +233,7 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
 }
 
 TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
-    bricks::Volume volume({2, 2}, {4});
+    volume::Volume volume({2, 2}, {4});
     for (int i = 0; i < 7; ++i) {
         volume.add({100 + i, 10 + (i < 4 ? 0.5 * i : i), Plane<std::uint8_t>({2, 2}), {}, {}});
     }

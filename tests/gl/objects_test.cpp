@@ -24,7 +24,7 @@ struct Owned {
     std::size_t track;
 };
 
-void add(bricks::Volume& volume, std::int64_t index, std::span<const Owned> things, std::uint8_t value = 255) {
+void add(volume::Volume& volume, std::int64_t index, std::span<const Owned> things, std::uint8_t value = 255) {
     fields::Field field{index, static_cast<double>(index) / 25, Plane<std::uint8_t>(field_size), {}, {}};
     std::vector<fields::LabelRun> runs;
     for (const auto& [box, track] : things) {
@@ -39,7 +39,7 @@ void add(bricks::Volume& volume, std::int64_t index, std::span<const Owned> thin
 }
 
 /// Tracks 0 to 7 are the objects 1 to 8 with a colour each; all others are nobody's.
-bricks::Identity as_they_come(std::size_t track, const bricks::Layer&) {
+volume::Identity as_they_come(std::size_t track, const volume::Layer&) {
     if (track >= 8) return {};
     return {scene::palette_index(static_cast<int>(track), scene::ObjectState::moving),
             static_cast<std::uint16_t>(track + 1)};
@@ -54,15 +54,15 @@ class Objects : public testing::TestWithParam<std::string> {
         options_.colour = gl::VolumeColour::object;
     }
 
-    void draw(const bricks::Volume& volume, const space::View& view, int bricks = 3) {
+    void draw(const volume::Volume& volume, const space::View& view, int bricks = 3) {
         options_.view = view;
         layout_ = space::make_layout(GetParam(), space::shape_for(field_size));
         gl::Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(solid);
         renderer.set_palette(scene::object_palette(theme_));
         gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
-        const bricks::Identify identify = as_they_come;
-        window.show(volume, bricks::cut_into(volume.layers(), bricks), 0, identify);
+        const volume::Identify identify = as_they_come;
+        window.show(volume, volume::cut_into(volume.layers(), bricks), 0, identify);
         picture_ = renderer.draw(window);
         data_ = renderer.draw_pixel_data(window, scene::TimeTable(volume));
         camera_ = renderer.camera();
@@ -87,7 +87,7 @@ class Objects : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
-    bricks::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
     const std::array things{Owned{{8, 10, 24, 28}, 0}, Owned{{24, 10, 40, 28}, 3}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
     for (const space::View& view :
@@ -112,7 +112,7 @@ TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
 }
 
 TEST_P(Objects, AreWhereTheirVoxelsAre) {
-    bricks::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
     const std::array things{Owned{{6, 6, 18, 18}, 1}, Owned{{18, 6, 30, 18}, 2}, Owned{{6, 18, 18, 30}, 4},
                             Owned{{30, 20, 42, 32}, 6}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
@@ -141,7 +141,7 @@ TEST_P(Objects, AreWhereTheirVoxelsAre) {
 }
 
 TEST_P(Objects, HaveNoFringeOfWhatIsNobodys) {
-    bricks::Volume volume(field_size, {.capacity = 40, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 40, .keep_owners = true});
     const std::array things{Owned{{16, 10, 32, 26}, 5}};
     for (int i = 0; i < 40; ++i)
         add(volume, i, i >= 10 && i < 30 ? std::span<const Owned>(things) : std::span<const Owned>{});
@@ -164,14 +164,14 @@ INSTANTIATE_TEST_SUITE_P(Layouts, Objects, testing::Values("horseshoe", "box"),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Owners, FollowTheFrameWhoseValueWon) {
-    bricks::Volume volume(field_size, {.capacity = 2, .step = 3, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 2, .step = 3, .keep_owners = true});
     const std::array first{Owned{{0, 0, 20, 20}, 70'000}};
     const std::array second{Owned{{10, 0, 30, 20}, 80'000}};
     const std::array third{Owned{{12, 0, 40, 20}, 90'000}};
     add(volume, 0, first, 100);
     add(volume, 1, second, 100);
     add(volume, 2, third, 200);
-    const bricks::Layer& layer = volume.layer(0);
+    const volume::Layer& layer = volume.layer(0);
     ASSERT_EQ(layer.frames, 3);
     const auto track_at = [&](int i, int j) { return volume.track_of(layer.owner.at(i, j)); };
     EXPECT_EQ(track_at(5, 5), 70'000U);
@@ -182,7 +182,7 @@ TEST(Owners, FollowTheFrameWhoseValueWon) {
 }
 
 TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
-    bricks::Volume volume(field_size, {.capacity = 2, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 2, .keep_owners = true});
     for (int i = 0; i < 4; ++i) {
         const std::array thing{Owned{{4 * i, 4, 4 * i + 8, 12}, static_cast<std::size_t>(i)}};
         add(volume, i, thing, static_cast<std::uint8_t>(100 + 10 * i));
@@ -190,7 +190,7 @@ TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
     ASSERT_EQ(volume.layers(), 2);
     for (int i = 0; i < 20; ++i) {
         for (const std::int64_t number : {0, 1}) {
-            const bricks::Layer& layer = volume.layer(number);
+            const volume::Layer& layer = volume.layer(number);
             const int value = layer.scalar.at(i, 8);
             ASSERT_EQ(layer.owner.at(i, 8) == 0, value == 0);
             if (value == 0) continue;
@@ -201,7 +201,7 @@ TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
 
 TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
     constexpr Size size{16, 16};
-    bricks::Volume volume(size, {.capacity = 4, .span = 4, .keep_owners = true});
+    volume::Volume volume(size, {.capacity = 4, .span = 4, .keep_owners = true});
     const auto show = [&](std::int64_t index, std::size_t first_track) {
         fields::Field field{index, static_cast<double>(index), Plane<std::uint8_t>(size, 255), {}, {}};
         std::vector<fields::LabelRun> runs;
@@ -216,7 +216,7 @@ TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
         if (volume.layers() == 4) volume.drop_front(1);
         const std::size_t first = next;
         next = show(i, first);
-        const bricks::Layer& newest = volume.layer(volume.layers() - 1);
+        const volume::Layer& newest = volume.layer(volume.layers() - 1);
         ASSERT_EQ(volume.track_of(newest.owner.at(0, 0)), first) << i;
         ASSERT_EQ(volume.track_of(newest.owner.at(15, 15)), next - 1) << i;
     }
@@ -224,12 +224,12 @@ TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
 }
 
 TEST(Owners, ReachToTheRimOfWhatIsTheirs) {
-    bricks::Volume volume(field_size, {.capacity = 4, .keep_owners = true});
+    volume::Volume volume(field_size, {.capacity = 4, .keep_owners = true});
     fields::Field field{0, 0, Plane<std::uint8_t>(field_size), {}, {}};
     for (int i = 0; i < 30; ++i) field.scalar.at(i, 10) = 90;
     const std::array runs{fields::LabelRun{10, 5, 9, 3}, fields::LabelRun{10, 11, 14, 4}};
     volume.add(field, {}, runs);
-    const bricks::Layer& layer = volume.layer(0);
+    const volume::Layer& layer = volume.layer(0);
     EXPECT_EQ(layer.owner.at(1, 10), 0);
     for (int i = 2; i < 10; ++i) EXPECT_EQ(volume.track_of(layer.owner.at(i, 10)), 3U) << i;
     for (int i = 10; i < 17; ++i) EXPECT_EQ(volume.track_of(layer.owner.at(i, 10)), 4U) << i;
@@ -237,14 +237,14 @@ TEST(Owners, ReachToTheRimOfWhatIsTheirs) {
     EXPECT_EQ(layer.owner.at(5, 9), 0) << "the field has nothing there";
 }
 
-events::FrameLabels labels_at(std::int64_t frame, std::initializer_list<std::size_t> tracks) {
-    events::FrameLabels labels{{frame, static_cast<double>(frame) / 25}, {}};
+tracking::FrameLabels labels_at(std::int64_t frame, std::initializer_list<std::size_t> tracks) {
+    tracking::FrameLabels labels{{frame, static_cast<double>(frame) / 25}, {}};
     for (const std::size_t track : tracks) labels.runs.push_back({0, 0, 1, track});
     return labels;
 }
 
-bricks::Layer layer_at(std::int64_t first, std::int64_t last) {
-    bricks::Layer layer;
+volume::Layer layer_at(std::int64_t first, std::int64_t last) {
+    volume::Layer layer;
     layer.first_frame = first;
     layer.last_frame = last;
     return layer;
@@ -252,13 +252,13 @@ bricks::Layer layer_at(std::int64_t first, std::int64_t last) {
 
 TEST(LiveObjects, KeepWhatWasDecidedAndAreNobodysWhileTheyMayBeNothing) {
     app::LiveObjects live;
-    const bricks::Identify identify = live.identify();
+    const volume::Identify identify = live.identify();
     for (int i = 0; i < 100; ++i) {
         if (i < 95) live.see(labels_at(i, {0}));
         if (i >= 95) live.see(labels_at(i, {0, 1}));
     }
     live.decide(0);
-    const bricks::Identity first = identify(0, layer_at(10, 10));
+    const volume::Identity first = identify(0, layer_at(10, 10));
     EXPECT_NE(first.look, 0);
     EXPECT_EQ(identify(1, layer_at(97, 97)).look, 0) << "it has been there for a fifth of a second";
     for (int i = 100; i < 200; ++i) live.see(labels_at(i, {0, 1}));

@@ -19,8 +19,8 @@ using test::Shot;
 
 constexpr Size small{160, 120};
 
-const bricks::Volume& balls() {
-    static const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
+const volume::Volume& balls() {
+    static const volume::Volume volume = test::wandering_balls({48, 36}, 96);
     return volume;
 }
 
@@ -34,7 +34,7 @@ Shot small_shot() {
 
 TEST(Slicer, UniformSlabLetsExpMinusSigmaLThrough) {
     constexpr double sigma = 1.3;
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     const scene::TransferFunction transfer({{0, {0, 0, 0}, sigma}});
     for (const double fov : {0.0, 30.0}) {
         for (const int slices : {100, 400}) {
@@ -53,7 +53,7 @@ TEST(Slicer, UniformSlabLetsExpMinusSigmaLThrough) {
 
 /// \param step of the rays
 void expect_picture_of_ray_caster(const Shot& shot, double step) {
-    const bricks::Volume& volume = balls();
+    const volume::Volume& volume = balls();
     const Drawn drawn = draw_volume(volume, shot);
     const auto layout = space::make_layout(shot.layout, space::shape_for(volume.size()));
     const Plane<glm::vec4> expected =
@@ -164,7 +164,7 @@ TEST(Slicer, ManyBricksLookLikeOne) {
 TEST(Slicer, PictureDoesNotDependOnTheNumberOfSlices) {
     // As it comes out of the box: default transfer function and samples. From 200 slices on, two are at most a voxel
     // apart here; farther apart they would step over things, and no correction of opacity could bring these back.
-    const bricks::Volume volume = test::wandering_balls({96, 72}, 96);
+    const volume::Volume volume = test::wandering_balls({96, 72}, 96);
     for (const std::string& layout : test::layout_names()) {
         Shot shot;
         shot.layout = layout;
@@ -220,7 +220,7 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     // The left half of the image is orange, the right half green; seen from the front of the box, whose beginning is
     // the image seen from the side, so look along time.
     constexpr Size size{32, 24};
-    bricks::Volume volume(size, {8});
+    volume::Volume volume(size, {8});
     for (int f = 0; f < 8; ++f) {
         Plane<Bgr> colour(size, {51, 128, 255});
         fill(colour, {size.width / 2, 0, size.width, size.height}, {26, 204, 51});
@@ -247,7 +247,7 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
 }
 
 TEST(Slicer, ReliefLightsWhatFacesTheLightAndChangesNoOpacity) {
-    const bricks::Volume volume = test::wandering_balls({96, 72}, 96);
+    const volume::Volume volume = test::wandering_balls({96, 72}, 96);
     Shot shot;
     shot.layout = "horseshoe";
     shot.options.size = {320, 240};
@@ -278,7 +278,7 @@ class OpaqueGeometry : public testing::TestWithParam<Slab> {};
 
 TEST_P(OpaqueGeometry, HidesAndIsHidden) {
     const Slab& slab = GetParam();
-    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const volume::Volume volume = test::full_volume({32, 24}, 40);
     Shot shot = small_shot();
     shot.layout = slab.layout;
     shot.options.view = {0, 0, slab.fov, 0.04};
@@ -306,7 +306,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
     constexpr int layers = 40;
     for (const std::string layout : {"box", "horseshoe"}) {
         for (const bool slab_is_first : {true, false}) {
-            bricks::Volume volume(size, {layers});
+            volume::Volume volume(size, {layers});
             for (int i = 0; i < layers; ++i) {
                 // Interpolation reaches half a layer beyond a slab: a layer is free on each side of the frame.
                 const bool beside = i == layers / 2 - 1 || i == layers / 2;
@@ -335,7 +335,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
 
 TEST(StandingFrames, LieBetweenTheirNeighboursInTheOrder) {
     const auto box = space::make_box(space::shape_for({32, 24}));
-    const std::vector<bricks::PlacedCells> bricks = {{nullptr, 0, 0.5}, {nullptr, 0.5, 1}};
+    const std::vector<volume::PlacedCells> bricks = {{nullptr, 0, 0.5}, {nullptr, 0.5, 1}};
     const std::vector<double> standing = {1, 0, 0.5};
     const std::vector<gl::DrawnPart> forward = {{true, 1}, {false, 0}, {true, 2}, {false, 1}, {true, 0}};
     EXPECT_EQ(gl::drawing_order(*box, {100, 0, 0}, bricks, standing), forward) << "from beyond the end";

@@ -20,9 +20,9 @@ constexpr int k = 4;
 using Change = std::function<void(std::int64_t layer, Plane<std::uint8_t>& scalar)>;
 
 /// Layers `begin` to `end` of a clip, changed.
-bricks::Volume part_of(
-    const bricks::Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
-    bricks::Volume part(field, {clip.layers()});
+volume::Volume part_of(
+    const volume::Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
+    volume::Volume part(field, {clip.layers()});
     for (std::int64_t i = begin; i < end; ++i) {
         fields::Field of = test::field_of(i, test::whole(clip.layer(i).scalar));
         change(i, of.scalar);
@@ -32,7 +32,7 @@ bricks::Volume part_of(
 }
 
 /// A volume in which the layers of a brick look otherwise, but for the first and the last.
-bricks::Volume otherwise(const bricks::Volume& volume, const bricks::Brick& brick) {
+volume::Volume otherwise(const volume::Volume& volume, const volume::Brick& brick) {
     return part_of(volume, 0, volume.layers(), [&](std::int64_t layer, Plane<std::uint8_t>& scalar) {
         if (layer <= brick.first || layer >= brick.first + brick.count - 1) return;
         std::ranges::replace_if(
@@ -54,9 +54,9 @@ class MovingWindow : public testing::TestWithParam<std::string> {
 
     /// Bricks `first` to `last` of the clip, in a window that has shown nothing else.
     Plane<glm::vec4> fresh(int first, int last) {
-        const bricks::Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
+        const volume::Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
         gl::BrickWindow shown = window(k * brick_layers, k);
-        shown.show(part, bricks::cut_by(part.layers(), brick_layers));
+        shown.show(part, volume::cut_by(part.layers(), brick_layers));
         return renderer().draw(shown);
     }
 
@@ -69,8 +69,8 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         Plane<glm::vec4> before;
         for (int newest = 0; newest < 9; ++newest) {
             const int oldest = std::max(0, newest - k + 1);
-            bricks::Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
-            const std::vector<bricks::Brick> bricks = bricks::cut_by(part.layers(), brick_layers);
+            volume::Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
+            const std::vector<volume::Brick> bricks = volume::cut_by(part.layers(), brick_layers);
             if (older == Older::otherwise) {
                 for (int i = oldest; i < newest; ++i)
                     part = otherwise(part, bricks[static_cast<std::size_t>(i - oldest)]);
@@ -85,7 +85,7 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         }
     }
 
-    bricks::Volume clip_ = test::wandering_balls(field, 9 * brick_layers);
+    volume::Volume clip_ = test::wandering_balls(field, 9 * brick_layers);
     std::unique_ptr<space::Layout> layout_ = space::make_layout(GetParam(), space::shape_for(field));
     std::unique_ptr<gl::Context> context_ = gl::open_context("software");
     gl::RenderOptions options_;
@@ -96,8 +96,8 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
 }
 
 TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
-    const bricks::Volume volume = part_of(clip_, 0, k * brick_layers);
-    const std::vector<bricks::Brick> bricks = bricks::cut_by(volume.layers(), 7);
+    const volume::Volume volume = part_of(clip_, 0, k * brick_layers);
+    const std::vector<volume::Brick> bricks = volume::cut_by(volume.layers(), 7);
     const auto count = static_cast<int>(bricks.size());
     for (const gl::VolumeShading shading : {gl::VolumeShading::none, gl::VolumeShading::relief}) {
         options_.shading = shading;

@@ -1,6 +1,6 @@
 """Checks that a row of a table is all there is to add.
 
-The table of event kinds is in core/events/event_kind.h. Elsewhere
+The table of event kinds is in core/tracking/event_kind.h. Elsewhere
 
 - no C++ file but conclude.cpp, which decides of what kind an object is, names two or more enumerators of EventKind;
 - no script, stylesheet or HTML file of a page or the index names two or more kinds: as a quoted text, as the key of an object,
@@ -22,14 +22,14 @@ import re
 
 from includes import FLOORS, sources
 
-KINDS = "core/events/event_kind.h"
+KINDS = "core/tracking/event_kind.h"
 FORMATS = "core/image/picture_file.cpp"
 SCHEMA = "docs/report.schema.json"
 CODES = "core/base/error.cpp"
 STATUSES = "cli/exit_status.h"
 LISTED_CODES = "docs/reliability.md"
 CHECKLISTS = "docs/developing.md"
-DECIDES = "core/events/conclude.cpp"
+DECIDES = "core/tracking/conclude.cpp"
 
 
 def kinds_of(root):

@@ -16,7 +16,7 @@ sys.path.insert(0, str(SOURCE / "tests" / "mutation"))
 from breaks import BREAKS  # noqa: E402
 
 HOUSE = {
-    "docs/design.md": "| `core/base/` | texts |\n| `core/video/` | frames |\n| `core/fields/` | fields |\n",
+    "docs/design.md": "| `core/base/` | texts |\n| `core/media/` | frames |\n| `core/fields/` | fields |\n",
     "core/CMakeLists.txt": "foreach(module base video fields)\nendforeach()\n",
     "core/base/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\n",
     "core/base/version.cpp": "#include <string>\n",
@@ -25,7 +25,7 @@ HOUSE = {
     "core/video/later.h": "#include <string>\n",
     "core/video/later.cpp": '#include "core/video/late.h"\n',
     "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_module(fields ${sources} MODULES video)\n",
-    "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
+    "core/fields/flow.cpp": '#include "core/media/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
     "cli/CMakeLists.txt": """add_library(vvr_app STATIC app/job.cpp)
@@ -57,9 +57,9 @@ NAMES = {
 }
 
 ROWS = {
-    "core/events/event_kind.h": 'EventKindRow{.kind = EventKind::left,\n.name = "left"},\nEventKindRow{.kind = EventKind::ran,\n.name = "ran"},\n',
-    "core/events/conclude.cpp": "kind = fast ? EventKind::ran : EventKind::left;\n",
-    "core/events/event.h": "EventKind kind = EventKind::left;\n",
+    "core/tracking/event_kind.h": 'EventKindRow{.kind = EventKind::left,\n.name = "left"},\nEventKindRow{.kind = EventKind::ran,\n.name = "ran"},\n',
+    "core/tracking/conclude.cpp": "kind = fast ? EventKind::ran : EventKind::left;\n",
+    "core/tracking/event.h": "EventKind kind = EventKind::left;\n",
     "core/image/picture_file.cpp": 'Format{".png", 8},\nFormat{".exr", 16},\n',
     "core/web/page/page.css": "#strip { left: 2px; }\n.left { color: red; }\n",
     "core/web/page/strip.js": "bar.style.left = share + '%';\nif (ran) stop();\n",
@@ -68,7 +68,7 @@ ROWS = {
     "docs/reliability.md": "| `not-a-file` | 2 | no file |\n",
     "docs/report.schema.json": '"kind": {"enum": ["left", "ran"], "description": "x"}',
     "docs/developing.md": "| to add | files |\n|---|---|\n| an event kind | 2 |\n\n### Add an event kind (2 files)\n\n"
-                          "- `core/events/event_kind.h`: the row.\n- `core/events/<name>.cpp`\n\n## Style\n",
+                          "- `core/tracking/event_kind.h`: the row.\n- `core/tracking/<name>.cpp`\n\n## Style\n",
 }
 
 OF_RULES = pytest.mark.parametrize("rules, sources", [(includes, HOUSE), (meanings, NAMES), (tables, ROWS)],
@@ -125,8 +125,8 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
     ("gl/CMakeLists.txt", "add_library(vvr_gl STATIC context.cpp)\ntarget_link_libraries(vvr_gl PUBLIC vvr_library)\n",
      "vvr_gl in gl links vvr_library in cli/library, which comes after it"),
     ("cli/late.h", '#include "page/late.h"\n', "no library has sources in page"),
-    ("core/video/CMakeLists.txt", "vvr_module(video frame.cpp MODULES base gl)\n", "vvr_video in core/video links vvr_gl in gl, which comes after it"),
-    ("docs/design.md", "| `core/fields/` | |\n| `core/video/` | |\n", "docs/design.md lists ['core/fields', 'core/video']"),
+    ("core/video/CMakeLists.txt", "vvr_module(video frame.cpp MODULES base gl)\n", "vvr_video in core/media links vvr_gl in gl, which comes after it"),
+    ("docs/design.md", "| `core/fields/` | |\n| `core/media/` | |\n", "docs/design.md lists ['core/fields', 'core/media']"),
 ])
 def test_a_wrong_include_is_found(tmp_path, name, text, complaint):
     found = said(includes, tmp_path, HOUSE | {name: text})
@@ -149,16 +149,16 @@ def test_a_second_meaning_is_found(tmp_path, name, text, complaint):
     assert said(meanings, tmp_path, NAMES | {name: text}) == [complaint]
 
 
-KINDS = "names the kinds left, ran; what it says of each is for the table in core/events/event_kind.h"
+KINDS = "names the kinds left, ran; what it says of each is for the table in core/tracking/event_kind.h"
 
 
 @pytest.mark.parametrize("name, text, complaint", [
-    ("core/glance/objects.cpp", "case EventKind::left:\ncase EventKind::ran:\n", f"core/glance/objects.cpp {KINDS}"),
+    ("core/annotation/objects.cpp", "case EventKind::left:\ncase EventKind::ran:\n", f"core/annotation/objects.cpp {KINDS}"),
     ("core/web/page/events.js", "if (kind === 'left' || kind === 'ran') mark();\n", f"core/web/page/events.js {KINDS}"),
     ("core/web/page/events.js", "const rank = {left: 0, ran: 1, walked: 2};\n", f"core/web/page/events.js {KINDS}"),
     ("core/web/index/index.css", ".badge.left { color: red; }\n.badge.ran { color: blue; }\n", f"core/web/index/index.css {KINDS}"),
     ("core/web/index/index.html", '<option value="left">\n<option value="ran">\n', f"core/web/index/index.html {KINDS}"),
-    ("docs/report.schema.json", '"kind": {"enum": ["left"]}', "docs/report.schema.json lists other kinds of events than core/events/event_kind.h: left, ran"),
+    ("docs/report.schema.json", '"kind": {"enum": ["left"]}', "docs/report.schema.json lists other kinds of events than core/tracking/event_kind.h: left, ran"),
     ("tests/cli/test_output.py", 'for ending in ("png", "exr"):\n',
      "tests/cli/test_output.py:1 lists the picture formats; the table is in core/image/picture_file.cpp"),
     ("docs/reliability.md", "", "docs/reliability.md: there is no | `not-a-file` | 2 | no file | of core/base/error.cpp"),
@@ -166,7 +166,7 @@ KINDS = "names the kinds left, ran; what it says of each is for the table in cor
      "docs/reliability.md lists other codes of errors than core/base/error.cpp, or in another order"),
     ("docs/developing.md", ROWS["docs/developing.md"].replace("| 2 |", "| 3 |"),
      "docs/developing.md: to add an event kind, 2 files in the heading, 3 in the table"),
-    ("docs/developing.md", ROWS["docs/developing.md"].replace("- `core/events/<name>.cpp`\n", ""),
+    ("docs/developing.md", ROWS["docs/developing.md"].replace("- `core/tracking/<name>.cpp`\n", ""),
      "docs/developing.md: to add an event kind, 2 files in the heading, 1 in the list"),
     ("docs/developing.md", ROWS["docs/developing.md"].replace("events/<name>", "kinds/<name>"),
      "docs/developing.md: to add an event kind, there is no core/kinds/<name>.cpp"),

@@ -10,8 +10,8 @@ extern "C" {
 namespace vvr::generator {
 namespace {
 
-video::AvFrame to_av(const Plane<Bgr>& picture) {
-    video::AvFrame frame(av_frame_alloc());
+media::AvFrame to_av(const Plane<Bgr>& picture) {
+    media::AvFrame frame(av_frame_alloc());
     if (!frame) throw std::bad_alloc();
     frame->width = picture.width();
     frame->height = picture.height();
@@ -24,31 +24,31 @@ video::AvFrame to_av(const Plane<Bgr>& picture) {
     return frame;
 }
 
-class SceneSource final : public video::FrameSource {
+class SceneSource final : public media::FrameSource {
   public:
-    SceneSource(Scene scene, const video::SourceOptions& options)
+    SceneSource(Scene scene, const media::SourceOptions& options)
         : scene_(std::move(scene)),
           info_{"scene",        "scene", "none", scene_.size(), scene_.rate(), scene_.frames() / scene_.rate(),
                 scene_.frames()},
-          field_size_(video::field_size_for(scene_.size(), options.field_size)),
+          field_size_(media::field_size_for(scene_.size(), options.field_size)),
           colour_(options.colour) {}
 
-    const video::VideoInfo& info() const override { return info_; }
+    const media::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field_size_; }
     bool colour() const override { return colour_; }
     std::int64_t damaged() const override { return 0; }
     void rewind() override { next_ = 0; }
 
-    std::unique_ptr<video::DecodedFrame> next() override {
+    std::unique_ptr<media::DecodedFrame> next() override {
         if (next_ >= scene_.frames()) return nullptr;
         const int i = next_++;
-        return std::make_unique<video::DecodedFrame>(
-            video::DecodedFrame{i, i / scene_.rate(), {}, to_av(scene_.frame(i))});
+        return std::make_unique<media::DecodedFrame>(
+            media::DecodedFrame{i, i / scene_.rate(), {}, to_av(scene_.frame(i))});
     }
 
   private:
     Scene scene_;
-    video::VideoInfo info_;
+    media::VideoInfo info_;
     Size field_size_;
     bool colour_;
     int next_ = 0;
@@ -56,7 +56,7 @@ class SceneSource final : public video::FrameSource {
 
 }  // namespace
 
-std::unique_ptr<video::FrameSource> open_scene(Scene scene, const video::SourceOptions& options) {
+std::unique_ptr<media::FrameSource> open_scene(Scene scene, const media::SourceOptions& options) {
     return std::make_unique<SceneSource>(std::move(scene), options);
 }
 

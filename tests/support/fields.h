@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/bricks/volume.h"
+#include "core/volume/volume.h"
 
 namespace vvr::test {
 
@@ -17,8 +17,8 @@ inline fields::Field field_of(std::int64_t index, Size size, std::uint8_t value 
 }
 
 /// A volume of frames of one value, each a layer while it has room.
-inline bricks::Volume even_volume(Size size, int frames, std::uint8_t value = 0, std::int64_t capacity = 800) {
-    bricks::Volume volume(size, {capacity});
+inline volume::Volume even_volume(Size size, int frames, std::uint8_t value = 0, std::int64_t capacity = 800) {
+    volume::Volume volume(size, {capacity});
     for (int i = 0; i < frames; ++i) volume.add(field_of(i, size, value));
     return volume;
 }

@@ -8,7 +8,7 @@ namespace vvr::test {
 
 namespace {
 
-double texel(const bricks::Volume& volume, std::int64_t x, std::int64_t y, std::int64_t t) {
+double texel(const volume::Volume& volume, std::int64_t x, std::int64_t y, std::int64_t t) {
     const std::int64_t width = volume.size().width;
     const std::int64_t height = volume.size().height;
     x = std::clamp<std::int64_t>(x, 0, width - 1);
@@ -17,7 +17,7 @@ double texel(const bricks::Volume& volume, std::int64_t x, std::int64_t y, std::
     return volume.layer(t).scalar.at(static_cast<int>(width - 1 - x), static_cast<int>(height - 1 - y));
 }
 
-double interpolate(const bricks::Volume& volume, const glm::dvec3& c) {
+double interpolate(const volume::Volume& volume, const glm::dvec3& c) {
     const glm::dvec3 at = {c.x * volume.size().width - 0.5, c.y * volume.size().height - 0.5,
                            c.z * static_cast<double>(volume.layers()) - 0.5};
     const glm::dvec3 low = glm::floor(at);
@@ -63,7 +63,7 @@ std::vector<double> sorted_differences(const Plane<glm::vec4>& a, const Plane<gl
 
 }  // namespace
 
-Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& layout,
+Plane<glm::vec4> cast_rays(const volume::Volume& volume, const space::Layout& layout,
                            const scene::TransferFunction& transfer, const space::Camera& camera, Size picture,
                            const glm::dvec3& background, double step) {
     const glm::dmat4 p_from_clip = glm::inverse(camera.clip_from_p());

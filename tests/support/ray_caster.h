@@ -1,16 +1,16 @@
 #pragma once
 
-#include "core/bricks/volume.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "core/volume/volume.h"
 
 namespace vvr::test {
 
 /// The slow, obvious way to draw a volume: for each pixel walk along its ray in steps of `step`, ask the layout where
 /// in the volume each point is, interpolate, and add up. Shares no code with the slicer but the layout's CPU map.
 /// \returns premultiplied RGBA over `background`, top row first
-Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& layout,
+Plane<glm::vec4> cast_rays(const volume::Volume& volume, const space::Layout& layout,
                            const scene::TransferFunction& transfer, const space::Camera& camera, Size picture,
                            const glm::dvec3& background, double step);
 

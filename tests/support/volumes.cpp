@@ -7,12 +7,12 @@
 
 namespace vvr::test {
 
-bricks::Volume full_volume(Size size, int layers) {
+volume::Volume full_volume(Size size, int layers) {
     return even_volume(size, layers, 255);
 }
 
-bricks::Volume wandering_balls(Size size, int layers) {
-    bricks::Volume volume(size, {std::max(layers, 2)});
+volume::Volume wandering_balls(Size size, int layers) {
+    volume::Volume volume(size, {std::max(layers, 2)});
     for (int f = 0; f < layers; ++f) {
         Plane<std::uint8_t> scalar(size);
         for (int ball = 0; ball < 3; ++ball) {
@@ -35,18 +35,18 @@ bricks::Volume wandering_balls(Size size, int layers) {
     return volume;
 }
 
-Plane<std::uint8_t> whole(const bricks::SparsePlane& sparse) {
+Plane<std::uint8_t> whole(const volume::SparsePlane& sparse) {
     return plane_of<std::uint8_t>(sparse.size(), [&](int i, int j) { return sparse.at(i, j); });
 }
 
-Drawn draw_volume(const bricks::Volume& volume, Shot shot) {
+Drawn draw_volume(const volume::Volume& volume, Shot shot) {
     const auto layout = space::make_layout(shot.layout, space::shape_for(volume.size()));
     const auto context = gl::open_context(shot.backend);
     gl::Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
     renderer.set_scene(std::move(shot.scene));
     gl::BrickWindow window(context->gl(), *layout, volume.layers(), 2);
-    window.show(volume, bricks::cut_into(volume.layers(), shot.bricks));
+    window.show(volume, volume::cut_into(volume.layers(), shot.bricks));
     return {renderer.draw(window), renderer.camera()};
 }
 

@@ -1,19 +1,19 @@
 #pragma once
 
-#include "core/bricks/volume.h"
 #include "core/scene/scene.h"
+#include "core/volume/volume.h"
 #include "gl/renderer.h"
 
 namespace vvr::test {
 
 /// Every voxel has the value 255.
-bricks::Volume full_volume(Size size, int layers);
+volume::Volume full_volume(Size size, int layers);
 
 /// A few soft balls on winding paths, mostly empty, as difference volumes are.
-bricks::Volume wandering_balls(Size size, int layers);
+volume::Volume wandering_balls(Size size, int layers);
 
 /// The same with all that isn't held.
-Plane<std::uint8_t> whole(const bricks::SparsePlane& sparse);
+Plane<std::uint8_t> whole(const volume::SparsePlane& sparse);
 
 /// What `draw_volume` needs beyond its volume.
 struct Shot {
@@ -36,6 +36,6 @@ struct Drawn {
     }
 };
 
-Drawn draw_volume(const bricks::Volume& volume, Shot shot);
+Drawn draw_volume(const volume::Volume& volume, Shot shot);
 
 }  // namespace vvr::test

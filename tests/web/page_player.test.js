@@ -68,7 +68,7 @@ test('events with the same frames have marks of their own', () => {
 });
 
 test('files of a recording, and pieces of its events', () => {
-    // As in tests/unit/video/parts_test.cpp, which asks the program's own function. The last two overlap.
+    // As in tests/unit/footage/parts_test.cpp, which asks the program's own function. The last two overlap.
     const files = [['a', 0, 10], ['b', 10, 10], ['c', 30, 5], ['d', 34, 6]];
     assert.deepEqual([-1, 0, 9.9, 9.999, 10, 25, 30, 34.5, 35, 99].map(seconds => fileAt(files, seconds)[0]),
                      ['a', 'a', 'a', 'b', 'b', 'c', 'c', 'c', 'd', 'd']);

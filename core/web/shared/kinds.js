@@ -1,4 +1,4 @@
-// Kinds of events: the rows of the program's table (core/events/event_kind.h), most informative first.
+// Kinds of events: the rows of the program's table (core/tracking/event_kind.h), most informative first.
 
 /**
  * @typedef {{name: string, words: string, by: string, isThing: boolean, isOfScene: boolean, emphasis: string,

@@ -4,19 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include "core/events/event_line.h"
-#include "core/events/path.h"
+#include "core/tracking/event_line.h"
+#include "core/tracking/path.h"
 
 namespace vvr {
 namespace {
 
 /// Somebody who goes to the right for 20 s, ten frames per second.
-events::Event walker() {
-    events::Event event;
+tracking::Event walker() {
+    tracking::Event event;
     for (int f = 0; f <= 200; ++f) event.path.push_back({{f, f / 10.0}, {f, 50}});
     event.first = event.path.front().at;
     event.last = event.path.back().at;
-    event.path_length = events::length_of(event.path);
+    event.path_length = tracking::length_of(event.path);
     return event;
 }
 
@@ -24,15 +24,15 @@ TEST(EventsBetween, GoWhereTheyGoInThatTime) {
     const app::ShownEvents shown = app::events_between(std::array{walker()}, 8, 10);
     ASSERT_EQ(shown.events.size(), 1U);
     EXPECT_EQ(shown.events[0].path.size(), 21U);
-    EXPECT_EQ(events::direction_of(shown.events[0]), "right") << "a tenth of the way is not to and fro";
+    EXPECT_EQ(tracking::direction_of(shown.events[0]), "right") << "a tenth of the way is not to and fro";
 }
 
 TEST(DirectionOf, AThingThatNobodySawMoveIsNone) {
-    events::Event parked = walker();
-    parked.kind = events::EventKind::stood;
-    EXPECT_EQ(events::direction_of(parked), "right");
+    tracking::Event parked = walker();
+    parked.kind = tracking::EventKind::stood;
+    EXPECT_EQ(tracking::direction_of(parked), "right");
     parked.evidence.emplace();
-    EXPECT_EQ(events::direction_of(parked), "");
+    EXPECT_EQ(tracking::direction_of(parked), "");
 }
 
 }  // namespace

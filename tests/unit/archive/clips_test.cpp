@@ -17,8 +17,8 @@
 #include "core/archive/camera_days.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/video/input_files.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/input_files.h"
+#include "core/footage/recorder_names.h"
 #include "tests/support/zone.h"
 #include "tests/unit/archive/archive.h"
 
@@ -61,7 +61,7 @@ TEST_F(Archive, SkipsWhatANasKeepsBetweenTheClips) {
     EXPECT_EQ(found(), (std::vector<std::string>{"gate/a.avi", "recycle/e.avi"}));
     EXPECT_EQ(scan.skipped, 3U);
     EXPECT_EQ(scan.system_folders, (std::set<std::string>{"#recycle", "$Recycle.Bin", "gate/@eaDir"}));
-    EXPECT_EQ(video::video_files_in(in()).size(), 2U);
+    EXPECT_EQ(footage::video_files_in(in()).size(), 2U);
 }
 
 TEST_F(Archive, FindsClipsInFolders) {
@@ -127,7 +127,7 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
                                            {"hall/x.mp4", 1, 20}};
     using std::chrono::nanoseconds;
     const std::chrono::system_clock::time_point now{nanoseconds(30)};
-    const archive::CameraDays grouped = archive::group_by_day(clips, video::RecorderNames(), {now, nanoseconds(10)});
+    const archive::CameraDays grouped = archive::group_by_day(clips, footage::RecorderNames(), {now, nanoseconds(10)});
     const auto& days = grouped.days;
     ASSERT_EQ(days.size(), 3U);
     EXPECT_EQ(days[0].clip.path, "gate/2026-11-21");
@@ -138,11 +138,11 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
     EXPECT_TRUE(grouped.problems.empty());
 
     const std::chrono::system_clock::time_point before{nanoseconds(5)};
-    const auto ahead = archive::group_by_day(clips, video::RecorderNames(), {before, nanoseconds(2)}).days;
+    const auto ahead = archive::group_by_day(clips, footage::RecorderNames(), {before, nanoseconds(2)}).days;
     EXPECT_EQ(ahead[1].files.size(), 2U) << "a clip of the future is there";
     EXPECT_EQ(ahead[1].clip.modified, 30) << "all are of the future: the clock was set back";
     const auto one_ahead =
-        archive::group_by_day(clips, video::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
+        archive::group_by_day(clips, footage::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
     EXPECT_EQ(one_ahead[1].files.size(), 2U);
     EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
 }

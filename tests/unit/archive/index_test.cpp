@@ -8,7 +8,7 @@
 
 #include "core/archive/sidecar.h"
 #include "core/base/error.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 #include "tests/support/zone.h"
 #include "tests/unit/archive/archive.h"
 
@@ -33,7 +33,7 @@ TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
     sidecar.recorded = "2020-01-01 00:00:00";
     EXPECT_EQ(archive::begin_of(sidecar).utc, 1795244407) << "Frigate's are in UTC";
     const std::vector<std::string> local{"%Y-%m-%d/%H/{camera}/%M.%S"};
-    EXPECT_EQ(archive::begin_of(sidecar, video::RecorderNames(local)).utc, 1795244407 - 3600);
+    EXPECT_EQ(archive::begin_of(sidecar, footage::RecorderNames(local)).utc, 1795244407 - 3600);
     const std::string text = archive::make_index({sidecar, done("2026-03-29/00/hall/59.00.mp4")});
     EXPECT_NE(text.find(R"("cameras":["gate","hall"])"), std::string::npos);
     EXPECT_NE(text.find(R"("zone":[[1774745940,3600,"CET, UTC+1"],[1774746000,7200,"CEST, UTC+2"],)"
@@ -74,7 +74,7 @@ TEST(FoundEvent, IsReadFromAReport) {
     const std::vector<archive::FoundEvent> found = archive::found_events(report);
     ASSERT_EQ(found.size(), 1U);
     // It stood for 6.25 s in all, as the picture, the page and the report say.
-    EXPECT_EQ(found[0], (archive::FoundEvent{events::EventKind::left, 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
+    EXPECT_EQ(found[0], (archive::FoundEvent{tracking::EventKind::left, 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
     EXPECT_EQ(archive::json_of(found[0]).dump(), R"(["left",3,63,15,100,500,90,100,500])");
     EXPECT_EQ(archive::found_event_of(archive::json_of(found[0])), found[0]);
     EXPECT_THROW(archive::found_event_of(Json::parse(R"(["left", "x"])")), Json::exception);
@@ -82,7 +82,7 @@ TEST(FoundEvent, IsReadFromAReport) {
 }
 
 TEST(FoundEvent, OfEachKindStaysWhatItIs) {
-    for (const events::EventKindRow& row : events::event_kinds) {
+    for (const tracking::EventKindRow& row : tracking::event_kinds) {
         const archive::FoundEvent event{row.kind, 1, 2, {{0, 1, 2}}};
         EXPECT_EQ(archive::found_event_of(archive::json_of(event)), event) << row.name;
     }
@@ -117,7 +117,7 @@ TEST(FoundEvent, OfAnUnknownKindIsNone) {
 
     archive::Sidecar sidecar;
     sidecar.clip = {"cam/a.avi", 1, 0};
-    sidecar.found = {{events::EventKind::left, 1, 0, {{0, 1, 2}}}};
+    sidecar.found = {{tracking::EventKind::left, 1, 0, {{0, 1, 2}}}};
     std::string text = archive::format_sidecar(sidecar);
     EXPECT_TRUE(archive::parse_sidecar(text));
     text.replace(text.find("\"left\""), 6, "\"flew\"");
@@ -143,7 +143,7 @@ TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
     archive::Sidecar sidecar;
     sidecar.clip = {"cam/</script><b>.avi", 1, 0};
     sidecar.recorded = "2026-11-21 08:00:07";
-    sidecar.found = {{events::EventKind::left, 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
+    sidecar.found = {{tracking::EventKind::left, 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
     archive::Sidecar other = sidecar;
     other.recorded = "2026-11-20 10:00:00";
     other.stills = {4, 12};

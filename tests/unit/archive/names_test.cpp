@@ -9,8 +9,8 @@
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
 #include "core/base/file.h"
-#include "core/video/input_files.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/input_files.h"
+#include "core/footage/recorder_names.h"
 
 namespace vvr {
 namespace {
@@ -50,7 +50,7 @@ TEST(ArchiveNames, ArePlainOrNotTaken) {
 }
 
 TEST(ArchiveNames, KnowTheCameraByItsFolders) {
-    const auto camera_of = [](const std::string& path) { return video::RecorderNames().camera_of(path); };
+    const auto camera_of = [](const std::string& path) { return footage::RecorderNames().camera_of(path); };
     EXPECT_EQ(camera_of("x.avi"), "");
     EXPECT_EQ(camera_of("cam1/x.avi"), "cam1");
     EXPECT_EQ(camera_of("house/gate/x.avi"), "house/gate");
@@ -64,7 +64,7 @@ TEST(ArchiveNames, KnowTheCameraByItsFolders) {
 }
 
 TEST(ArchiveNames, TellClips) {
-    EXPECT_TRUE(std::ranges::is_sorted(video::video_extensions()));
+    EXPECT_TRUE(std::ranges::is_sorted(footage::video_extensions()));
     const archive::ClipNames videos;
     for (const char* name : {"a.avi", "cam/b.MP4", "c.d.mkv", "e.ts"}) EXPECT_TRUE(videos.matches(name)) << name;
     for (const char* name : {"a.avi.png", "avi", ".avi", "cam.avi/b", "c.txt", "d.jpg", "e"}) {

@@ -13,7 +13,7 @@
 #include "core/archive/pieces.h"
 #include "core/archive/prune.h"
 #include "core/base/error.h"
-#include "core/video/piece_names.h"
+#include "core/footage/piece_names.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -97,12 +97,12 @@ TEST_F(Archive, MovesPiecesIntoNoOtherFolder) {
 
 TEST(Pieces, HaveNamesOfTheirOwn) {
     for (const char* name : {"event-1.mp4", "event-120.webm", "event-7.avi", "evidence.json", "SHA256SUMS"})
-        EXPECT_TRUE(video::is_piece_name(name)) << name;
+        EXPECT_TRUE(footage::is_piece_name(name)) << name;
     for (const char* name :
          {"", "event-.mp4", "event-0.mp4", "event-01.mp4", "event-1", "event-1.mp4.part", "event-1.exe", "event--1.mp4",
           "../event-1.mp4", "event-1/2.mp4", "event-99999999999999999999.mp4", "Event-1.mp4", "evidence.json2"})
-        EXPECT_FALSE(video::is_piece_name(name)) << name;
-    EXPECT_EQ(video::piece_name(12, ".mkv"), "event-12.mkv");
+        EXPECT_FALSE(footage::is_piece_name(name)) << name;
+    EXPECT_EQ(footage::piece_name(12, ".mkv"), "event-12.mkv");
 }
 
 TEST_F(Archive, ReadsNoNumberThatCannotBe) {

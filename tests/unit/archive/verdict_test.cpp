@@ -12,7 +12,7 @@
 #include "core/archive/prune.h"
 #include "core/archive/sidecar.h"
 #include "core/base/error.h"
-#include "core/video/recorder_names.h"
+#include "core/footage/recorder_names.h"
 #include "tests/unit/archive/archive.h"
 
 namespace vvr {
@@ -105,7 +105,7 @@ TEST_F(Archive, TriesAgainADayAfterALackOfMemory) {
 }
 
 TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
-    const video::RecorderNames recorders;
+    const footage::RecorderNames recorders;
     write(in() / "there.avi");
     write(in() / "gate/2026-11-20/x.avi");
     fs::create_directories(in() / "unmounted");

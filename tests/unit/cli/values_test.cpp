@@ -44,10 +44,10 @@ TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
 
 TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
     const std::int64_t at = 1'795'312'800;  // 2026-11-22 02:00:00
-    const auto asked = [](const char* text) { return std::get<video::RequestedTime>(options::parse_place(text)); };
-    EXPECT_EQ(asked("2026-11-22 02:00"), (video::RequestedTime{at, true, "2026-11-22 02:00"}));
+    const auto asked = [](const char* text) { return std::get<media::RequestedTime>(options::parse_place(text)); };
+    EXPECT_EQ(asked("2026-11-22 02:00"), (media::RequestedTime{at, true, "2026-11-22 02:00"}));
     EXPECT_EQ(asked("2026-11-22T02:00:07").seconds, at + 7);
-    EXPECT_EQ(asked("@02:00"), (video::RequestedTime{7200, false, "@02:00"}));
+    EXPECT_EQ(asked("@02:00"), (media::RequestedTime{7200, false, "@02:00"}));
     EXPECT_EQ(asked("@23:59:59").seconds, 86'399);
     EXPECT_EQ(asked("@2:00").seconds, 7200);
     EXPECT_EQ(std::get<app::Time>(options::parse_place("02:00")), (app::Time{120, app::Time::Unit::seconds}))
@@ -62,7 +62,7 @@ TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
 }
 
 TEST(ParseDayPart, TakesTwoTimesOfDay) {
-    EXPECT_EQ(options::parse_day_part("02:00-05:00"), (video::DayPart{7200, 18'000, "02:00-05:00"}));
+    EXPECT_EQ(options::parse_day_part("02:00-05:00"), (media::DayPart{7200, 18'000, "02:00-05:00"}));
     EXPECT_EQ(options::parse_day_part("22:00:30-05:00").begin, 79'230);
     for (const char* text : {"", "02:00", "02:00-", "02:00-02:00", "2-5", "02:00-25:00", "02:00-05:00-07:00"}) {
         EXPECT_THROW(options::parse_day_part(text), Error) << text;
@@ -158,8 +158,8 @@ TEST(ValueText, IsWhatOneWouldType) {
 
 TEST(ValueText, OfPlacesInAClipHasTheUnitThatWasGiven) {
     for (const char* text : {"0s", "1.5s", "25f", "@02:00", "2026-11-22 02:00"}) {
-        EXPECT_EQ(printed<video::FrameSpan>(text, setting::start), text);
-        EXPECT_EQ(printed<video::FrameSpan>(text, setting::end), text);
+        EXPECT_EQ(printed<media::FrameSpan>(text, setting::start), text);
+        EXPECT_EQ(printed<media::FrameSpan>(text, setting::end), text);
     }
 }
 
@@ -172,7 +172,7 @@ TEST(ExitStatusTable, HasARowForEveryKind) {
 
 TEST(Values, EventsHaveKindsAndALeastLength) {
     const Setting setting{"events", "LIST", ""};
-    events::EventChoice choice;
+    tracking::EventChoice choice;
     const options::Value value = options::value_of(setting, choice);
     EXPECT_EQ(value.text(), "moved,stood,left,taken");
     const std::pair<const char*, const char*> texts[] = {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/field_source.h"
-#include "core/video/open_source.h"
+#include "core/footage/open_source.h"
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
 #include "tests/unit/fields/pictures.h"
@@ -36,12 +36,12 @@ class Clip : public testing::Test {
     std::string path(const std::string& name) const { return folder_ / name; }
 
     fields::FieldSummary run(const fields::FieldOptions& options, const fields::FieldSink& sink) const {
-        return fields::compute_fields(*video::open_source(path("clip")), options, sink);
+        return fields::compute_fields(*footage::open_source(path("clip")), options, sink);
     }
 
     std::vector<fields::Field> fields_of(const fields::FieldOptions& options) const {
         std::vector<fields::Field> fields;
-        run(options, [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
+        run(options, [&](const media::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
         return fields;
     }
 
@@ -59,7 +59,7 @@ class Clip : public testing::Test {
 
 TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
     const fields::FieldSummary summary =
-        run({.threads = 2}, [&](const video::SharedFrame& frame, fields::Field&& field) {
+        run({.threads = 2}, [&](const media::SharedFrame& frame, fields::Field&& field) {
             const auto f = static_cast<int>(frame->index);
             EXPECT_NE(field.scalar.at(5 * f + 2, 24), 0) << "the walker in frame " << f;
             EXPECT_EQ(field.scalar.at((5 * f + 30) % 64, 24), 0) << "where it isn't in frame " << f;
@@ -98,10 +98,10 @@ class Dusk : public testing::Test {
                 }
             }
         }
-        video::SourceOptions in_colour;
+        media::SourceOptions in_colour;
         in_colour.colour = true;
         const fields::FieldOptions options{.illumination = illumination, .threads = 2};
-        return fields::compute_fields(*video::open_source(folder_ / "clip", in_colour), options, sink);
+        return fields::compute_fields(*footage::open_source(folder_ / "clip", in_colour), options, sink);
     }
 
   private:
@@ -109,7 +109,7 @@ class Dusk : public testing::Test {
 };
 
 TEST_F(Dusk, EachModeHasItsEmptyScene) {
-    const fields::FieldSummary summary = run(14, by_night, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    const fields::FieldSummary summary = run(14, by_night, [&](const media::SharedFrame& frame, fields::Field&& field) {
         const auto f = static_cast<int>(frame->index);
         EXPECT_EQ(field.infrared, f >= 14) << f;
         EXPECT_NE(field.scalar.at(walker(f) + 4, 24), 0) << f;
@@ -118,12 +118,12 @@ TEST_F(Dusk, EachModeHasItsEmptyScene) {
     ASSERT_NE(summary.reference.infrared, nullptr);
     EXPECT_NEAR(summary.reference.colour.at(1, 2)[2], 190, 2);
     EXPECT_NEAR(summary.reference.infrared->colour.at(1, 2)[2], 60, 2);
-    const auto frames = [](const video::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
+    const auto frames = [](const media::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
     EXPECT_EQ(run(14, by_night, frames, "none").reference.infrared, nullptr);
 }
 
 TEST_F(Dusk, FewFramesAreNoMode) {
-    const auto frames = [](const video::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
+    const auto frames = [](const media::SharedFrame&, const fields::Field& field) { EXPECT_FALSE(field.infrared); };
     EXPECT_EQ(run(count - 2, by_night, frames).reference.infrared, nullptr);
     EXPECT_EQ(run(2, by_night, frames).reference.infrared, nullptr);
 }
@@ -137,7 +137,7 @@ TEST_F(Dusk, AColouredCarIsNoMode) {
 
 TEST_F(Dusk, ACoveredCameraIsNotInInfrared) {
     const fields::FieldSummary summary =
-        run(14, covered, [&](const video::SharedFrame& frame, const fields::Field& field) {
+        run(14, covered, [&](const media::SharedFrame& frame, const fields::Field& field) {
             EXPECT_FALSE(field.infrared);
             if (frame->index >= 14) {
                 EXPECT_GT(test::lit(field.scalar), size.width * size.height / 5);
@@ -147,15 +147,15 @@ TEST_F(Dusk, ACoveredCameraIsNotInInfrared) {
 }
 
 TEST_F(Clip, DecodedPicturesAreThereOnlyInTheSink) {
-    std::vector<video::SharedFrame> kept;
-    run({.threads = 2, .full_size = true}, [&](const video::SharedFrame& frame, fields::Field&&) {
+    std::vector<media::SharedFrame> kept;
+    run({.threads = 2, .full_size = true}, [&](const media::SharedFrame& frame, fields::Field&&) {
         EXPECT_FALSE(frame->full_size.picture.expired()) << "frame " << frame->index;
-        for (const video::SharedFrame& earlier : kept) EXPECT_TRUE(earlier->full_size.picture.expired());
+        for (const media::SharedFrame& earlier : kept) EXPECT_TRUE(earlier->full_size.picture.expired());
         kept.push_back(frame);
     });
     EXPECT_EQ(kept.size(), count);
     EXPECT_TRUE(kept.back()->full_size.picture.expired());
-    run({.threads = 2}, [&](const video::SharedFrame& frame, fields::Field&&) {
+    run({.threads = 2}, [&](const media::SharedFrame& frame, fields::Field&&) {
         EXPECT_TRUE(frame->full_size.picture.expired()) << "nobody has asked for it";
     });
 }
@@ -181,7 +181,7 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
                 options.span.end = (k + 1) * seconds / 4;
                 const fields::FieldSummary summary =
                     run(options,
-                        [&](const video::SharedFrame&, fields::Field&& field) { parts.push_back(std::move(field)); });
+                        [&](const media::SharedFrame&, fields::Field&& field) { parts.push_back(std::move(field)); });
                 EXPECT_EQ(summary.frames, count / 4);
             }
             ASSERT_EQ(parts.size(), whole.size());

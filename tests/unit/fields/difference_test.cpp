@@ -12,7 +12,7 @@ namespace {
 constexpr Size pair_size{96, 64};
 constexpr int pixels = pair_size.width * pair_size.height;
 
-Plane<std::uint8_t> object_in(const video::Frame& frame, const video::Frame& empty, const fields::FieldOptions& options,
+Plane<std::uint8_t> object_in(const media::Frame& frame, const media::Frame& empty, const fields::FieldOptions& options,
                               const Plane<std::uint8_t>& region = {}) {
     const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, empty.colour}, region);
     return finder.find(fields::smoothed(frame.grey, frame.colour, options.smooth)).values;
@@ -26,22 +26,22 @@ fields::FieldOptions plain() {
 
 using test::lit;
 
-video::Frame dark_texture() {
-    video::Frame frame = test::texture_frame(pair_size, 0, 0, 0);
+media::Frame dark_texture() {
+    media::Frame frame = test::texture_frame(pair_size, 0, 0, 0);
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(20 + p / 2);
     return frame;
 }
 
 /// A square of 20 × 20 pixels that is brighter than what is behind it.
-video::Frame with_object(const video::Frame& empty) {
-    video::Frame frame = empty;
+media::Frame with_object(const media::Frame& empty) {
+    media::Frame frame = empty;
     for (int j = 20; j < 40; ++j) {
         for (int i = 40; i < 60; ++i) frame.grey.at(i, j) = static_cast<std::uint8_t>(empty.grey.at(i, j) + 90);
     }
     return frame;
 }
 
-video::Frame seen(const video::Frame& frame, double gain, double offset, double sigma, unsigned seed) {
+media::Frame seen(const media::Frame& frame, double gain, double offset, double sigma, unsigned seed) {
     std::mt19937 random(seed);
     return test::seen(frame, gain, offset, sigma, random);
 }
@@ -58,12 +58,12 @@ void expect_only_the_object(const Plane<std::uint8_t>& object) {
 }
 
 TEST(Difference, ShowsAnObjectAndNothingElse) {
-    const video::Frame empty = dark_texture();
+    const media::Frame empty = dark_texture();
     expect_only_the_object(object_in(with_object(empty), empty, {}));
 }
 
 TEST(Difference, StartsAtTheThreshold) {
-    const video::Frame dark = test::flat_frame(pair_size, 0, 100);
+    const media::Frame dark = test::flat_frame(pair_size, 0, 100);
     EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 123), dark, plain()).at(5, 5), 0);
     EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 124), dark, plain()).at(5, 5), 48);
     EXPECT_EQ(object_in(test::flat_frame(pair_size, 0, 76), dark, plain()).at(5, 5), 48)
@@ -74,8 +74,8 @@ TEST(Difference, StartsAtTheThreshold) {
 
 TEST(Difference, ColourCounts) {
     for (const Size odd : {pair_size, Size{67, 3}, Size{1, 1}}) {
-        video::Frame empty = test::flat_frame(odd, 0, 100);
-        video::Frame frame = empty;
+        media::Frame empty = test::flat_frame(odd, 0, 100);
+        media::Frame frame = empty;
         empty.colour = Plane<Bgr>(odd, {100, 100, 100});
         frame.colour = Plane<Bgr>(odd, {140, 80, 100});
         const Plane<std::uint8_t> object = object_in(frame, empty, plain());
@@ -87,8 +87,8 @@ TEST(Difference, ColourCounts) {
 }
 
 TEST(Difference, SmallBlobsAreRemoved) {
-    const video::Frame empty = test::flat_frame(pair_size, 0, 100);
-    video::Frame frame = empty;
+    const media::Frame empty = test::flat_frame(pair_size, 0, 100);
+    media::Frame frame = empty;
     for (int i = 10; i < 19; ++i) frame.grey.at(i, 30) = 200;          // nine in a row
     for (int k = 0; k < 10; ++k) frame.grey.at(50 + k, 20 + k) = 200;  // ten that touch at their corners
     fields::FieldOptions options = plain();
@@ -101,8 +101,8 @@ TEST(Difference, SmallBlobsAreRemoved) {
 }
 
 TEST(Difference, BlobsOfAnyShapeAreOne) {
-    const video::Frame empty = test::flat_frame(pair_size, 0, 100);
-    video::Frame frame = empty;
+    const media::Frame empty = test::flat_frame(pair_size, 0, 100);
+    media::Frame frame = empty;
     int drawn = 0;
     for (int j = 5; j < 35; ++j) {  // a comb, whose teeth meet only in its last row, and a lone ring around nothing
         for (int i = 5; i < 45; ++i) {
@@ -128,7 +128,7 @@ TEST(Difference, OnlyTheRegionIsLookedAt) {
 }
 
 TEST(Difference, SensorNoiseStaysDark) {
-    const video::Frame empty = dark_texture();
+    const media::Frame empty = dark_texture();
     for (unsigned seed = 1; seed <= 20; ++seed) {
         EXPECT_EQ(lit(object_in(seen(empty, 1, 0, 5, seed), empty, {})), 0);
     }
@@ -140,7 +140,7 @@ struct Change {
 };
 
 TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
-    const video::Frame empty = dark_texture();
+    const media::Frame empty = dark_texture();
     for (const char* const kind : {"global", "local"}) {
         fields::FieldOptions options{.illumination = kind};
         for (const auto& [gain, offset] :
@@ -156,8 +156,8 @@ TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
 }
 
 TEST(Illumination, LocalFollowsALampAtOneSide) {
-    video::Frame empty = dark_texture();
-    video::Frame frame = empty;
+    media::Frame empty = dark_texture();
+    media::Frame frame = empty;
     frame.grey = test::grey_plane(
         pair_size, [&](int i, int j) { return empty.grey.at(i, j) * (0.75 + 0.5 * i / pair_size.width); });
     fields::FieldOptions options{.illumination = "local"};
@@ -167,9 +167,9 @@ TEST(Illumination, LocalFollowsALampAtOneSide) {
 }
 
 TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
-    video::Frame empty = dark_texture();
+    media::Frame empty = dark_texture();
     fill(empty.grey, {5, 5, 30, 20}, 255);
-    video::Frame frame = seen(empty, 0.8, 0, 0, 1);
+    media::Frame frame = seen(empty, 0.8, 0, 0, 1);
     fill(frame.grey, {5, 5, 30, 20}, 255);
     fields::FieldOptions options;
     options.smooth = 0;  // or the cut off places' edges would be something between
@@ -186,14 +186,14 @@ TEST(Illumination, NothingToLearnFromIsNoChange) {
 }
 
 TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
-    video::Frame empty = dark_texture();
+    media::Frame empty = dark_texture();
     empty.colour = Plane<Bgr>(pair_size);
     for (std::size_t i = 0; i < empty.colour.pixels().size(); ++i) {
         const auto level = empty.grey.pixels()[i];
         empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + level / 4),
                                     static_cast<std::uint8_t>(level + level / 2)};
     }
-    video::Frame frame = empty;
+    media::Frame frame = empty;
     const auto darken = [&](int left, double b, double g, double r) {
         for (int j = 10; j < 40; ++j) {
             for (int i = left; i < left + 20; ++i) {
@@ -222,13 +222,13 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
 
 // An infrared camera writes grey frames with colour channels: every dark thing keeps their "colour".
 TEST(Shadows, AreUnknownWhereNothingHasAColour) {
-    video::Frame empty = dark_texture();
+    media::Frame empty = dark_texture();
     empty.colour = Plane<Bgr>(pair_size);
     std::ranges::transform(empty.grey.pixels(), empty.colour.pixels().begin(), [](std::uint8_t level) {
         const auto tinted = static_cast<std::uint8_t>(level + 9);
         return Bgr{tinted, level, level};
     });
-    video::Frame frame = empty;
+    media::Frame frame = empty;
     for (int j = 10; j < 40; ++j) {
         for (int i = 5; i < 25; ++i) {
             for (std::uint8_t& level : frame.colour.at(i, j)) level = static_cast<std::uint8_t>(0.6 * level);
@@ -236,7 +236,7 @@ TEST(Shadows, AreUnknownWhereNothingHasAColour) {
     }
     const fields::FieldOptions options{.illumination = "none"};
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0) << "a coat in the night";
-    for (video::Frame* const picture : {&frame, &empty}) {
+    for (media::Frame* const picture : {&frame, &empty}) {
         fill(picture->colour, {50, 0, 60, pair_size.height}, Bgr{40, 90, 160});  // a door
     }
     EXPECT_EQ(object_in(frame, empty, options).at(15, 25), 0) << "there are colours, and none changed";

@@ -19,8 +19,8 @@ namespace {
 constexpr Size frame_size{64, 48};
 
 /// A bright square that walks to the right by four pixels per frame, over a texture.
-video::Frame walker(std::int64_t index) {
-    video::Frame frame = test::texture_frame(frame_size, 0, 0, 0);
+media::Frame walker(std::int64_t index) {
+    media::Frame frame = test::texture_frame(frame_size, 0, 0, 0);
     frame.index = index;
     frame.pts = static_cast<double>(index) / 25;
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(30 + p / 4);
@@ -29,8 +29,8 @@ video::Frame walker(std::int64_t index) {
     return frame;
 }
 
-video::Frame with_colour(std::int64_t index) {
-    video::Frame frame = walker(index);
+media::Frame with_colour(std::int64_t index) {
+    media::Frame frame = walker(index);
     frame.colour = Plane<Bgr>(frame_size);
     std::ranges::transform(frame.grey.pixels(), frame.colour.pixels().begin(), [](std::uint8_t g) {
         return Bgr{g, g, g};
@@ -39,7 +39,7 @@ video::Frame with_colour(std::int64_t index) {
 }
 
 std::vector<fields::Field> fields_of(const fields::FieldOptions& options, int count,
-                                     video::Frame (*make)(std::int64_t) = walker) {
+                                     media::Frame (*make)(std::int64_t) = walker) {
     return test::fields_of(test::frames_of(count, make), test::scene_of(make(1000)), options);
 }
 
@@ -81,9 +81,9 @@ TEST(Filters, BandsTellWhatBecameOfAPixel) {
 
 TEST(Filters, SignedTellsDarkerFromBrighter) {
     // A dark square and a bright one on grey.
-    const video::Frame empty = test::flat_frame(frame_size, 0, 100);
+    const media::Frame empty = test::flat_frame(frame_size, 0, 100);
     const auto make = [&](std::int64_t) {
-        video::Frame frame = empty;
+        media::Frame frame = empty;
         fill(frame.grey, {0, 0, 8, frame_size.height}, 60);
         fill(frame.grey, {8, 0, 16, frame_size.height}, 160);
         return frame;
@@ -157,7 +157,7 @@ TEST(Filters, EdgesAreSteepPlaces) {
     EXPECT_GT(scalar.at(12, 24), 50);
     EXPECT_EQ(scalar.at(18, 24), 0) << "inside the square all is even";
     const auto step = [](std::int64_t) {
-        return video::Frame{0, 0, test::grey_plane({8, 8}, [](int i, int) { return i < 4 ? 0 : 255; }), {}};
+        return media::Frame{0, 0, test::grey_plane({8, 8}, [](int i, int) { return i < 4 ? 0 : 255; }), {}};
     };
     const fields::EmptyScene black = test::scene_of(test::flat_frame({8, 8}, 0, 0));
     const Plane<std::uint8_t> edge = test::fields_of(test::frames_of(1, step), black, options)[0].scalar;
@@ -204,7 +204,7 @@ std::vector<Plane<std::uint8_t>> seen_by(const fields::FilterRow& row, const Run
     std::mt19937 random(7);
     std::vector<Plane<std::uint8_t>> masks;
     for (int i = 0; i < 30; ++i) {
-        video::Frame frame = test::flat_frame(frame_size, i, 90);
+        media::Frame frame = test::flat_frame(frame_size, i, 90);
         for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(60 + random() % 80);
         const fields::Planes smooth{frame.grey, {}};
         const Plane<std::uint8_t> none(frame_size, 0);

@@ -84,15 +84,15 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
     EXPECT_EQ(object.at(45, 38), 0);
 }
 
-std::vector<video::Frame> noisy(const video::Frame& empty, double sigma, int count) {
+std::vector<media::Frame> noisy(const media::Frame& empty, double sigma, int count) {
     std::mt19937 random(3);
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (int k = 0; k < count; ++k) frames.push_back(test::seen(empty, 1, 0, sigma, random));
     return frames;
 }
 
 TEST(Noise, IsAboutTheMedianDifference) {
-    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
+    const media::Frame empty = test::flat_frame(mask_size, 0, 100);
     for (const double sigma : {0.0, 3.0, 8.0}) {
         const Plane<std::uint8_t> noise = fields::noise_of(noisy(empty, sigma, 31), {empty.grey, {}}, 0);
         double sum = 0;
@@ -103,7 +103,7 @@ TEST(Noise, IsAboutTheMedianDifference) {
 }
 
 TEST(Noise, IsKnownFromEightFramesOn) {
-    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
+    const media::Frame empty = test::flat_frame(mask_size, 0, 100);
     EXPECT_TRUE(fields::noise_of(noisy(empty, 3, 7), {empty.grey, {}}, 0).empty());
     for (const int frames : {8, 16, 23}) {  // a clip with 16 key frames has 16 frames of the empty scene
         const Plane<std::uint8_t> noise = fields::noise_of(noisy(empty, 3, frames), {empty.grey, {}}, 0);
@@ -113,8 +113,8 @@ TEST(Noise, IsKnownFromEightFramesOn) {
 }
 
 TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
-    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
-    std::vector<video::Frame> frames = noisy(empty, 2, 31);
+    const media::Frame empty = test::flat_frame(mask_size, 0, 100);
+    std::vector<media::Frame> frames = noisy(empty, 2, 31);
     for (std::size_t k = 9; k < frames.size(); ++k) paint(frames[k].grey, 40, 20, 20, 30, 200);
     const Plane<std::uint8_t> noise = fields::noise_of(frames, {empty.grey, {}}, 0);
     EXPECT_LT(*std::ranges::max_element(noise.pixels()), 12);
@@ -122,14 +122,14 @@ TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
 
 // Leaves sway on the left: what lights up there now and then is no object, and on the right it is.
 TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
-    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
+    const media::Frame empty = test::flat_frame(mask_size, 0, 100);
     fields::Reference reference(fields::Planes{empty.grey, {}});
     reference.noise = Plane<std::uint8_t>(mask_size);
     paint(reference.noise, 0, 0, 48, mask_size.height, 8);
     const Plane<std::uint8_t> everywhere;
     fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, reference, everywhere);
-    video::Frame frame = empty;
+    media::Frame frame = empty;
     paint(frame.grey, 10, 10, 12, 12, 132);
     paint(frame.grey, 60, 10, 12, 12, 132);
     Plane<std::uint8_t> object = finder.find({frame.grey, {}}).values;
@@ -142,11 +142,11 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
 
 // Only the shirt reaches the threshold; the trousers belong to it, and a faint cloud beside it doesn't count.
 TEST(Noise, WeakPartsOfAThingShowWithIt) {
-    const video::Frame empty = test::flat_frame(mask_size, 0, 100);
+    const media::Frame empty = test::flat_frame(mask_size, 0, 100);
     const Plane<std::uint8_t> everywhere;
     fields::FieldOptions options{.smooth = 0, .illumination = "none"};
     const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, {}}, everywhere);
-    video::Frame frame = empty;
+    media::Frame frame = empty;
     paint(frame.grey, 20, 10, 10, 15, 150);
     paint(frame.grey, 20, 25, 10, 15, 120);
     paint(frame.grey, 60, 25, 10, 15, 120);

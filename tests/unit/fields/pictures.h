@@ -54,18 +54,18 @@ inline double rough_texture(double x, double y) {
 }
 
 /// Frame `index` of the texture moving by (u, v) pixels per frame.
-inline video::Frame texture_frame(Size size, std::int64_t index, double u, double v) {
+inline media::Frame texture_frame(Size size, std::int64_t index, double u, double v) {
     const auto f = static_cast<double>(index);
     return {index, f / 10, grey_plane(size, [&](int i, int j) { return texture(i - u * f, j - v * f); }), {}};
 }
 
 /// A frame of one grey level.
-inline video::Frame flat_frame(Size size, std::int64_t index, std::uint8_t level) {
+inline media::Frame flat_frame(Size size, std::int64_t index, std::uint8_t level) {
     return {index, static_cast<double>(index) / 10, Plane<std::uint8_t>(size, level), {}};
 }
 
 /// A frame as a camera would see it: in another light, with noise.
-inline video::Frame seen(video::Frame frame, double gain, double offset, double sigma, std::mt19937& random) {
+inline media::Frame seen(media::Frame frame, double gain, double offset, double sigma, std::mt19937& random) {
     std::normal_distribution<double> noise(0, sigma);
     for (std::uint8_t& p : frame.grey.pixels()) {
         p = static_cast<std::uint8_t>(std::lround(std::clamp(gain * p + offset + noise(random), 0.0, 255.0)));
@@ -74,7 +74,7 @@ inline video::Frame seen(video::Frame frame, double gain, double offset, double 
 }
 
 /// Frames that are made by their numbers.
-inline fields::FrameReader frames_of(int count, const std::function<video::Frame(std::int64_t)>& make) {
+inline fields::FrameReader frames_of(int count, const std::function<media::Frame(std::int64_t)>& make) {
     return [=, next = 0]() mutable -> fields::FrameJob {
         if (next == count) return {};
         return [make, index = next++] { return make(index); };
@@ -82,7 +82,7 @@ inline fields::FrameReader frames_of(int count, const std::function<video::Frame
 }
 
 /// A scene that is empty in a frame.
-inline fields::EmptyScene scene_of(const video::Frame& empty) {
+inline fields::EmptyScene scene_of(const media::Frame& empty) {
     fields::EmptyScene scene;
     scene.reference = fields::Planes{empty.grey, empty.colour};
     return scene;
@@ -91,7 +91,7 @@ inline fields::EmptyScene scene_of(const video::Frame& empty) {
 inline std::vector<fields::Field> fields_of(const fields::FrameReader& frames, const fields::EmptyScene& scene,
                                             const fields::FieldOptions& options) {
     std::vector<fields::Field> fields;
-    fields::compute_fields(frames, scene, options, [&](const video::SharedFrame& frame, fields::Field&& field) {
+    fields::compute_fields(frames, scene, options, [&](const media::SharedFrame& frame, fields::Field&& field) {
         EXPECT_EQ(frame->index, field.index);
         EXPECT_EQ(frame->grey.size(), field.scalar.size());
         fields.push_back(std::move(field));
@@ -101,11 +101,11 @@ inline std::vector<fields::Field> fields_of(const fields::FrameReader& frames, c
 
 /// The fields of a generated scene in its own size and in colour.
 inline std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
-    video::SourceOptions source{.field_size = {-1, -1}, .colour = true};
+    media::SourceOptions source{.field_size = {-1, -1}, .colour = true};
     std::vector<fields::Field> fields;
     fields::compute_fields(
         *generator::open_scene(scene, source), options,
-        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
+        [&](const media::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 

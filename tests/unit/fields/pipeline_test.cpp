@@ -15,8 +15,8 @@ namespace {
 constexpr Size size{64, 48};
 
 /// A textured square that crosses an empty scene.
-video::Frame walker_frame(std::int64_t index) {
-    video::Frame frame = test::flat_frame(size, index, 90);
+media::Frame walker_frame(std::int64_t index) {
+    media::Frame frame = test::flat_frame(size, index, 90);
     const double left = 2 + 1.5 * static_cast<double>(index);
     for (int j = 12; j < 36; ++j) {
         for (int i = 0; i < size.width; ++i) {
@@ -105,7 +105,7 @@ TEST(Pipeline, OneFrameAndNoFrame) {
 
 TEST(Pipeline, SinkIsNeverEnteredTwice) {
     std::atomic<int> inside = 0;
-    const auto sink = [&](const video::SharedFrame&, fields::Field&&) {
+    const auto sink = [&](const media::SharedFrame&, fields::Field&&) {
         EXPECT_EQ(++inside, 1);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         --inside;
@@ -122,7 +122,7 @@ TEST(Pipeline, MemoryIsBounded) {
         ++read;
         return [index = next++] { return walker_frame(index % 20); };
     };
-    fields::compute_fields(frames, empty_scene(), {.threads = 2}, [&](const video::SharedFrame&, fields::Field&&) {
+    fields::compute_fields(frames, empty_scene(), {.threads = 2}, [&](const media::SharedFrame&, fields::Field&&) {
         most = std::max(most, read - delivered++);
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     });
@@ -132,13 +132,13 @@ TEST(Pipeline, MemoryIsBounded) {
 TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
     const auto run = [](const fields::FrameReader& frames) {
         fields::compute_fields(frames, empty_scene(), {.threads = 2},
-                               [](const video::SharedFrame&, fields::Field&& field) {
+                               [](const media::SharedFrame&, fields::Field&& field) {
                                    if (field.index == 3) throw std::runtime_error("the disk is full");
                                });
     };
     EXPECT_THROW(run(reader(40)), std::runtime_error);
     EXPECT_THROW(run([]() -> fields::FrameJob { throw std::range_error("the cable is cut"); }), std::range_error);
-    const auto bad_frame = []() -> video::Frame { throw std::domain_error("bad frame"); };
+    const auto bad_frame = []() -> media::Frame { throw std::domain_error("bad frame"); };
     EXPECT_THROW(run([&]() -> fields::FrameJob { return bad_frame; }), std::domain_error);
 }
 

@@ -13,21 +13,21 @@
 #include "core/fields/median_scene.h"
 #include "core/fields/object.h"
 #include "core/fields/running_reference.h"
-#include "core/video/memory_source.h"
+#include "core/media/memory_source.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {
 
 TEST(Reference, MedianForgetsWhoPassedBy) {
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (int f = 0; f < 9; ++f) {
         frames.push_back(test::texture_frame({40, 7}, 0, 0, 0));
         frames.back().grey.at(4 * f, 3) = 255;
         frames.back().grey.at(4 * f + 1, 3) = 0;
     }
     const fields::Planes reference = fields::median_reference(frames);
-    const video::Frame empty = test::texture_frame({40, 7}, 0, 0, 0);
+    const media::Frame empty = test::texture_frame({40, 7}, 0, 0, 0);
     EXPECT_TRUE(test::same(reference.grey, empty.grey));
     EXPECT_TRUE(reference.colour.empty());
 }
@@ -35,16 +35,16 @@ TEST(Reference, MedianForgetsWhoPassedBy) {
 TEST(Reference, IsWithoutWhoStoodThereForMostOfTheClip) {
     const PixelBox person{4, 2, 8, 7};
     const PixelBox box{12, 4, 15, 7};  // a box is no living thing
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (int f = 0; f < 24; ++f) {
-        video::Frame& frame = frames.emplace_back(test::flat_frame({20, 8}, f, 90));
+        media::Frame& frame = frames.emplace_back(test::flat_frame({20, 8}, f, 90));
         if (f < 16) fill(frame.grey, person, 200);
         if (f >= 12) fill(frame.grey, box, 10);
     }
     fields::Planes scene = fields::lasting_reference(frames);
     EXPECT_EQ(scene.grey.at(5, 4), 200);
     int looks = 0;
-    const auto find = [&](const video::Frame& frame) {
+    const auto find = [&](const media::Frame& frame) {
         ++looks;
         return frame.grey.at(5, 4) == 200 ? std::vector{person} : std::vector<PixelBox>();
     };
@@ -57,7 +57,7 @@ TEST(Reference, IsWithoutWhoStoodThereForMostOfTheClip) {
 }
 
 TEST(Reference, MedianIsTheMiddleValue) {
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (int level : {200, 3, 77, 255, 0}) {
         frames.push_back(test::flat_frame({3, 2}, 0, static_cast<std::uint8_t>(level)));
     }
@@ -70,7 +70,7 @@ TEST(Reference, MedianIsTheMiddleValue) {
 }
 
 TEST(Reference, MedianTakesEachChannelByItself) {
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (const Bgr& colour : {Bgr{10, 50, 90}, Bgr{20, 60, 70}, Bgr{30, 40, 80}}) {
         frames.push_back(test::flat_frame({5, 4}, 0, 9));
         frames.back().colour = Plane<Bgr>({5, 4}, colour);
@@ -79,7 +79,7 @@ TEST(Reference, MedianTakesEachChannelByItself) {
 }
 
 TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
-    std::vector<video::Frame> frames;
+    std::vector<media::Frame> frames;
     for (int f = 0; f < 31; ++f) {
         frames.push_back(test::flat_frame({6, 4}, f, static_cast<std::uint8_t>(100 + f % 3)));
         frames.back().colour = Plane<Bgr>({6, 4}, {90, 100, 110});
@@ -95,7 +95,7 @@ TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
     EXPECT_EQ(reference.colour.at(2, 2), (Bgr{90, 100, 110}));
     EXPECT_NEAR(reference.grey.at(2, 2), 101, 1);
     EXPECT_EQ(reference.colour.at(4, 1), (Bgr{90, 100, 110}));
-    for (video::Frame& frame : frames) frame.colour = {};
+    for (media::Frame& frame : frames) frame.colour = {};
     EXPECT_NEAR(fields::lasting_reference(frames).grey.at(2, 2), 101, 1);
     EXPECT_NEAR(fields::lasting_reference(frames).grey.at(4, 1), 101, 1);
 }
@@ -179,14 +179,14 @@ TEST_P(AtRate, AGhostIsLetGoAfterFiveSecondsAndWhatWasLeftIsNot) {
 int frames_to_learn(double rate, std::optional<int> seconds) {
     const std::vector<std::uint8_t> pixels(32 * 24, 100);
     std::int64_t read = 0;
-    video::MemoryFrames frames{"memory", {32, 24}, video::PixelOrder::grey, rate, 0, {}};
+    media::MemoryFrames frames{"memory", {32, 24}, media::PixelOrder::grey, rate, 0, {}};
     if (seconds) frames.frames = std::llround(*seconds * rate);
-    frames.read = [&](std::int64_t index, video::MemoryFrame& frame) {
+    frames.read = [&](std::int64_t index, media::MemoryFrame& frame) {
         frame = {pixels.data(), 32, static_cast<double>(index) / rate};
         read = index + 1;
         return static_cast<double>(index) < 60 * rate;
     };
-    video::MemorySource source(std::move(frames), {});
+    media::MemorySource source(std::move(frames), {});
     fields::FieldOptions options;
     options.reference = std::string("running");
     fields::make_reference(source, options);

@@ -15,11 +15,11 @@ using test::fields_of;
 
 constexpr Size shaken_size{192, 144};
 
-video::Frame rough(double dx, double dy) {
+media::Frame rough(double dx, double dy) {
     return {0, 0, test::grey_plane(shaken_size, [&](int i, int j) { return test::rough_texture(i - dx, j - dy); }), {}};
 }
 
-fields::Planes planes_of(const video::Frame& frame) {
+fields::Planes planes_of(const media::Frame& frame) {
     return {frame.grey, frame.colour};
 }
 
@@ -35,8 +35,8 @@ TEST(Stabilizer, FindsAShift) {
 
 TEST(Stabilizer, WhatMovesByItselfIsNotTheCamera) {
     const fields::Stabilizer stabilizer(planes_of(rough(0, 0)));
-    video::Frame frame = rough(4, -3);
-    const video::Frame crowd = rough(-7, 2);
+    media::Frame frame = rough(4, -3);
+    const media::Frame crowd = rough(-7, 2);
     for (int j = 0; j < shaken_size.height; ++j) {  // four tenths of the picture
         std::copy_n(crowd.grey.row(j).begin(), 4 * shaken_size.width / 10, frame.grey.row(j).begin());
     }
@@ -53,9 +53,9 @@ TEST(Stabilizer, NothingToSeeIsNoShift) {
 }
 
 TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
-    const video::Frame here = rough(0, 0);
+    const media::Frame here = rough(0, 0);
     const fields::Stabilizer stabilizer(planes_of(here));
-    video::Frame frame = rough(5, -3);
+    media::Frame frame = rough(5, -3);
     const fields::VisibleArea visible = stabilizer.align(frame, {5, -3});
     EXPECT_EQ(visible.left, 0);
     EXPECT_EQ(visible.right, shaken_size.width - 5);

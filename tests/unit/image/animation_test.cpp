@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/footage/open_source.h"
 #include "core/image/picture.h"
 #include "core/image/video_encoder.h"
-#include "core/video/frame_source.h"
-#include "core/video/open_source.h"
-#include "core/video/scaler.h"
+#include "core/media/frame_source.h"
+#include "core/media/scaler.h"
 #include "tests/support/planes.h"
 #include "tests/support/temp_folder.h"
 
@@ -39,13 +39,13 @@ class AnimationTest : public testing::TestWithParam<std::string> {
 TEST_P(AnimationTest, HoldsThePicturesInOrder) {
     const std::string path = folder / ("moving" + GetParam());
     write(path);
-    video::SourceOptions options{.field_size = size, .colour = true};
-    const auto source = video::open_source(path, options);
+    media::SourceOptions options{.field_size = size, .colour = true};
+    const auto source = footage::open_source(path, options);
     EXPECT_EQ(source->info().size, size);
-    video::Scaler scaler(*source);
+    media::Scaler scaler(*source);
     int count = 0;
     for (auto decoded = source->next(); decoded; decoded = source->next(), ++count) {
-        const video::Frame frame = scaler(*decoded);
+        const media::Frame frame = scaler(*decoded);
         EXPECT_NEAR(frame.pts, 0.05 * count, 1e-3);
         const Bgr bar = frame.colour.at(8 * count + 4, 20);
         EXPECT_GT(bar[2], 230) << "picture " << count;
@@ -87,7 +87,7 @@ TEST(Animation, OfOddSizesLosesALineInVideo) {
     image::AnimationFile animation(path, 20);
     animation.add(image::Picture{Plane<image::Rgba>({33, 17}, {1, 1, 1, 1})});
     animation.close();
-    EXPECT_EQ(video::open_source(path, {})->info().size, (Size{32, 16}));
+    EXPECT_EQ(footage::open_source(path, {})->info().size, (Size{32, 16}));
 }
 
 TEST(Palette, KeepsFewColoursExactly) {

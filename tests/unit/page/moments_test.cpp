@@ -12,13 +12,13 @@ class Frames final : public fields::FieldSource {
   public:
     explicit Frames(std::int64_t count) : count_(count) { info_.size = {80, 60}; }
 
-    const video::VideoInfo& info() const override { return info_; }
+    const media::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field; }
     std::int64_t expected_frames() const override { return 0; }
     fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override {
         EXPECT_TRUE(needs.colour);
         for (std::int64_t k = 0; k < count_; ++k) {
-            auto frame = std::make_shared<video::Frame>();
+            auto frame = std::make_shared<media::Frame>();
             frame->index = k;
             frame->pts = 0.1 * static_cast<double>(k);
             frame->colour = Plane<Bgr>(field, Bgr{static_cast<std::uint8_t>(k % 250), 0, 0});
@@ -31,13 +31,13 @@ class Frames final : public fields::FieldSource {
     }
 
   private:
-    video::VideoInfo info_;
+    media::VideoInfo info_;
     std::int64_t count_;
 };
 
 TEST(RecentMoments, KeepTheEndOfAStreamAndNoMore) {
     page::RecentMoments moments(std::make_unique<Frames>(5000), 400);
-    moments.read({}, [](const video::SharedFrame&, fields::Field&&) {});
+    moments.read({}, [](const media::SharedFrame&, fields::Field&&) {});
     const page::Moments all = moments.since(0);
     ASSERT_EQ(all.times.size(), 1U);
     EXPECT_EQ(all.times[0].first, 4600);
@@ -61,8 +61,8 @@ std::vector<page::Still> stills(std::int64_t step = 10) {
     return stills;
 }
 
-events::Event event_of(events::EventKind kind, std::int64_t first, std::int64_t last, glm::dvec2 place) {
-    events::Event event;
+tracking::Event event_of(tracking::EventKind kind, std::int64_t first, std::int64_t last, glm::dvec2 place) {
+    tracking::Event event;
     event.kind = kind;
     event.first = {first, 0.1 * static_cast<double>(first)};
     event.last = {last, 0.1 * static_cast<double>(last)};
@@ -73,11 +73,11 @@ events::Event event_of(events::EventKind kind, std::int64_t first, std::int64_t 
 
 TEST(TellingStill, IsOfWhatWasLeft) {
     const std::vector<page::Still> all = stills();
-    const std::vector<events::Event> events{event_of(events::EventKind::moved, 0, 99, {5, 5}),
-                                            event_of(events::EventKind::left, 60, 80, {20, 15}),
-                                            event_of(events::EventKind::stood, 20, 50, {5, 5})};
+    const std::vector<tracking::Event> events{event_of(tracking::EventKind::moved, 0, 99, {5, 5}),
+                                              event_of(tracking::EventKind::left, 60, 80, {20, 15}),
+                                              event_of(tracking::EventKind::stood, 20, 50, {5, 5})};
     EXPECT_EQ(page::best_still(all, events)->frame, 70);
-    EXPECT_EQ(page::best_still(all, std::vector{event_of(events::EventKind::taken, 60, 80, {20, 15})})->frame, 60)
+    EXPECT_EQ(page::best_still(all, std::vector{event_of(tracking::EventKind::taken, 60, 80, {20, 15})})->frame, 60)
         << "later stills lack it";
 }
 
@@ -90,9 +90,9 @@ TEST(TellingStill, IsTheMiddleWhereNothingHappened) {
 TEST(ContactSheet, HasTheStillsOfEvents) {
     std::vector<page::Still> all = stills(1);
     all[62].picture.at(0, 0) = {{9, 9, 9}};
-    const std::vector<events::Event> events{event_of(events::EventKind::moved, 10, 12, {5, 5}),
-                                            event_of(events::EventKind::left, 60, 68, {20, 15}),
-                                            event_of(events::EventKind::stood, 64, 70, {5, 5})};
+    const std::vector<tracking::Event> events{event_of(tracking::EventKind::moved, 10, 12, {5, 5}),
+                                              event_of(tracking::EventKind::left, 60, 68, {20, 15}),
+                                              event_of(tracking::EventKind::stood, 64, 70, {5, 5})};
     const auto sheet = page::contact_sheet(all, events);
     ASSERT_TRUE(sheet);
     ASSERT_EQ(sheet->seconds.size(), 3U + 11);
@@ -105,7 +105,7 @@ TEST(ContactSheet, HasTheStillsOfEvents) {
 
 TEST(ContactSheet, IsSmall) {
     const std::vector<page::Still> all = stills(1);
-    const std::vector<events::Event> whole{event_of(events::EventKind::moved, 0, 99, {5, 5})};
+    const std::vector<tracking::Event> whole{event_of(tracking::EventKind::moved, 0, 99, {5, 5})};
     const auto sheet = page::contact_sheet(all, whole);
     ASSERT_TRUE(sheet);
     EXPECT_EQ(sheet->seconds.size(), page::ContactSheet::most);
@@ -115,7 +115,7 @@ TEST(ContactSheet, IsSmall) {
     // Without events, and where none of them has a still of its own.
     EXPECT_EQ(page::contact_sheet(all, {})->seconds.size(), 1U);
     const std::vector<page::Still> two{all.front(), all.back()};
-    const std::vector<events::Event> brief{event_of(events::EventKind::moved, 33, 36, {5, 5})};
+    const std::vector<tracking::Event> brief{event_of(tracking::EventKind::moved, 33, 36, {5, 5})};
     EXPECT_EQ(page::contact_sheet(two, brief)->seconds, std::vector<double>{0.0});
     EXPECT_FALSE(page::contact_sheet({}, brief));
 }

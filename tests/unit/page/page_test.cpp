@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/footage/open_source.h"
+#include "core/media/frame.h"
+#include "core/media/frame_source.h"
 #include "core/page/html.h"
 #include "core/page/page_data.h"
-#include "core/video/frame.h"
-#include "core/video/frame_source.h"
-#include "core/video/open_source.h"
 #include "tests/support/planes.h"
 #include "tests/support/temp_folder.h"
 
@@ -119,9 +119,9 @@ TEST(Timeline, OfOneFrame) {
     EXPECT_EQ(line.stretches().front().at(7), 2.5);
 }
 
-video::SharedFrame frame_of(std::int64_t index, double seconds, const Plane<Bgr>& picture) {
-    return std::make_shared<const video::Frame>(
-        video::Frame{index, seconds, Plane<std::uint8_t>(picture.size()), picture});
+media::SharedFrame frame_of(std::int64_t index, double seconds, const Plane<Bgr>& picture) {
+    return std::make_shared<const media::Frame>(
+        media::Frame{index, seconds, Plane<std::uint8_t>(picture.size()), picture});
 }
 
 TEST(Stills, KeepTheFramesInWhichMostGoesOn) {
@@ -168,7 +168,7 @@ TEST(Preview, HoldsTheFramesAtTheirTimes) {
     EXPECT_EQ(film->step, 1);
     const test::TempFolder folder;
     test::write_bytes(folder / "film", {reinterpret_cast<const char*>(film->bytes.data()), film->bytes.size()});
-    const auto source = video::open_source(folder / "film", {});
+    const auto source = footage::open_source(folder / "film", {});
     EXPECT_EQ(source->info().size, size);
     int count = 0;
     while (const auto frame = source->next()) {

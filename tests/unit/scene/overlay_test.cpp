@@ -13,8 +13,8 @@ namespace {
 
 constexpr glm::vec4 green{0, 1, 0, 1};
 
-bricks::Volume dot_at(int column, int row, int frame) {
-    bricks::Volume volume({64, 48}, {64});
+volume::Volume dot_at(int column, int row, int frame) {
+    volume::Volume volume({64, 48}, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field = test::field_of(i, {64, 48});
         if (i == frame) field.scalar.at(column, row) = 255;
@@ -29,8 +29,8 @@ TEST(Boxes, HoldTheLayoutAndWhatIsSeen) {
     EXPECT_LT(glm::distance(all.low, glm::dvec3(-1, 0, 0)), 1e-9);
     EXPECT_LT(glm::distance(all.high, glm::dvec3(1, 0.4, 1)), 1e-9);
 
-    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
-    const std::vector<bricks::PlacedCells> bricks = {{&cells}};
+    const volume::BrickCells cells = volume::brick_cells(volume::BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
+    const std::vector<volume::PlacedCells> bricks = {{&cells}};
     const scene::BoundingBox seen = scene::visible_bounds(bricks, *layout, scene::default_transfer_function());
     const glm::dvec3 dot = layout->p_from_c({1 - 10.5 / 64, 1 - 40.5 / 48, 32.5 / 64});
     for (int axis = 0; axis < 3; ++axis) {

@@ -27,7 +27,7 @@ TEST(TransferFunction, KnowsWhichRangesAreVisible) {
     EXPECT_TRUE(transfer.visible({0, 11}));
     EXPECT_TRUE(transfer.visible({0, 255})) << "interpolation passes through the visible values";
     EXPECT_FALSE(transfer.visible({30, 255}));
-    EXPECT_FALSE(transfer.visible(bricks::ValueRange{})) << "no value at all";
+    EXPECT_FALSE(transfer.visible(volume::ValueRange{})) << "no value at all";
 }
 
 TEST(TransferFunction, RefusesNonsense) {
@@ -55,19 +55,19 @@ struct Sliced {
     scene::SliceStack stack;
     scene::SliceMesh mesh;
 
-    Sliced(const bricks::Volume& volume, const space::Layout& layout, const space::View& view, int slices)
+    Sliced(const volume::Volume& volume, const space::Layout& layout, const space::View& view, int slices)
         : camera(space::fit_camera(view, scene::outline_points(layout), {640, 480})),
           stack(scene::stack_slices(camera, layout, slices, 0)) {
-        const bricks::BrickCells cells =
-            bricks::brick_cells(bricks::BrickLayers(volume, {0, volume.layers()}), 1, layout);
-        mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, layout,
+        const volume::BrickCells cells =
+            volume::brick_cells(volume::BrickLayers(volume, {0, volume.layers()}), 1, layout);
+        mesh = scene::cut_slices(std::vector<volume::PlacedCells>{{&cells}}, 0, layout,
                                  scene::default_transfer_function(), camera, stack);
     }
 };
 
 TEST(Slices, FillTheVolumeExactlyOnce) {
     for (const std::string name : {"box", "horseshoe"}) {
-        const bricks::Volume volume = test::even_volume({48, 40}, 64, 255);
+        const volume::Volume volume = test::even_volume({48, 40}, 64, 255);
         const auto layout = space::make_layout(name, {0.45, 1, 0.4});
         const double depth = 0.55;
         const double length = std::numbers::pi * (0.45 + 1) / 2;
@@ -99,8 +99,8 @@ TEST(Slices, PassOverWhatCannotBeSeen) {
 }
 
 /// With a seed in its first frame.
-bricks::Volume volume_with_a_seed() {
-    bricks::Volume volume({100, 80}, {64});
+volume::Volume volume_with_a_seed() {
+    volume::Volume volume({100, 80}, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field = test::field_of(i, {100, 80});
         if (i == 0) field.seeds = {{20, 30, 1.5F, -0.5F}};
@@ -110,7 +110,7 @@ bricks::Volume volume_with_a_seed() {
 }
 
 TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
-    const bricks::Volume volume = volume_with_a_seed();
+    const volume::Volume volume = volume_with_a_seed();
     const auto layout = space::make_horseshoe({0.45, 1, 0.4});
     const std::vector<scene::Glyph> glyphs = scene::arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1});
     ASSERT_EQ(glyphs.size(), 1U);
@@ -125,7 +125,7 @@ TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
 }
 
 TEST(Arrows, LeanAlongTimeByItsVelocity) {
-    const bricks::Volume volume = volume_with_a_seed();
+    const volume::Volume volume = volume_with_a_seed();
     for (const auto& row : space::layouts()) {
         const auto layout = row.make({0.45, 1, 0.4});
         const double v_t = 0.8;

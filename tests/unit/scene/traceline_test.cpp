@@ -16,8 +16,8 @@ using std::numbers::pi;
 using Motion = std::function<glm::dvec2(double column, double row, int frame)>;
 
 /// A volume whose flow is `motion` in every frame, with one seed.
-bricks::Volume volume_of(Size size, int frames, const Motion& motion, const bricks::FrameSeed& seed) {
-    bricks::Volume volume(size, {.capacity = frames, .keep_flow = true});
+volume::Volume volume_of(Size size, int frames, const Motion& motion, const volume::FrameSeed& seed) {
+    volume::Volume volume(size, {.capacity = frames, .keep_flow = true});
     for (int f = 0; f < frames; ++f) {
         fields::Field field = test::field_of(f, size);
         field.flow.u = test::plane_of<float>(size, [&](int i, int j) { return static_cast<float>(motion(i, j, f).x); });
@@ -41,7 +41,7 @@ constexpr auto still = [](double, double, int) { return glm::dvec2(0, 0); };
 constexpr auto to_the_right = [](double, double, int) { return glm::dvec2(2, 0); };
 
 TEST(Trace, StaysOnItsCircleOverHalfATurn) {
-    const bricks::Volume volume = volume_of(square, 2, spinning, {});
+    const volume::Volume volume = volume_of(square, 2, spinning, {});
     const double dt = 0.05;
     for (const double radius : {10.0, 35.0, 70.0}) {
         const auto points = scene::trace(volume, {centre.x + radius, centre.y, 1}, {.dt = dt, .steps = 600});
@@ -56,7 +56,7 @@ TEST(Trace, StaysOnItsCircleOverHalfATurn) {
 }
 
 TEST(Trace, ALongerStepStraysFurther) {
-    const bricks::Volume volume = volume_of(square, 2, spinning, {});
+    const volume::Volume volume = volume_of(square, 2, spinning, {});
     const auto radius_after = [&](double dt, int steps) {
         return glm::distance(glm::dvec2(scene::trace(volume, {110, 80, 0}, {.dt = dt, .steps = steps}).back()), centre);
     };
@@ -64,7 +64,7 @@ TEST(Trace, ALongerStepStraysFurther) {
 }
 
 TEST(Trace, EndsExactlyOnTheBorder) {
-    const bricks::Volume volume = volume_of({100, 80}, 8, to_the_right, {});
+    const volume::Volume volume = volume_of({100, 80}, 8, to_the_right, {});
     const auto right = scene::trace(volume, {90.25, 40, 3}, {.steps = 100});
     EXPECT_EQ(right.back(), glm::dvec3(99.5, 40, 3));
     EXPECT_EQ(volume.c_of(right.back()).x, 0);
@@ -98,8 +98,8 @@ TEST(Trace, GoesOnInTimeWhereRestIsNone) {
 class BentTraceline : public testing::TestWithParam<std::string> {};
 
 TEST_P(BentTraceline, FollowsTheTransformedField) {
-    const bricks::FrameSeed seed{5, {110, 80, 0, 0}};
-    const bricks::Volume volume = volume_of(square, 40, spinning, seed);
+    const volume::FrameSeed seed{5, {110, 80, 0, 0}};
+    const volume::Volume volume = volume_of(square, 40, spinning, seed);
     const auto layout = space::make_layout(GetParam(), {0.45, 1, 0.55});
     for (const double v_t : {0.0, 0.7}) {
         const double dt = 0.02;
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, BentTraceline, testing::ValuesIn(test::layout_
 
 TEST(Tracelines, MeasureTheTextureByLength) {
     // It slows down on the way, so steps get shorter.
-    const bricks::Volume volume =
+    const volume::Volume volume =
         volume_of({101, 80}, 4, [](double column, double, int) { return glm::dvec2(0.05 * (100 - column), 0); },
                   {2, {10, 40, 4.5F, 0}});
     const auto layout = space::make_box({0.45, 1, 0.4});
@@ -152,7 +152,7 @@ TEST(Tracelines, MeasureTheTextureByLength) {
 }
 
 TEST(Tracelines, LeaveOutLinesWithoutLength) {
-    const bricks::Volume volume = volume_of({20, 20}, 4, still, {2, {10, 10, 0, 0}});
+    const volume::Volume volume = volume_of({20, 20}, 4, still, {2, {10, 10, 0, 0}});
     EXPECT_TRUE(scene::tracelines(volume, volume.seeds(), *space::make_box({}), {}).empty());
 }
 

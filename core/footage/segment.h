@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/base/wall_clock.h"
+
+namespace vvr::footage {
+
+/// One file of a recording.
+struct Segment {
+    std::string path;
+    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the previous segment
+    ClockSource begin_source = ClockSource::none;  ///< source of `begin`
+    std::string camera{};                          ///< empty = unknown
+    std::string layout{};                          ///< as RecorderName::layout
+    bool sub = false;                              ///< as RecorderName::sub
+    bool no_clock = false;                         ///< as RecorderName::no_clock
+};
+
+}  // namespace vvr::footage

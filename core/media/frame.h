@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "core/base/av_writer.h"
+#include "core/base/plane.h"
+
+namespace vvr::media {
+
+struct DecodedFrame;
+
+/// Refers to a frame's decoded picture in full size, for `crop_of`. The picture is there only while the sink of
+/// `compute_fields` runs, so frames that are kept longer hold no large buffers.
+struct FullSize {
+    std::weak_ptr<const DecodedFrame> picture{};  ///< empty for frames without one
+    double left = 0;  ///< the frame's left edge in the picture, field pixels; not 0 if a shaking camera is aligned
+    double top = 0;
+};
+
+/// Why frames before a frame are missing.
+enum class Absence { no_signal, dropped, unlearnt };
+
+/// The words for it on a picture.
+constexpr std::string_view words_of(Absence absence) {
+    constexpr std::array<std::string_view, 3> words{"no signal", "frames dropped", "learning the scene"};
+    return words[static_cast<std::size_t>(absence)];
+}
+
+/// One decoded image at the field size, with its index in the clip and its presentation time.
+struct Frame {
+    std::int64_t index = 0;
+    double pts = 0;            ///< seconds from the clip's first frame, by the container's timestamps
+    Plane<std::uint8_t> grey;  ///< luma
+    Plane<Bgr> colour;         ///< same size as `grey`; empty unless requested
+    FullSize full_size{};
+    Absence before = Absence::no_signal;  ///< why frames before it are missing, if some are
+};
+
+/// An immutable frame with several readers.
+using SharedFrame = std::shared_ptr<const Frame>;
+
+/// The frame as a colour picture, or as a grey one if it has no colour.
+inline Plane<Bgr> picture_of(const Frame& frame) {
+    if (!frame.colour.empty()) return frame.colour;
+    Plane<Bgr> picture(frame.grey.size());
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
+    return picture;
+}
+
+using AvFrame = AvPtr<AVFrame>;
+
+/// The transform that turns a stored picture upright: first transpose, then flip.
+struct Orientation {
+    bool transpose = false;
+    bool flip_x = false;
+    bool flip_y = false;
+
+    friend bool operator==(const Orientation&, const Orientation&) = default;
+};
+
+/// A decoded frame, cheap to move between threads. A `Scaler` converts it to a `Frame`.
+struct DecodedFrame {
+    std::int64_t index = 0;
+    double pts = 0;  ///< seconds from the clip's first frame
+    Orientation orientation;
+    AvFrame image;  ///< in the decoder's pixel format and size
+    Absence before = Absence::no_signal;
+};
+
+}  // namespace vvr::media

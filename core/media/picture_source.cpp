@@ -1,0 +1,132 @@
+#include "core/media/picture_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+extern "C" {
+#include <libavutil/frame.h>
+}
+
+#include "core/base/error.h"
+#include "core/media/decoder.h"
+#include "core/media/demuxer.h"
+#include "core/media/input.h"
+#include "core/media/scaler.h"
+
+namespace vvr::media {
+namespace {
+
+struct Picture {
+    AvFrame image;
+    std::string codec;
+};
+
+/// \throws Error io, not_video, limit
+Picture decode_picture(const std::string& path) {
+    Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 0);
+    Decoder decoder(demuxer, path, 1);
+    Picture picture{decoder.next(), avcodec_get_name(demuxer.stream().codecpar->codec_id)};
+    if (!picture.image) throw Error(ErrorCode::no_frame, demuxer.log().text(AVERROR_INVALIDDATA));
+    return picture;
+}
+
+/// Null for a picture that can't be read or decoded, which then counts as a damaged frame.
+/// \throws Error out_of_memory
+AvFrame try_decode_picture(const std::string& path) {
+    try {
+        return decode_picture(path).image;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::out_of_memory) throw;
+        return nullptr;
+    }
+}
+
+/// Index of the first file at or after `time`, with a tolerance for rounded decimals.
+std::size_t file_at(double time, double rate, std::size_t files) {
+    return static_cast<std::size_t>(std::clamp(std::ceil(time * rate - 1e-6), 0.0, static_cast<double>(files)));
+}
+
+}  // namespace
+
+PictureSource::PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options)
+    : files_(std::move(files)), options_(options) {
+    if (options_.rate == 0) options_.rate = assumed_rate;
+    const double duration = static_cast<double>(files_.size()) / options_.rate;
+    std::string why;
+    for (const std::string& file : files_) {
+        try {
+            const auto first = decode_picture(file);
+            info_ = {name,
+                     "pictures",
+                     first.codec,
+                     {first.image->width, first.image->height},
+                     options_.rate,
+                     duration,
+                     static_cast<std::int64_t>(files_.size())};
+            break;
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::out_of_memory) throw;
+            if (why.empty()) why = fmt::format("{}: {}", file, error.what());
+        }
+    }
+    if (info_.frames == 0) {
+        throw Error(
+            ErrorCode::no_frame,
+            fmt::format("cannot decode any of the {} pictures of '{}'; the first error: {}", files_.size(), name, why));
+    }
+    field_size_ = field_size_for(info_.size, options.field_size);
+}
+
+std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame image) const {
+    return std::make_unique<DecodedFrame>(
+        DecodedFrame{static_cast<std::int64_t>(file), static_cast<double>(file) / options_.rate, {}, std::move(image)});
+}
+
+std::unique_ptr<DecodedFrame> PictureSource::next() {
+    const auto cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t threads = options_.threads > 0 ? static_cast<std::size_t>(std::min(options_.threads, 64)) : cores;
+    while (next_ < files_.size()) {
+        while (ahead_.size() < threads && next_ + ahead_.size() < files_.size()) {
+            ahead_.push_back(
+                std::async(std::launch::async, try_decode_picture, std::cref(files_[next_ + ahead_.size()])));
+        }
+        auto image = ahead_.front().get();
+        ahead_.pop_front();
+        const std::size_t file = next_++;
+        if (image) return frame(file, std::move(image));
+        ++damaged_;
+    }
+    return nullptr;
+}
+
+void PictureSource::rewind() {
+    seek(0);
+}
+
+void PictureSource::seek(double seconds) {
+    ahead_.clear();
+    next_ = file_at(seconds, options_.rate, files_.size());
+    damaged_ = 0;
+}
+
+std::vector<Frame> PictureSource::sample(int count) {
+    const std::size_t files = files_.size();
+    const std::size_t wanted = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, count)), 1, files);
+    Scaler scale(*this);
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const std::size_t file = (2 * i + 1) * files / (2 * wanted);
+        if (auto image = try_decode_picture(files_[file])) frames.push_back(scale(*frame(file, std::move(image))));
+    }
+    if (2 * frames.size() > wanted) {
+        rewind();
+        return frames;
+    }
+    return FrameSource::sample(count);
+}
+
+}  // namespace vvr::media

@@ -1,0 +1,393 @@
+#include "core/tracking/conclude.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "core/tracking/claim.h"
+#include "core/tracking/patch.h"
+#include "core/tracking/path.h"
+#include "core/tracking/proximity.h"
+#include "core/tracking/trajectory.h"
+
+namespace vvr::tracking {
+
+namespace {
+
+/// An object that may be an event.
+struct Candidate {
+    std::vector<std::size_t> tracks;
+    Tracklet whole;
+    EventKind kind = EventKind::moved;
+    bool wanted = true;
+    bool is_claim = false;                // nobody saw it move: the evidence decides
+    bool carried = false;                 // somebody was there to bring or take it
+    std::optional<std::size_t> beside{};  // number of whoever was beside it then, if it split from nobody
+    bool from_first = false;              // it was there when its stretch began
+    bool to_last = false;
+};
+
+class Conclusion {
+  public:
+    Conclusion(Trajectories trajectories, const Span& span, const EventOptions& options)
+        : span_(span), options_(options), object_of_(std::move(trajectories.of_track)) {
+        for (Trajectory& one : trajectories.all) {
+            candidates_.push_back({std::move(one.tracks), std::move(one.whole)});
+        }
+    }
+
+    Findings run() {
+        found_.overlays = span_.overlays;
+        for (const Stretch& stretch : span_.stretches) found_.begins.push_back(stretch.first);
+        look_at_ends();
+        for (Candidate& candidate : candidates_) judge(candidate);
+        absorb_fragments();
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            find_carrier(k);
+            if (was_never_alone(k)) candidates_[k].wanted = false;
+            weigh(k);
+        }
+        found_.events = listed();
+        std::ranges::stable_sort(found_.changes, {}, [](const Change& change) { return change.first.frame; });
+        return std::move(found_);
+    }
+
+  private:
+    const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
+
+    /// The stretch before, if there is one. Those in the camera's other mode show another scene, and don't count.
+    std::optional<std::size_t> stretch_before(const Tracklet& own) const {
+        for (std::size_t k = own.stretch; k > 0; --k) {
+            if (span_.stretches[k - 1].infrared == stretch_of(own).infrared) return k - 1;
+        }
+        return std::nullopt;
+    }
+
+    /// Whether it was there when its stretch began. Then nobody knows what it did before.
+    bool was_there_first(const Tracklet& own) const {
+        return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
+    }
+
+    /// Whether it was there until its stretch ended. Then nobody knows how long it stayed.
+    bool lasts_to_end(const Candidate& candidate) const {
+        const Tracklet& own = candidate.whole;
+        const double unseen = stretch_of(own).last.seconds - own.end.at.seconds;
+        const bool is_lost = unseen > 0 && (own.end.at_border || own.into || unseen >= thresholds.track.lost_after);
+        // If the fields don't show it, `to_last` is about its ghost.
+        return !is_lost || (candidate.to_last && !own.in_scene);
+    }
+
+    /// Whether it is digits of the camera's clock.
+    bool is_overlay(const PixelBox& box) const {
+        return std::ranges::any_of(span_.overlays, [&](const PixelBox& clock) { return is_mostly_inside(box, clock); });
+    }
+
+    /// Marks objects at the first and last moment of their stretch, before ghosts are corrected.
+    void look_at_ends() {
+        in_stretch_.resize(span_.stretches.size());
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            Candidate& candidate = candidates_[k];
+            const Tracklet& own = candidate.whole;
+            candidate.from_first = was_there_first(own);
+            candidate.to_last =
+                own.stood_to_end && stretch_of(own).last.seconds - own.end.at.seconds < thresholds.stationary.stay;
+            in_stretch_[own.stretch].push_back(k);
+        }
+    }
+
+    /// Whether something stood at the same place at the end of a stretch.
+    /// \param from_first it must also have stood there at the beginning
+    bool stood_in(std::size_t stretch, const Tracklet& own, bool from_first) const {
+        return std::ranges::any_of(in_stretch_[stretch], [&](std::size_t k) {
+            const Candidate& other = candidates_[k];
+            return other.to_last && (!from_first || other.from_first) && is_at_same_place(other.whole, own);
+        });
+    }
+
+    static bool is_at_same_place(const Tracklet& a, const Tracklet& b) {
+        if (!a.settled || !b.settled) return false;
+        const double off = glm::distance(a.settled->patch.centre, b.settled->patch.centre);
+        return off < thresholds.stationary.apart * std::max(thresholds.least_length, b.length);
+    }
+
+    /// Whether it stood there in all frames of all stretches of this mode that are long enough to tell.
+    bool was_always_there(const Candidate& candidate) const {
+        if (!candidate.from_first || !candidate.to_last) return false;
+        for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
+            const Stretch& stretch = span_.stretches[k];
+            if (stretch.infrared != stretch_of(candidate.whole).infrared) continue;
+            const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * thresholds.stationary.stay;
+            if (k != candidate.whole.stretch && can_settle && !stood_in(k, candidate.whole, true)) return false;
+        }
+        return true;
+    }
+
+    void judge(Candidate& candidate) {
+        const Tracklet& own = candidate.whole;
+        const bool went = own.moved >= thresholds.event.own_lengths * own.length && own.seen >= thresholds.most;
+        const bool stands_only = own.settled && own.stood_from_start;
+        const bool jumps = own.continuous < thresholds.event.continuous ||
+                           (!own.settled && straightness_of(own.path) < thresholds.event.steady_way);
+        const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
+        const double least = own.from || inside ? thresholds.stationary.stay : thresholds.event.least;
+        candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
+        if (!candidate.wanted) return;
+        if (own.novelty < thresholds.event.novelty) {
+            call_change(candidate);
+            return;
+        }
+        if (!stands_only) {
+            candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
+            return;
+        }
+        candidate.is_claim = true;
+        // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
+        if (options_.scene_is_learnt && was_always_there(candidate)) candidate.wanted = false;
+        const Evidence& evidence = own.settled->evidence;
+        if (evidence.edges < evidence.scene_edges) {
+            judge_ghost(candidate);
+        } else {
+            // Nobody saw it come.
+            candidate.kind = candidate.from_first ? EventKind::stood : EventKind::left;
+        }
+    }
+
+    static bool is_ghost(const Tracklet& own) {
+        return own.settled && own.stood_from_start && own.settled->evidence.edges < own.settled->evidence.scene_edges;
+    }
+
+    /// The next ghost at the place of another in the same stretch: when it begins, the thing that the empty scene has
+    /// is gone again.
+    const Tracklet* next_ghost(const Tracklet& own) const {
+        const Tracklet* next = nullptr;
+        for (const std::size_t k : in_stretch_[own.stretch]) {
+            const Tracklet& other = candidates_[k].whole;
+            if (!is_ghost(other) || other.begin.at.frame <= own.gone.frame || !is_at_same_place(other, own)) continue;
+            if (next == nullptr || other.begin.at.frame < next->begin.at.frame) next = &other;
+        }
+        return next;
+    }
+
+    /// Decides what a ghost means: the empty scene has a thing that the frames don't have.
+    void judge_ghost(Candidate& candidate) {
+        Tracklet& own = candidate.whole;
+        candidate.kind = EventKind::taken;
+        const std::optional<std::size_t> before = stretch_before(own);
+        const bool was_never_there = candidate.from_first && (!before || stood_in(*before, own, false));
+        if (!was_never_there) {
+            own.stays.clear();
+            return;
+        }
+        // The empty scene is of later frames: the thing was put down when the ghost ended.
+        candidate.kind = EventKind::left;
+        own.in_scene = true;
+        const Tracklet* const next = next_ghost(own);
+        own.begin.at = own.gone;
+        own.end.at = next != nullptr ? next->begin.at : stretch_of(own).last;
+        if (own.seconds() < thresholds.stationary.stay) candidate.wanted = false;
+        own.from = own.into;
+        own.into.reset();
+        own.path = {{own.begin.at, own.settled->patch.centre}, {own.end.at, own.settled->patch.centre}};
+        own.box = own.settled->patch.box;
+        own.stays = {{own.begin.at, own.end.at, own.settled->patch.centre, own.box}};
+        own.portrait.reset();
+    }
+
+    void absorb_fragments() {
+        std::vector<std::size_t> order(candidates_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto size_of = [&](std::size_t k) {
+            const Tracklet& own = candidates_[k].whole;
+            return own.settled ? std::max<double>(own.area, own.settled->patch.area) : own.area;
+        };
+        std::ranges::sort(order, std::greater{}, size_of);
+        for (std::size_t a = 0; a < order.size(); ++a) {
+            const Candidate& whole = candidates_[order[a]];
+            if (!whole.wanted) continue;
+            for (std::size_t b = a + 1; b < order.size(); ++b) {
+                Candidate& piece = candidates_[order[b]];
+                const bool apart = piece.whole.begin.at.frame > whole.whole.end.at.frame ||
+                                   piece.whole.end.at.frame < whole.whole.begin.at.frame;
+                if (apart) continue;
+                const bool small = size_of(order[b]) <= thresholds.most * size_of(order[a]);
+                if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
+                if (is_fragment_of(piece.whole, whole.whole)) piece.wanted = false;
+            }
+        }
+    }
+
+    /// Whether it was there when the clip began, or was an event before the gap at which its stretch began. Anything
+    /// else that is new after a gap may be a change of light or of the camera's view.
+    bool was_there_before(const Tracklet& own) const {
+        if (!was_there_first(own)) return false;
+        const std::optional<std::size_t> before = stretch_before(own);
+        return !before || std::ranges::any_of(in_stretch_[*before], [&](std::size_t k) {
+            return candidates_[k].wanted && candidates_[k].to_last && is_at_same_place(candidates_[k].whole, own);
+        });
+    }
+
+    /// Finds who put a thing down or took it. A thing that appears with nobody beside it is light, a caption or a
+    /// codec's artefact.
+    void find_carrier(std::size_t k) {
+        Candidate& candidate = candidates_[k];
+        Tracklet& own = candidate.whole;
+        if (!candidate.wanted || !candidate.is_claim) return;
+        if (was_there_first(own)) {
+            candidate.carried = was_there_before(own);
+            return;
+        }
+        if (const auto parent = own.from ? object_of_.find(*own.from) : object_of_.end(); parent != object_of_.end()) {
+            const Candidate& bearer = candidates_[parent->second];
+            candidate.carried = bearer.wanted && can_carry(bearer.whole, own, candidate.kind, span_.field);
+            return;
+        }
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t other = 0; other < candidates_.size(); ++other) {
+            const Tracklet& bearer = candidates_[other].whole;
+            if (other == k || !candidates_[other].wanted || bearer.stood_from_start ||
+                !can_carry(bearer, own, candidate.kind, span_.field))
+                continue;
+            if (!was_beside(bearer, own, span_.seconds_per_frame())) continue;
+            candidate.carried = true;
+            const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
+            if (away >= nearest) continue;
+            nearest = away;
+            candidate.beside = bearer.number;
+        }
+    }
+
+    /// The seconds for which nobody was near a thing that the fields don't show, as the empty scene has it.
+    double alone_in_scene(std::size_t k) const {
+        constexpr double step = 0.5;
+        const Tracklet& own = candidates_[k].whole;
+        double alone = 0;
+        const double last = std::min(own.end.at.seconds, own.begin.at.seconds + thresholds.memory);
+        for (double seconds = own.begin.at.seconds; seconds < last; seconds += step) {
+            const double frames = (seconds - own.begin.at.seconds) / span_.seconds_per_frame();
+            const std::int64_t frame = own.begin.at.frame + std::llround(frames);
+            bool near = false;
+            for (std::size_t other = 0; other < candidates_.size() && !near; ++other) {
+                if (other == k || !candidates_[other].wanted) continue;
+                near = is_near(box_at(candidates_[other].whole, seconds, frame), own.settled->patch.box);
+            }
+            if (!near) alone += step;
+        }
+        return alone;
+    }
+
+    /// Says of a claim how sure it is. With too little evidence it is a change only. What moved by itself before it
+    /// became still is no thing: it stood.
+    void weigh(std::size_t k) {
+        Candidate& candidate = candidates_[k];
+        if (!candidate.wanted || !candidate.is_claim) return;
+        Evidence& evidence = candidate.whole.settled->evidence;
+        if (candidate.whole.in_scene) evidence.alone = alone_in_scene(k);
+        if (candidate.kind == EventKind::left && evidence.moved >= 2 * thresholds.claim.moved) {
+            candidate.kind = EventKind::stood;
+            evidence.moved = 0;
+        }
+        evidence.carried = candidate.carried;
+        evidence.novelty = candidate.whole.novelty;
+        evidence.confidence = confidence_of(evidence);
+        if (evidence.confidence < 0.5) call_change(candidate);
+    }
+
+    /// Lists it as a change instead of an event.
+    void call_change(Candidate& candidate) {
+        candidate.wanted = false;
+        const Tracklet& own = candidate.whole;
+        const PixelBox& box = own.settled ? own.settled->patch.box : own.box;
+        Evidence evidence = own.settled ? own.settled->evidence : Evidence{};
+        evidence.novelty = own.novelty;
+        found_.changes.push_back({own.begin.at, own.end.at, box, evidence});
+    }
+
+    /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.
+    bool was_never_alone(std::size_t k) const {
+        const Candidate& candidate = candidates_[k];
+        const Tracklet& own = candidate.whole;
+        const std::optional<std::size_t> bringer = own.from ? own.from : candidate.beside;
+        if (!candidate.wanted || candidate.kind != EventKind::left || !bringer || !own.into) return false;
+        const auto from = object_of_.find(*bringer);
+        const auto into = object_of_.find(*own.into);
+        if (from == object_of_.end() || into == object_of_.end() || from->second != into->second) return false;
+        const Tracklet& bearer = candidates_[from->second].whole;
+        return std::ranges::none_of(bearer.path, [&](const PathPoint& point) {
+            return point.at.frame >= own.begin.at.frame && point.at.frame <= own.end.at.frame &&
+                   glm::distance(point.place, own.settled->patch.centre) >= bearer.length;
+        });
+    }
+
+    std::vector<Event> listed() {
+        std::vector<std::size_t> order;
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            if (candidates_[k].wanted) order.push_back(k);
+        }
+        std::ranges::stable_sort(order, {}, [&](std::size_t k) {
+            const Tracklet& own = candidates_[k].whole;
+            return std::pair(own.begin.at.frame, own.number);
+        });
+        std::map<std::size_t, std::size_t> places;
+        for (std::size_t p = 0; p < order.size(); ++p) places[order[p]] = p;
+        const auto place_of = [&](const std::optional<std::size_t>& number,
+                                  std::size_t self) -> std::optional<std::size_t> {
+            if (!number) return std::nullopt;
+            const auto object = object_of_.find(*number);
+            if (object == object_of_.end() || object->second == self) return std::nullopt;
+            const auto place = places.find(object->second);
+            return place == places.end() ? std::nullopt : std::optional(place->second);
+        };
+        std::vector<Event> events;
+        events.reserve(order.size());
+        for (const std::size_t k : order) {
+            Candidate& candidate = candidates_[k];
+            Tracklet& own = candidate.whole;
+            Event event;
+            event.kind = candidate.kind;
+            event.first = own.begin.at;
+            event.last = own.end.at;
+            event.box = intersection(own.box, {0, 0, span_.field.width, span_.field.height});
+            event.path = thinned(std::move(own.path));
+            event.path_length = length_of(event.path);
+            event.stays = std::move(own.stays);
+            event.from = place_of(own.from, k);
+            event.into = place_of(own.into, k);
+            if (row_of(event.kind).is_thing) event.by = event.from ? event.from : place_of(candidate.beside, k);
+            // The portrait of what was taken would show the place without it.
+            if (!row_of(event.kind).is_of_scene) event.portrait = own.portrait;
+            event.open_ended = lasts_to_end(candidate);
+            event.infrared = stretch_of(own).infrared;
+            if (own.in_scene && own.settled) {
+                event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
+            }
+            if (candidate.is_claim) event.evidence = own.settled->evidence;
+            event.tracks = std::move(candidate.tracks);
+            events.push_back(std::move(event));
+        }
+        for (std::size_t p = 0; p < events.size(); ++p) {
+            Event& event = events[p];
+            if (event.kind != EventKind::left || !event.by) continue;
+            event.alone_since = alone_since(event, events[*event.by], candidates_[order[*event.by]].whole.length);
+        }
+        return events;
+    }
+
+    Span span_;
+    EventOptions options_;
+    Findings found_;
+    std::vector<Candidate> candidates_;
+    std::vector<std::vector<std::size_t>> in_stretch_;  // indices of the candidates in each stretch
+    std::map<std::size_t, std::size_t> object_of_;      // from a track's number to the index of its candidate
+};
+
+}  // namespace
+
+Findings conclude(std::vector<Tracklet> tracklets, const Span& span, const EventOptions& options) {
+    return Conclusion(join(std::move(tracklets)), span, options).run();
+}
+
+}  // namespace vvr::tracking

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/plane.h"
+#include "core/detector/classes.h"
+#include "core/tracking/event.h"
+#include "core/tracking/event_kind.h"
+
+// What other programs learn of an event when it has ended: one line of JSON.
+namespace vvr::tracking {
+
+/// The name of the heading of an object; empty for a thing that was left or taken, and where nothing is known.
+std::string_view direction_of(const Event& event);
+
+/// One event that has ended.
+struct EventLine {
+    std::string camera{};    ///< empty = unknown
+    std::string clip{};      ///< the file or the stream
+    std::size_t number = 0;  ///< in the picture, the page and the report
+    EventKind kind = EventKind::moved;
+    const detector::ObjectClass* what = nullptr;  ///< null = unknown
+    double first = 0;                             ///< seconds of the clip
+    double last = 0;
+    std::optional<std::string> begin{};  ///< local time, ISO 8601; none = the recording time is unknown
+    std::optional<std::string> end{};
+    bool open_ended = false;       ///< as in Event
+    PixelBox box{};                ///< of all its places, pixels of the video
+    std::string_view direction{};  ///< from `direction_of`
+    std::string page{};            ///< relative URL, which shows the event; empty = no page
+};
+
+/// The line, with its newline: an object whose values are texts, numbers, null and the box.
+std::string format_event_line(const EventLine& line);
+
+}  // namespace vvr::tracking

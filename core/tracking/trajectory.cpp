@@ -1,0 +1,242 @@
+#include "core/tracking/trajectory.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/tracking/association.h"
+#include "core/tracking/event_options.h"
+#include "core/tracking/path.h"
+
+namespace vvr::tracking {
+
+namespace {
+
+/// A possible link.
+struct Link {
+    std::size_t earlier;
+    std::size_t later;
+    double cost;
+};
+using Links = std::vector<Link>;
+
+Links links_of(std::span<const Tracklet> tracklets) {
+    std::vector<std::size_t> order(tracklets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto begin_of = [&](std::size_t k) { return tracklets[k].begin.at.seconds; };
+    std::ranges::stable_sort(order, {}, begin_of);
+    Links links;
+    for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
+        const double end = tracklets[earlier].end.at.seconds;
+        const double latest = end + std::max(thresholds.memory, thresholds.link.seconds);
+        auto place = std::ranges::lower_bound(order, end, {}, begin_of);
+        for (; place != order.end() && begin_of(*place) <= latest; ++place) {
+            if (*place == earlier) continue;
+            const double cost = link_cost(tracklets[earlier], tracklets[*place]);
+            if (cost < 1) links.push_back({earlier, *place, cost});
+        }
+    }
+    return links;
+}
+
+/// Splits links into groups without a common tracklet, which can be solved separately.
+std::vector<Links> groups_of(const Links& links, std::size_t tracklets) {
+    // A tracklet has two nodes: its end (index k) and its beginning (index tracklets + k).
+    std::vector<std::size_t> parent(2 * tracklets);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t k) {
+        while (parent[k] != k) k = parent[k] = parent[parent[k]];
+        return k;
+    };
+    for (const Link& c : links) parent[root(c.earlier)] = root(tracklets + c.later);
+    std::map<std::size_t, Links> groups;
+    for (const Link& c : links) groups[root(c.earlier)].push_back(c);
+    std::vector<Links> result;
+    for (auto& [number, group] : groups) result.push_back(std::move(group));
+    return result;
+}
+
+}  // namespace
+
+double link_cost(const Tracklet& earlier, const Tracklet& later) {
+    if (earlier.stretch != later.stretch) return never;
+    const double gap = later.begin.at.seconds - earlier.end.at.seconds;
+    if (gap < 0 || later.begin.at.frame <= earlier.begin.at.frame) return never;
+    const double looks = distance(earlier.look, later.look) / thresholds.link.looks;
+    if (earlier.stood_from_start || later.stood_from_start) {
+        // A thing stays in its place. No path begins with a thing.
+        const bool both = earlier.stood_to_end && later.stood_from_start;
+        const double off =
+            glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
+        return both && off < thresholds.stationary.apart && gap <= thresholds.link.seconds ? off : never;
+    }
+    if (looks > 1) return never;
+    const bool same_group = earlier.into && (later.from == earlier.into);
+    if (same_group && gap < thresholds.memory) return looks / 3;
+    if (gap > thresholds.link.seconds) return never;
+    if (earlier.end.at_border || later.begin.at_border) return never;  // nothing occludes at the border
+    const double length = std::max({thresholds.least_length, earlier.length, later.length});
+    const glm::dvec2 forth = earlier.end.place + gap * earlier.end.velocity;
+    const glm::dvec2 back = later.begin.place - gap * later.begin.velocity;
+    const double away = std::min(glm::distance(forth, later.begin.place), glm::distance(earlier.end.place, back));
+    const double speed = std::max(glm::length(earlier.end.velocity), glm::length(later.begin.velocity));
+    const double reach = thresholds.link.reach * length + speed * gap;
+    if (away > reach) return never;
+    return (away / reach + gap / thresholds.link.seconds + looks) / 3;
+}
+
+std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
+    std::vector<std::optional<std::size_t>> next(tracklets.size());
+    for (const Links& group : groups_of(links_of(tracklets), tracklets.size())) {
+        // A group has few rows and columns, however long the clip is.
+        std::map<std::size_t, int> rows;
+        std::map<std::size_t, int> columns;
+        for (const Link& c : group) {
+            rows.try_emplace(c.earlier, static_cast<int>(rows.size()));
+            columns.try_emplace(c.later, static_cast<int>(columns.size()));
+        }
+        Plane<double> costs({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, never);
+        for (const Link& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
+        std::vector<std::size_t> place_of(columns.size());
+        for (const auto& [later, column] : columns) place_of[static_cast<std::size_t>(column)] = later;
+        const auto chosen = assign(costs, 1);
+        for (const auto& [earlier, row] : rows) {
+            const auto& column = chosen[static_cast<std::size_t>(row)];
+            if (column) next[earlier] = place_of[static_cast<std::size_t>(*column)];
+        }
+    }
+    return next;
+}
+
+namespace {
+
+void append(const Tracklet& later, Tracklet& whole) {
+    const double first_part = whole.seconds();
+    const double later_part = later.seconds();
+    const double all = std::max(1e-6, first_part + later_part);
+    const auto mean = [&](double a, double b) { return (a * first_part + b * later_part) / all; };
+    whole.seen = mean(whole.seen, later.seen);
+    whole.continuous = mean(whole.continuous, later.continuous);
+    whole.area = mean(whole.area, later.area);
+    whole.length = mean(whole.length, later.length);
+    whole.size = glm::max(whole.size, later.size);
+    whole.novelty = std::max(whole.novelty, later.novelty);
+    whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
+    whole.box = bounding_box(whole.box, later.box);
+    while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {
+        whole.path.pop_back();
+        whole.areas.pop_back();
+    }
+    whole.path.insert(whole.path.end(), later.path.begin(), later.path.end());
+    whole.areas.insert(whole.areas.end(), later.areas.begin(), later.areas.end());
+    whole.stays.insert(whole.stays.end(), later.stays.begin(), later.stays.end());
+    if (later.settled) whole.settled = later.settled;
+    whole.stood_from_start = whole.stood_from_start && later.stood_from_start;
+    if (later.portrait && (!whole.portrait || later.portrait->score > whole.portrait->score)) {
+        whole.portrait = later.portrait;
+    }
+    whole.into = later.into;
+    whole.end = later.end;
+}
+
+/// If two objects enter as one blob and split, the one with the new number also gets the path before the split.
+void begin_with_group(std::size_t k, Trajectories& trajectories) {
+    constexpr auto& group = thresholds.group;
+    Tracklet& own = trajectories.all[k].whole;
+    if (!own.from || own.area_of_parent <= 0 || own.stood_from_start || own.seconds() < 2 * thresholds.event.least) {
+        return;
+    }
+    const double times = own.area_of_parent / std::max(1.0, own.area);
+    if (times < group.least || times > group.most) return;
+    const auto found = trajectories.of_track.find(*own.from);
+    if (found == trajectories.of_track.end() || found->second == k) return;
+    const Tracklet& other = trajectories.all[found->second].whole;
+    std::vector<PathPoint> before;
+    for (std::size_t p = 0; p < other.path.size(); ++p) {
+        if (other.path[p].at.frame >= own.begin.at.frame) break;
+        before.push_back(other.path[p]);
+        if (other.areas[p] > 0 && other.areas[p] < thresholds.most * own.area_of_parent) before.clear();
+    }
+    if (before.empty()) return;
+    own.path.insert(own.path.begin(), before.begin(), before.end());
+    own.areas.insert(own.areas.begin(), before.size(), 0);
+    own.begin.at = before.front().at;
+    own.begin.place = before.front().place;
+    own.from.reset();
+    own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
+}
+
+/// Whether `part` is where `whole` went. Somebody who stands for long is often seen as two: what is still, and what
+/// moves. What was still doesn't go anywhere by itself: it vanishes when the other part goes.
+bool leaves_with(const Tracklet& part, const Tracklet& whole) {
+    if (!whole.stood_to_end || whole.stood_from_start || part.stretch != whole.stretch || part.path.empty()) {
+        return false;
+    }
+    const double gone = whole.end.at.seconds;
+    if (part.begin.at.seconds >= gone || part.end.at.seconds <= gone) return false;
+    const double away = glm::distance(place_at(part.path, whole.end.at.frame), whole.end.place);
+    return away < thresholds.link.reach * std::max({thresholds.least_length, part.length, whole.length});
+}
+
+/// Joins both parts of one object, whose times overlap.
+void add_departure(Tracklet part, Tracklet& whole) {
+    const std::int64_t gone = whole.end.at.frame;
+    std::size_t first = 0;
+    while (first + 1 < part.path.size() && part.path[first].at.frame <= gone) ++first;
+    part.path.erase(part.path.begin(), part.path.begin() + static_cast<std::ptrdiff_t>(first));
+    part.areas.erase(part.areas.begin(), part.areas.begin() + static_cast<std::ptrdiff_t>(first));
+    std::erase_if(part.stays, [&](const Stay& stay) { return stay.first.frame <= gone; });
+    const double area = std::max(part.area, whole.area);
+    append(part, whole);
+    whole.area = area;
+    whole.stood_to_end = part.stood_to_end;
+    whole.gone = part.gone;
+}
+
+/// Joins the parts of objects that stood.
+void join_parts(std::vector<Trajectory>& all) {
+    std::map<std::size_t, std::size_t> of_track;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        for (const std::size_t track : all[k].tracks) of_track[track] = k;
+    }
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto parent = all[k].whole.from ? of_track.find(*all[k].whole.from) : of_track.end();
+        if (parent == of_track.end() || parent->second == k) continue;
+        Trajectory& whole = all[parent->second];
+        if (whole.tracks.empty() || !leaves_with(all[k].whole, whole.whole)) continue;
+        add_departure(std::move(all[k].whole), whole.whole);
+        for (const std::size_t track : all[k].tracks) of_track[track] = parent->second;
+        whole.tracks.insert(whole.tracks.end(), all[k].tracks.begin(), all[k].tracks.end());
+        all[k].tracks.clear();
+    }
+    std::erase_if(all, [](const Trajectory& trajectory) { return trajectory.tracks.empty(); });
+}
+
+}  // namespace
+
+Trajectories join(std::vector<Tracklet> tracklets) {
+    std::ranges::stable_sort(tracklets, {}, [](const Tracklet& t) { return std::pair(t.begin.at.frame, t.number); });
+    const auto next = link(tracklets);
+    std::vector<bool> follows(tracklets.size());
+    for (const auto& n : next) {
+        if (n) follows[*n] = true;
+    }
+    Trajectories trajectories;
+    for (std::size_t k = 0; k < tracklets.size(); ++k) {
+        if (follows[k]) continue;
+        Trajectory trajectory{{tracklets[k].number}, tracklets[k]};
+        for (auto n = next[k]; n; n = next[*n]) {
+            trajectory.tracks.push_back(tracklets[*n].number);
+            append(tracklets[*n], trajectory.whole);
+        }
+        trajectories.all.push_back(std::move(trajectory));
+    }
+    join_parts(trajectories.all);
+    for (std::size_t k = 0; k < trajectories.all.size(); ++k) {
+        for (const std::size_t track : trajectories.all[k].tracks) trajectories.of_track[track] = k;
+    }
+    for (std::size_t k = 0; k < trajectories.all.size(); ++k) begin_with_group(k, trajectories);
+    return trajectories;
+}
+
+}  // namespace vvr::tracking
