@@ -177,8 +177,8 @@ void list_events(Made& made) {
 
 constexpr const char* name_of_frames = "frames in memory";
 
-media::PixelOrder order_of(int format) {
-    using media::PixelOrder;
+vvr::media::PixelOrder order_of(int format) {
+    using vvr::media::PixelOrder;
     constexpr std::array orders{PixelOrder::grey, PixelOrder::rgb, PixelOrder::bgr, PixelOrder::rgba, PixelOrder::bgra};
     if (format >= 0 && static_cast<std::size_t>(format) < orders.size())
         return orders[static_cast<std::size_t>(format)];
@@ -191,22 +191,22 @@ media::PixelOrder order_of(int format) {
 vvr::app::InputOptions input_of(const vvr_frames& frames) {
     vvr::app::InputOptions input;
     input.names = {name_of_frames};
-    input.open = [&frames](const media::SourceOptions& options) {
-        media::MemoryFrames memory{.name = name_of_frames,
-                                   .size = {frames.width, frames.height},
-                                   .order = order_of(frames.format),
-                                   .rate = frames.frames_per_second,
-                                   .frames = frames.frames,
-                                   .read = {}};
+    input.open = [&frames](const vvr::media::SourceOptions& options) {
+        vvr::media::MemoryFrames memory{.name = name_of_frames,
+                                        .size = {frames.width, frames.height},
+                                        .order = order_of(frames.format),
+                                        .rate = frames.frames_per_second,
+                                        .frames = frames.frames,
+                                        .read = {}};
         if (frames.read != nullptr) {
-            memory.read = [&frames](std::int64_t index, media::MemoryFrame& frame) {
+            memory.read = [&frames](std::int64_t index, vvr::media::MemoryFrame& frame) {
                 vvr_frame view{};
                 if (frames.read(frames.user, index, &view) == 0) return false;
                 frame = {view.pixels, view.stride, view.seconds};
                 return true;
             };
         }
-        return std::make_unique<media::MemorySource>(std::move(memory), options);
+        return std::make_unique<vvr::media::MemorySource>(std::move(memory), options);
     };
     return input;
 }
@@ -288,7 +288,7 @@ vvr_rendering* vvr_read_clip_info(const char* clip) {
         vvr::app::require_input(input);
         std::vector<std::string> warnings;
         made.summary.info = vvr::app::open_clip(input, false, 0, warnings)->info();
-        const media::VideoInfo& info = made.summary.info;
+        const vvr::media::VideoInfo& info = made.summary.info;
         made.clip = {info.container.c_str(), info.codec.c_str(), info.size.width, info.size.height, info.rate,
                      info.duration,          info.frames};
     });

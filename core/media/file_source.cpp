@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/media/container.h"
 #include "core/media/frame_sampler.h"
+#include "core/media/scaler.h"
 
 extern "C" {
 #include <libavutil/opt.h>

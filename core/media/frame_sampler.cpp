@@ -174,4 +174,43 @@ std::string text_of_unread(const std::string& name) {
     return fmt::format("'{}': vvr learned the empty scene without a part of the file that it could not read", name);
 }
 
+std::vector<Frame> FrameSource::sample(int count) {
+    std::vector<Frame> frames = sample_all(count);
+    rewind();
+    return frames;
+}
+
+std::vector<Frame> FrameSource::sample_all(int count) {
+    rewind();
+    Scaler scale(*this);
+    TimeSampler<Frame> sampler(count);
+    FootageTime footage(info().rate);
+    while (const auto decoded = next()) {
+        const double time = footage(decoded->pts);
+        if (sampler.wants(time)) sampler.keep(time, scale(*decoded));
+    }
+    return sampler.take();
+}
+
+void FrameSource::seek(double) {
+    rewind();
+}
+
+void FrameSource::read_again(std::span<const double> times,
+                             const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) {
+    constexpr double close = 60;  // seconds: where seeking leads farther back, reading goes on instead
+    constexpr double same = 0.0005;
+    std::shared_ptr<DecodedFrame> frame;
+    bool seeks = true;
+    for (const double time : times) {
+        if (seeks) {
+            seek(time);
+            frame = next();
+            seeks = frame && frame->pts >= time - close;
+        }
+        while (frame && frame->pts < time - same) frame = next();
+        if (frame && frame->pts <= time + same) sink(frame);
+    }
+}
+
 }  // namespace vvr::media

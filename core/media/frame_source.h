@@ -133,10 +133,4 @@ class FrameSource {
     std::vector<Frame> sample_all(int count);
 };
 
-/// The field size for pictures of display size `shown`.
-/// \param asked as SourceOptions::field_size
-///
-/// \throws Error usage if the size isn't positive, limit if it is too large
-Size field_size_for(Size shown, Size asked);
-
 }  // namespace vvr::media

@@ -10,6 +10,7 @@
 #include "core/media/container.h"
 #include "core/media/demuxer.h"
 #include "core/media/input.h"
+#include "core/media/scaler.h"
 
 namespace vvr::media {
 namespace {

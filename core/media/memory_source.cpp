@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "core/media/scaler.h"
+
 extern "C" {
 #include <libavutil/frame.h>
 #include <libavutil/pixfmt.h>

@@ -272,4 +272,25 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     return frame;
 }
 
+Size field_size_for(Size shown, Size asked) {
+    constexpr int default_long_side = 384;
+    constexpr Size automatic{0, 0};
+    constexpr Size source{-1, -1};
+    Size size = asked == source ? shown : asked;
+    if (asked == automatic) size = fit_into(shown, default_long_side);
+    if (size.width < 1 || size.height < 1) {
+        throw Error(ErrorCode::option_value_out_of_range,
+                    fmt::format("a field of {}x{} pixels is too small; both sides must be at least 1", size.width,
+                                size.height));
+    }
+    if (std::int64_t{size.width} * size.height > av::max_pixels) {
+        throw Error(
+            ErrorCode::picture_too_large,
+            fmt::format("a field of {}x{} pixels is more than the limit of {} megapixels; choose smaller fields",
+                        size.width, size.height, av::max_pixels / 1'000'000),
+            {"field-size"});
+    }
+    return size;
+}
+
 }  // namespace vvr::media

@@ -43,4 +43,10 @@ class Scaler {
 /// \param longest_side in pixels; a larger part is shrunk by area averaging
 Plane<Bgr> crop_of(const Frame& frame, const PixelBox& box, int longest_side);
 
+/// The field size for pictures of display size `shown`.
+/// \param asked as SourceOptions::field_size
+///
+/// \throws Error usage if the size isn't positive, limit if it is too large
+Size field_size_for(Size shown, Size asked);
+
 }  // namespace vvr::media

@@ -1,6 +1,6 @@
 """Checks that a name has one meaning.
 
-A module's files open only the namespace of that module: core/media is vvr::video, cli is vvr::cli. core/base and cli/library are
+A module's files open only the namespace of that module: core/media is vvr::media, cli is vvr::cli. core/base and cli/library are
 vvr itself; rows of settings are in vvr::setting wherever they are.
 
 No two types have one qualified name. Two such types make two programs of one: the linker keeps the inline functions of one

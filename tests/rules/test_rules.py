@@ -17,14 +17,14 @@ from breaks import BREAKS  # noqa: E402
 
 HOUSE = {
     "docs/design.md": "| `core/base/` | texts |\n| `core/media/` | frames |\n| `core/fields/` | fields |\n",
-    "core/CMakeLists.txt": "foreach(module base video fields)\nendforeach()\n",
+    "core/CMakeLists.txt": "foreach(module base media fields)\nendforeach()\n",
     "core/base/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\n",
     "core/base/version.cpp": "#include <string>\n",
-    "core/video/CMakeLists.txt": "vvr_module(video frame.cpp MODULES base LIBRARIES fmt::fmt)\n",
-    "core/video/frame.cpp": '#include "core/base/version.h"\n',
-    "core/video/later.h": "#include <string>\n",
-    "core/video/later.cpp": '#include "core/video/late.h"\n',
-    "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_module(fields ${sources} MODULES video)\n",
+    "core/media/CMakeLists.txt": "vvr_module(media frame.cpp MODULES base LIBRARIES fmt::fmt)\n",
+    "core/media/frame.cpp": '#include "core/base/version.h"\n',
+    "core/media/later.h": "#include <string>\n",
+    "core/media/later.cpp": '#include "core/media/late.h"\n',
+    "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_module(fields ${sources} MODULES media)\n",
     "core/fields/flow.cpp": '#include "core/media/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
@@ -47,7 +47,7 @@ target_link_libraries(vvr PRIVATE vvr_cli)
 
 NAMES = {
     "core/base/plane.h": "namespace vvr {\nstruct Size {\n};\n}  // namespace vvr\n",
-    "core/video/clock.h": "namespace vvr::video {\nclass Clock {\n};\n}  // namespace vvr::video\n",
+    "core/media/clock.h": "namespace vvr::media {\nclass Clock {\n};\n}  // namespace vvr::media\n",
     "core/scene/clock.cpp": "namespace vvr::scene {\nclass Clock {\n};\nnamespace {\nstruct Size {\n};\n}  // namespace\n}  // namespace vvr::scene\n",
     "gl/size.cpp": "namespace vvr::gl {\nnamespace {\nstruct Size {\n};\n}  // namespace\nstruct Owner::Size {\n};\n}  // namespace vvr::gl\n",
     "core/fields/flows/settings.h": "namespace re2 {\nclass RE2;\n}\nnamespace vvr::setting {\n}  // namespace vvr::setting\n",
@@ -107,7 +107,7 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
 
 
 @pytest.mark.parametrize("name, text, complaint", [
-    ("core/video/late.cpp", '#include "core/fields/flow.h"\n', "core/video/late.cpp:1: includes core/fields/flow.h of vvr_fields, which vvr_video"),
+    ("core/media/late.cpp", '#include "core/fields/flow.h"\n', "core/media/late.cpp:1: includes core/fields/flow.h of vvr_fields, which vvr_media"),
     ("core/fields/late.cpp", '#include "gl/context.h"\n', "includes gl/context.h of vvr_gl, which vvr_fields doesn't link"),
     ("gl/late.cpp", '#include "core/fields/flow.h"\n', "of vvr_fields, which vvr_gl doesn't link"),
     ("gl/late.cpp", '\n#include "cli/log.h"\n', "gl/late.cpp:2: includes cli/log.h of vvr_cli"),
@@ -115,8 +115,8 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
     ("cli/app/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
     ("cli/app/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_app doesn't link"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
-    ("core/video/late.h", '#include "core/video/later.h"\n', "cycle core/video/late -> core/video/later -> core/video/late: "
-     "core/video/late.h:1, core/video/later.cpp:1"),
+    ("core/media/late.h", '#include "core/media/later.h"\n', "cycle core/media/late -> core/media/later -> core/media/late: "
+     "core/media/late.h:1, core/media/later.cpp:1"),
     ("cli/library/vvr/late.h", '#include "core/base/version.h"\n', "vvr/late.h:1: includes core/base/version.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <fmt/format.h>\n", "includes fmt/format.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <vvr/none.h>\n", "includes vvr/none.h, which is not in cli/library/vvr"),
@@ -125,7 +125,7 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
     ("gl/CMakeLists.txt", "add_library(vvr_gl STATIC context.cpp)\ntarget_link_libraries(vvr_gl PUBLIC vvr_library)\n",
      "vvr_gl in gl links vvr_library in cli/library, which comes after it"),
     ("cli/late.h", '#include "page/late.h"\n', "no library has sources in page"),
-    ("core/video/CMakeLists.txt", "vvr_module(video frame.cpp MODULES base gl)\n", "vvr_video in core/media links vvr_gl in gl, which comes after it"),
+    ("core/media/CMakeLists.txt", "vvr_module(media frame.cpp MODULES base gl)\n", "vvr_media in core/media links vvr_gl in gl, which comes after it"),
     ("docs/design.md", "| `core/fields/` | |\n| `core/media/` | |\n", "docs/design.md lists ['core/fields', 'core/media']"),
 ])
 def test_a_wrong_include_is_found(tmp_path, name, text, complaint):
@@ -134,13 +134,13 @@ def test_a_wrong_include_is_found(tmp_path, name, text, complaint):
 
 
 @pytest.mark.parametrize("name, text, complaint", [
-    ("core/video/time.h", "namespace vvr::video {\nstruct Clock {\n};\n}  // namespace vvr::video\n",
-     "vvr::video::Clock is 2 types: core/video/clock.h:2, core/video/time.h:2"),
+    ("core/media/time.h", "namespace vvr::media {\nstruct Clock {\n};\n}  // namespace vvr::media\n",
+     "vvr::media::Clock is 2 types: core/media/clock.h:2, core/media/time.h:2"),
     ("gl/state.cpp", "namespace vvr::gl {\n\nenum class Context {\n};\n}  // namespace vvr::gl\n",
      "vvr::gl::Context is 2 types: gl/context.h:3, gl/state.cpp:3"),
     ("core/base/size.cpp", "namespace vvr {\nnamespace {\n}  // namespace\n\nclass Size final : public Base {\n};\n}  // namespace vvr\n",
      "vvr::Size is 2 types: core/base/plane.h:2, core/base/size.cpp:5"),
-    ("core/video/frame.cpp", "namespace vvr {\n}  // namespace vvr\n", "core/video/frame.cpp:1: vvr is not the namespace of this module, vvr::video"),
+    ("core/media/frame.cpp", "namespace vvr {\n}  // namespace vvr\n", "core/media/frame.cpp:1: vvr is not the namespace of this module, vvr::media"),
     ("cli/app/plan.h", "namespace vvr::cli {\n}  // namespace vvr::cli\n", "cli/app/plan.h:1: vvr::cli is not the namespace of this module, vvr::app"),
     ("core/fields/filters/knn.cpp", "namespace vvr::filters {\n}  // namespace vvr::filters\n",
      "core/fields/filters/knn.cpp:1: vvr::filters is not the namespace of this module, vvr::fields"),
@@ -168,7 +168,7 @@ KINDS = "names the kinds left, ran; what it says of each is for the table in cor
      "docs/developing.md: to add an event kind, 2 files in the heading, 3 in the table"),
     ("docs/developing.md", ROWS["docs/developing.md"].replace("- `core/tracking/<name>.cpp`\n", ""),
      "docs/developing.md: to add an event kind, 2 files in the heading, 1 in the list"),
-    ("docs/developing.md", ROWS["docs/developing.md"].replace("events/<name>", "kinds/<name>"),
+    ("docs/developing.md", ROWS["docs/developing.md"].replace("tracking/<name>", "kinds/<name>"),
      "docs/developing.md: to add an event kind, there is no core/kinds/<name>.cpp"),
 ])
 def test_what_repeats_a_table_is_found(tmp_path, name, text, complaint):
