@@ -41,7 +41,7 @@ constexpr auto chroma_places = places_of_values<-255, 255, 8>(-chroma_reach, chr
 
 }  // namespace
 
-Appearance::Appearance(const Patch& patch, const FrameView& sight) : looks_(1) {
+Appearance::Appearance(const Patch& patch, const FrameView& sight) : count_(1) {
     static_assert(bins == 8);
     std::array<float, parts> count{};
     const int height = std::max(1, patch.box.height());
@@ -70,11 +70,11 @@ Appearance::Appearance(const Patch& patch, const FrameView& sight) : looks_(1) {
     }
 }
 
-void Appearance::learn(const Appearance& look) {
-    if (look.looks_ == 0) return;
-    looks_ = std::min(looks_ + 1, most_looks);
+void Appearance::learn(const Appearance& other) {
+    if (other.count_ == 0) return;
+    count_ = std::min(count_ + 1, most_looks);
     for (std::size_t k = 0; k < histogram_.size(); ++k) {
-        histogram_[k] += (look.histogram_[k] - histogram_[k]) / static_cast<float>(looks_);
+        histogram_[k] += (other.histogram_[k] - histogram_[k]) / static_cast<float>(count_);
     }
 }
 

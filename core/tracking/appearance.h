@@ -16,9 +16,9 @@ class Appearance {
     Appearance(const Patch& patch, const FrameView& sight);
 
     /// Averages another look at the same object in. Early looks count more; late ones still follow the light.
-    void learn(const Appearance& look);
+    void learn(const Appearance& other);
 
-    bool known() const { return looks_ > 0; }
+    bool known() const { return count_ > 0; }
 
     /// The Hellinger distance, from the mean Bhattacharyya coefficient of all parts and channels: 0 = the same, 1 =
     /// nothing in common. 0.5 where one of them is unknown.
@@ -30,7 +30,7 @@ class Appearance {
     static constexpr int bins = 8;
 
     std::array<float, static_cast<std::size_t>(parts* channels* bins)> histogram_{};
-    int looks_ = 0;
+    int count_ = 0;
 };
 
 double distance(const Appearance& a, const Appearance& b);

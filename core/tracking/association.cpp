@@ -67,21 +67,22 @@ std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) 
 
 namespace {
 
-double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look) {
+double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& appearance) {
     const Patch& patch = *track.patch;
-    const double looks = distance(*track.appearance, look);
+    const double difference = distance(*track.appearance, appearance);
     if (overlap > 0) {
         const double all = std::max(1, patch.area + blob.area - overlap);
         const double places = std::max(0.0, 1 - overlap / all);
         if (!track.was_merged)
-            return thresholds.association.place_weight * places + (1 - thresholds.association.place_weight) * looks;
-        return thresholds.association.lost_place * places + thresholds.association.lost_looks * looks;
+            return thresholds.association.place_weight * places +
+                   (1 - thresholds.association.place_weight) * difference;
+        return thresholds.association.lost_place * places + thresholds.association.lost_looks * difference;
     }
     const double length = std::max(track.usual_size.x, track.usual_size.y);
     const double away =
         glm::distance(patch.centre + glm::dvec2(track.shift), blob.centre) / std::max(thresholds.least_length, length);
     if (away > thresholds.association.gate) return never;
-    return thresholds.association.lost_place * (1 + away / (2 * thresholds.association.gate) + looks);
+    return thresholds.association.lost_place * (1 + away / (2 * thresholds.association.gate) + difference);
 }
 
 /// Whether `piece` is a fragment of a track that goes on in `rest`: both together are no larger than its usual size.
@@ -104,7 +105,8 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
     return counts;
 }
 
-Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks) {
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
+                     std::span<const Appearance> appearances) {
     const std::size_t count = blobs.patches.size();
     Assignment result{std::vector<std::vector<std::size_t>>(count), std::vector<std::optional<std::size_t>>(count),
                       std::vector<std::optional<std::size_t>>(count)};
@@ -117,7 +119,7 @@ Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
         if (std::ranges::max(overlap[k]) == 0) overlap[k] = overlaps_of(*tracks[k].patch, {}, blobs);
         for (std::size_t b = 0; b < count; ++b) {
             costs.at(static_cast<int>(b), static_cast<int>(k)) =
-                cost_of(tracks[k], overlap[k][b], blobs.patches[b], looks[b]);
+                cost_of(tracks[k], overlap[k][b], blobs.patches[b], appearances[b]);
         }
     }
     const std::vector<std::optional<int>> assigned = assign(costs, thresholds.association.cost);

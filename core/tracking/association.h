@@ -41,7 +41,8 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
 /// Assigns blobs to tracks. Each track gets one blob, by overlap, distance and looks, so that the sum of costs is
 /// least. A track without a blob of its own shares the one that it overlaps most: they merge. A blob without tracks is
 /// a fragment of a track, has split from one, or is new.
-/// \param looks one per blob
-Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks);
+/// \param appearances one per blob
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
+                     std::span<const Appearance> appearances);
 
 }  // namespace vvr::tracking

@@ -57,28 +57,29 @@ class Conclusion {
     }
 
   private:
-    const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
+    const Stretch& stretch_of(const Tracklet& tracklet) const { return span_.stretches[tracklet.stretch]; }
 
     /// The stretch before, if there is one. Those in the camera's other mode show another scene, and don't count.
-    std::optional<std::size_t> stretch_before(const Tracklet& own) const {
-        for (std::size_t k = own.stretch; k > 0; --k) {
-            if (span_.stretches[k - 1].infrared == stretch_of(own).infrared) return k - 1;
+    std::optional<std::size_t> stretch_before(const Tracklet& tracklet) const {
+        for (std::size_t k = tracklet.stretch; k > 0; --k) {
+            if (span_.stretches[k - 1].infrared == stretch_of(tracklet).infrared) return k - 1;
         }
         return std::nullopt;
     }
 
     /// Whether it was there when its stretch began. Then nobody knows what it did before.
-    bool was_there_first(const Tracklet& own) const {
-        return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
+    bool was_there_first(const Tracklet& tracklet) const {
+        return tracklet.begin.at.seconds - stretch_of(tracklet).first.seconds < thresholds.stationary.stay;
     }
 
     /// Whether it was there until its stretch ended. Then nobody knows how long it stayed.
     bool lasts_to_end(const Candidate& candidate) const {
-        const Tracklet& own = candidate.whole;
-        const double unseen = stretch_of(own).last.seconds - own.end.at.seconds;
-        const bool is_lost = unseen > 0 && (own.end.at_border || own.into || unseen >= thresholds.track.lost_after);
+        const Tracklet& tracklet = candidate.whole;
+        const double unseen = stretch_of(tracklet).last.seconds - tracklet.end.at.seconds;
+        const bool is_lost =
+            unseen > 0 && (tracklet.end.at_border || tracklet.into || unseen >= thresholds.track.lost_after);
         // If the fields don't show it, `to_last` is about its ghost.
-        return !is_lost || (candidate.to_last && !own.in_scene);
+        return !is_lost || (candidate.to_last && !tracklet.in_scene);
     }
 
     /// Whether it is digits of the camera's clock.
@@ -91,20 +92,20 @@ class Conclusion {
         in_stretch_.resize(span_.stretches.size());
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
             Candidate& candidate = candidates_[k];
-            const Tracklet& own = candidate.whole;
-            candidate.from_first = was_there_first(own);
-            candidate.to_last =
-                own.stood_to_end && stretch_of(own).last.seconds - own.end.at.seconds < thresholds.stationary.stay;
-            in_stretch_[own.stretch].push_back(k);
+            const Tracklet& tracklet = candidate.whole;
+            candidate.from_first = was_there_first(tracklet);
+            candidate.to_last = tracklet.stood_to_end && stretch_of(tracklet).last.seconds - tracklet.end.at.seconds <
+                                                             thresholds.stationary.stay;
+            in_stretch_[tracklet.stretch].push_back(k);
         }
     }
 
     /// Whether something stood at the same place at the end of a stretch.
     /// \param from_first it must also have stood there at the beginning
-    bool stood_in(std::size_t stretch, const Tracklet& own, bool from_first) const {
+    bool stood_in(std::size_t stretch, const Tracklet& tracklet, bool from_first) const {
         return std::ranges::any_of(in_stretch_[stretch], [&](std::size_t k) {
             const Candidate& other = candidates_[k];
-            return other.to_last && (!from_first || other.from_first) && is_at_same_place(other.whole, own);
+            return other.to_last && (!from_first || other.from_first) && is_at_same_place(other.whole, tracklet);
         });
     }
 
@@ -127,28 +128,29 @@ class Conclusion {
     }
 
     void judge(Candidate& candidate) {
-        const Tracklet& own = candidate.whole;
-        const bool went = own.moved >= thresholds.event.own_lengths * own.length && own.seen >= thresholds.most;
-        const bool stands_only = own.settled && own.stood_from_start;
-        const bool jumps = own.continuous < thresholds.event.continuous ||
-                           (!own.settled && straightness_of(own.path) < thresholds.event.steady_way);
-        const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = own.from || inside ? thresholds.stationary.stay : thresholds.event.least;
-        candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled) && !is_overlay(own.box);
+        const Tracklet& tracklet = candidate.whole;
+        const bool went =
+            tracklet.moved >= thresholds.event.own_lengths * tracklet.length && tracklet.seen >= thresholds.most;
+        const bool stands_only = tracklet.settled && tracklet.stood_from_start;
+        const bool jumps = tracklet.continuous < thresholds.event.continuous ||
+                           (!tracklet.settled && straightness_of(tracklet.path) < thresholds.event.steady_way);
+        const bool inside = !tracklet.begin.at_border && !tracklet.end.at_border && !tracklet.settled;
+        const double least = tracklet.from || inside ? thresholds.stationary.stay : thresholds.event.least;
+        candidate.wanted =
+            tracklet.seconds() >= least && !jumps && (went || tracklet.settled) && !is_overlay(tracklet.box);
         if (!candidate.wanted) return;
-        if (own.novelty < thresholds.event.novelty) {
-            call_change(candidate);
+        if (tracklet.novelty < thresholds.event.novelty) {
+            demote_to_change(candidate);
             return;
         }
         if (!stands_only) {
-            candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
+            candidate.kind = tracklet.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
         }
         candidate.is_claim = true;
         // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
         if (options_.scene_is_learnt && was_always_there(candidate)) candidate.wanted = false;
-        const Evidence& evidence = own.settled->evidence;
-        if (evidence.edges < evidence.scene_edges) {
+        if (is_ghost(tracklet)) {
             judge_ghost(candidate);
         } else {
             // Nobody saw it come.
@@ -156,17 +158,19 @@ class Conclusion {
         }
     }
 
-    static bool is_ghost(const Tracklet& own) {
-        return own.settled && own.stood_from_start && own.settled->evidence.edges < own.settled->evidence.scene_edges;
+    static bool is_ghost(const Tracklet& tracklet) {
+        return tracklet.settled && tracklet.stood_from_start &&
+               tracklet.settled->evidence.edges < tracklet.settled->evidence.scene_edges;
     }
 
     /// The next ghost at the place of another in the same stretch: when it begins, the thing that the empty scene has
     /// is gone again.
-    const Tracklet* next_ghost(const Tracklet& own) const {
+    const Tracklet* next_ghost(const Tracklet& tracklet) const {
         const Tracklet* next = nullptr;
-        for (const std::size_t k : in_stretch_[own.stretch]) {
+        for (const std::size_t k : in_stretch_[tracklet.stretch]) {
             const Tracklet& other = candidates_[k].whole;
-            if (!is_ghost(other) || other.begin.at.frame <= own.gone.frame || !is_at_same_place(other, own)) continue;
+            if (!is_ghost(other) || other.begin.at.frame <= tracklet.gone.frame || !is_at_same_place(other, tracklet))
+                continue;
             if (next == nullptr || other.begin.at.frame < next->begin.at.frame) next = &other;
         }
         return next;
@@ -174,35 +178,36 @@ class Conclusion {
 
     /// Decides what a ghost means: the empty scene has a thing that the frames don't have.
     void judge_ghost(Candidate& candidate) {
-        Tracklet& own = candidate.whole;
+        Tracklet& tracklet = candidate.whole;
         candidate.kind = EventKind::taken;
-        const std::optional<std::size_t> before = stretch_before(own);
-        const bool was_never_there = candidate.from_first && (!before || stood_in(*before, own, false));
+        const std::optional<std::size_t> before = stretch_before(tracklet);
+        const bool was_never_there = candidate.from_first && (!before || stood_in(*before, tracklet, false));
         if (!was_never_there) {
-            own.stays.clear();
+            tracklet.stays.clear();
             return;
         }
         // The empty scene is of later frames: the thing was put down when the ghost ended.
         candidate.kind = EventKind::left;
-        own.in_scene = true;
-        const Tracklet* const next = next_ghost(own);
-        own.begin.at = own.gone;
-        own.end.at = next != nullptr ? next->begin.at : stretch_of(own).last;
-        if (own.seconds() < thresholds.stationary.stay) candidate.wanted = false;
-        own.from = own.into;
-        own.into.reset();
-        own.path = {{own.begin.at, own.settled->patch.centre}, {own.end.at, own.settled->patch.centre}};
-        own.box = own.settled->patch.box;
-        own.stays = {{own.begin.at, own.end.at, own.settled->patch.centre, own.box}};
-        own.portrait.reset();
+        tracklet.in_scene = true;
+        const Tracklet* const next = next_ghost(tracklet);
+        tracklet.begin.at = tracklet.gone;
+        tracklet.end.at = next != nullptr ? next->begin.at : stretch_of(tracklet).last;
+        if (tracklet.seconds() < thresholds.stationary.stay) candidate.wanted = false;
+        tracklet.from = tracklet.into;
+        tracklet.into.reset();
+        tracklet.path = {{tracklet.begin.at, tracklet.settled->patch.centre},
+                         {tracklet.end.at, tracklet.settled->patch.centre}};
+        tracklet.box = tracklet.settled->patch.box;
+        tracklet.stays = {{tracklet.begin.at, tracklet.end.at, tracklet.settled->patch.centre, tracklet.box}};
+        tracklet.portrait.reset();
     }
 
     void absorb_fragments() {
         std::vector<std::size_t> order(candidates_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const auto size_of = [&](std::size_t k) {
-            const Tracklet& own = candidates_[k].whole;
-            return own.settled ? std::max<double>(own.area, own.settled->patch.area) : own.area;
+            const Tracklet& tracklet = candidates_[k].whole;
+            return tracklet.settled ? std::max<double>(tracklet.area, tracklet.settled->patch.area) : tracklet.area;
         };
         std::ranges::sort(order, std::greater{}, size_of);
         for (std::size_t a = 0; a < order.size(); ++a) {
@@ -222,11 +227,11 @@ class Conclusion {
 
     /// Whether it was there when the clip began, or was an event before the gap at which its stretch began. Anything
     /// else that is new after a gap may be a change of light or of the camera's view.
-    bool was_there_before(const Tracklet& own) const {
-        if (!was_there_first(own)) return false;
-        const std::optional<std::size_t> before = stretch_before(own);
+    bool was_there_before(const Tracklet& tracklet) const {
+        if (!was_there_first(tracklet)) return false;
+        const std::optional<std::size_t> before = stretch_before(tracklet);
         return !before || std::ranges::any_of(in_stretch_[*before], [&](std::size_t k) {
-            return candidates_[k].wanted && candidates_[k].to_last && is_at_same_place(candidates_[k].whole, own);
+            return candidates_[k].wanted && candidates_[k].to_last && is_at_same_place(candidates_[k].whole, tracklet);
         });
     }
 
@@ -234,26 +239,28 @@ class Conclusion {
     /// codec's artefact.
     void find_carrier(std::size_t k) {
         Candidate& candidate = candidates_[k];
-        Tracklet& own = candidate.whole;
+        Tracklet& tracklet = candidate.whole;
         if (!candidate.wanted || !candidate.is_claim) return;
-        if (was_there_first(own)) {
-            candidate.carried = was_there_before(own);
+        if (was_there_first(tracklet)) {
+            candidate.carried = was_there_before(tracklet);
             return;
         }
-        if (const auto parent = own.from ? object_of_.find(*own.from) : object_of_.end(); parent != object_of_.end()) {
+        if (const auto parent = tracklet.from ? object_of_.find(*tracklet.from) : object_of_.end();
+            parent != object_of_.end()) {
             const Candidate& bearer = candidates_[parent->second];
-            candidate.carried = bearer.wanted && can_carry(bearer.whole, own, candidate.kind, span_.field);
+            candidate.carried = bearer.wanted && can_carry(bearer.whole, tracklet, candidate.kind, span_.field);
             return;
         }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
             const Tracklet& bearer = candidates_[other].whole;
             if (other == k || !candidates_[other].wanted || bearer.stood_from_start ||
-                !can_carry(bearer, own, candidate.kind, span_.field))
+                !can_carry(bearer, tracklet, candidate.kind, span_.field))
                 continue;
-            if (!was_beside(bearer, own, span_.seconds_per_frame())) continue;
+            if (!was_beside(bearer, tracklet, span_.seconds_per_frame())) continue;
             candidate.carried = true;
-            const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
+            const double away =
+                glm::distance(place_at(bearer.path, tracklet.begin.at.frame), tracklet.settled->patch.centre);
             if (away >= nearest) continue;
             nearest = away;
             candidate.beside = bearer.number;
@@ -263,16 +270,16 @@ class Conclusion {
     /// The seconds for which nobody was near a thing that the fields don't show, as the empty scene has it.
     double alone_in_scene(std::size_t k) const {
         constexpr double step = 0.5;
-        const Tracklet& own = candidates_[k].whole;
+        const Tracklet& tracklet = candidates_[k].whole;
         double alone = 0;
-        const double last = std::min(own.end.at.seconds, own.begin.at.seconds + thresholds.memory);
-        for (double seconds = own.begin.at.seconds; seconds < last; seconds += step) {
-            const double frames = (seconds - own.begin.at.seconds) / span_.seconds_per_frame();
-            const std::int64_t frame = own.begin.at.frame + std::llround(frames);
+        const double last = std::min(tracklet.end.at.seconds, tracklet.begin.at.seconds + thresholds.memory);
+        for (double seconds = tracklet.begin.at.seconds; seconds < last; seconds += step) {
+            const double frames = (seconds - tracklet.begin.at.seconds) / span_.seconds_per_frame();
+            const std::int64_t frame = tracklet.begin.at.frame + std::llround(frames);
             bool near = false;
             for (std::size_t other = 0; other < candidates_.size() && !near; ++other) {
                 if (other == k || !candidates_[other].wanted) continue;
-                near = is_near(box_at(candidates_[other].whole, seconds, frame), own.settled->patch.box);
+                near = is_near(box_at(candidates_[other].whole, seconds, frame), tracklet.settled->patch.box);
             }
             if (!near) alone += step;
         }
@@ -293,32 +300,32 @@ class Conclusion {
         evidence.carried = candidate.carried;
         evidence.novelty = candidate.whole.novelty;
         evidence.confidence = confidence_of(evidence);
-        if (evidence.confidence < 0.5) call_change(candidate);
+        if (evidence.confidence < 0.5) demote_to_change(candidate);
     }
 
     /// Lists it as a change instead of an event.
-    void call_change(Candidate& candidate) {
+    void demote_to_change(Candidate& candidate) {
         candidate.wanted = false;
-        const Tracklet& own = candidate.whole;
-        const PixelBox& box = own.settled ? own.settled->patch.box : own.box;
-        Evidence evidence = own.settled ? own.settled->evidence : Evidence{};
-        evidence.novelty = own.novelty;
-        found_.changes.push_back({own.begin.at, own.end.at, box, evidence});
+        const Tracklet& tracklet = candidate.whole;
+        const PixelBox& box = tracklet.settled ? tracklet.settled->patch.box : tracklet.box;
+        Evidence evidence = tracklet.settled ? tracklet.settled->evidence : Evidence{};
+        evidence.novelty = tracklet.novelty;
+        found_.changes.push_back({tracklet.begin.at, tracklet.end.at, box, evidence});
     }
 
     /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.
     bool was_never_alone(std::size_t k) const {
         const Candidate& candidate = candidates_[k];
-        const Tracklet& own = candidate.whole;
-        const std::optional<std::size_t> bringer = own.from ? own.from : candidate.beside;
-        if (!candidate.wanted || candidate.kind != EventKind::left || !bringer || !own.into) return false;
+        const Tracklet& tracklet = candidate.whole;
+        const std::optional<std::size_t> bringer = tracklet.from ? tracklet.from : candidate.beside;
+        if (!candidate.wanted || candidate.kind != EventKind::left || !bringer || !tracklet.into) return false;
         const auto from = object_of_.find(*bringer);
-        const auto into = object_of_.find(*own.into);
+        const auto into = object_of_.find(*tracklet.into);
         if (from == object_of_.end() || into == object_of_.end() || from->second != into->second) return false;
         const Tracklet& bearer = candidates_[from->second].whole;
         return std::ranges::none_of(bearer.path, [&](const PathPoint& point) {
-            return point.at.frame >= own.begin.at.frame && point.at.frame <= own.end.at.frame &&
-                   glm::distance(point.place, own.settled->patch.centre) >= bearer.length;
+            return point.at.frame >= tracklet.begin.at.frame && point.at.frame <= tracklet.end.at.frame &&
+                   glm::distance(point.place, tracklet.settled->patch.centre) >= bearer.length;
         });
     }
 
@@ -328,8 +335,8 @@ class Conclusion {
             if (candidates_[k].wanted) order.push_back(k);
         }
         std::ranges::stable_sort(order, {}, [&](std::size_t k) {
-            const Tracklet& own = candidates_[k].whole;
-            return std::pair(own.begin.at.frame, own.number);
+            const Tracklet& tracklet = candidates_[k].whole;
+            return std::pair(tracklet.begin.at.frame, tracklet.number);
         });
         std::map<std::size_t, std::size_t> places;
         for (std::size_t p = 0; p < order.size(); ++p) places[order[p]] = p;
@@ -345,26 +352,26 @@ class Conclusion {
         events.reserve(order.size());
         for (const std::size_t k : order) {
             Candidate& candidate = candidates_[k];
-            Tracklet& own = candidate.whole;
+            Tracklet& tracklet = candidate.whole;
             Event event;
             event.kind = candidate.kind;
-            event.first = own.begin.at;
-            event.last = own.end.at;
-            event.box = intersection(own.box, {0, 0, span_.field.width, span_.field.height});
-            event.path = thinned(std::move(own.path));
+            event.first = tracklet.begin.at;
+            event.last = tracklet.end.at;
+            event.box = intersection(tracklet.box, {0, 0, span_.field.width, span_.field.height});
+            event.path = thinned(std::move(tracklet.path));
             event.path_length = length_of(event.path);
-            event.stays = std::move(own.stays);
-            event.from = place_of(own.from, k);
-            event.into = place_of(own.into, k);
+            event.stays = std::move(tracklet.stays);
+            event.from = place_of(tracklet.from, k);
+            event.into = place_of(tracklet.into, k);
             if (row_of(event.kind).is_thing) event.by = event.from ? event.from : place_of(candidate.beside, k);
             // The portrait of what was taken would show the place without it.
-            if (!row_of(event.kind).is_of_scene) event.portrait = own.portrait;
+            if (!row_of(event.kind).is_of_scene) event.portrait = tracklet.portrait;
             event.open_ended = lasts_to_end(candidate);
-            event.infrared = stretch_of(own).infrared;
-            if (own.in_scene && own.settled) {
-                event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
+            event.infrared = stretch_of(tracklet).infrared;
+            if (tracklet.in_scene && tracklet.settled) {
+                event.in_scene = ScenePatch{tracklet.settled->patch.box, tracklet.settled->patch.values};
             }
-            if (candidate.is_claim) event.evidence = own.settled->evidence;
+            if (candidate.is_claim) event.evidence = tracklet.settled->evidence;
             event.tracks = std::move(candidate.tracks);
             events.push_back(std::move(event));
         }

@@ -54,16 +54,16 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
     Blobs blobs = find_blobs(without_stationary(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
-    std::vector<Appearance> looks;
-    for (const Patch& patch : blobs.patches) looks.emplace_back(patch, sight);
-    Assignment assignment = associate_movers(blobs, looks, now);
-    merge_fragments(blobs, looks, assignment, sight);
-    track_occluded(sight, blobs, looks, assignment, now);
+    std::vector<Appearance> appearances;
+    for (const Patch& patch : blobs.patches) appearances.emplace_back(patch, sight);
+    Assignment assignment = associate_movers(blobs, appearances, now);
+    merge_fragments(blobs, appearances, assignment, sight);
+    track_occluded(sight, blobs, appearances, assignment, now);
     for (auto& chosen : assignment.tracks) drop_unconfirmed(chosen);
-    update_tracks(sight, blobs, looks, assignment, now);
+    update_tracks(sight, blobs, appearances, assignment, now);
     settle(sight, now);
     TrackedFrame frame = tracked(now);
-    std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
+    std::erase_if(tracks_, [](const Track& track) { return track.is<Ended>(); });
     return frame;
 }
 
@@ -84,14 +84,15 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
     Plane<std::uint8_t> rest = field;
     for (const PixelBox& clock : clocks_.found()) fill(rest, clock, 0);
     for (Track& track : tracks_) {
-        if (!track.stands()) continue;
+        Standing* const standing = track.standing();
+        if (standing == nullptr) continue;
         const double part = track.visible_part(field);
         if (part < thresholds.most) {
-            track.miss_stationary();
+            standing->alone_at.reset();
             continue;
         }
         const bool whole = part >= thresholds.stationary.undisturbed;
-        track.set_uncovered({});
+        standing->uncovered.reset();
         track.update_stationary(sight, now, whole, about(track).has_value());
         // The rim of an object is never quite still. If somebody is near, the rim may be theirs, and stays.
         const int rim = whole ? reach_ + 1 : 0;
@@ -106,7 +107,7 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
 }
 
 /// Associates blobs with all tracks that follow blobs. The result has indices in `tracks_`.
-Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const Appearance> looks,
+Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const Appearance> appearances,
                                          const Moment& now) const {
     std::vector<std::size_t> movers;
     std::vector<PredictedTrack> expected;
@@ -115,9 +116,9 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
         if (!track.follows_blobs()) continue;
         movers.push_back(k);
         expected.push_back(
-            {&track.patch(), track.shift_at(now), &track.look(), track.state() == State::merged, track.usual_size()});
+            {&track.patch(), track.shift_at(now), &track.appearance(), track.is<Merged>(), track.usual_size()});
     }
-    Assignment assignment = associate(expected, blobs, looks);
+    Assignment assignment = associate(expected, blobs, appearances);
     for (auto& chosen : assignment.tracks) {
         for (std::size_t& k : chosen) k = movers[k];
     }
@@ -129,7 +130,7 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
     return assignment;
 }
 
-void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
+void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& appearances, const Assignment& assignment,
                                   const FrameView& sight) {
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
         if (!assignment.fragment_of[b]) continue;
@@ -138,32 +139,33 @@ void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, 
         });
         const auto place = static_cast<std::size_t>(home - assignment.tracks.begin());
         blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
-        looks[place] = Appearance(blobs.patches[place], sight);
+        appearances[place] = Appearance(blobs.patches[place], sight);
     }
 }
 
 /// Handles stationary objects that are not visible now: each is occluded, was taken, or moves again.
-void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks,
+void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& appearances,
                                  Assignment& assignment, const Moment& now) {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         Track& track = tracks_[k];
-        if (!track.stands() || track.seen().frame == now.frame) continue;
-        if (!track.near()) track.set_near(about(track));
-        if (!track.near()) track.set_near(bystander(track));
-        if (!track.near() && resumes_motion(k, blobs, looks, assignment, sight, now)) continue;
+        Standing* const standing = track.standing();
+        if (standing == nullptr || track.seen().frame == now.frame) continue;
+        if (!standing->near) standing->near = about(track);
+        if (!standing->near) standing->near = bystander(track);
+        if (!standing->near && moves_again(k, blobs, appearances, assignment, sight, now)) continue;
         int covered = 0;
         for_each_pixel(track.patch(),
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
-        if (uncovered && !track.uncovered()) track.set_uncovered(now);
-        const bool gone = uncovered && now.seconds - track.uncovered()->seconds >= thresholds.track.lost_after;
+        if (uncovered && !standing->uncovered) standing->uncovered = now;
+        const bool gone = uncovered && now.seconds - standing->uncovered->seconds >= thresholds.track.lost_after;
         if (gone || now.seconds - track.seen().seconds > thresholds.memory) end(track, true, now);
     }
 }
 
 /// Lets a stationary object move again if only it and pieces of it are there. All these blobs become the object.
-bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                                 const FrameView& sight, const Moment& now) {
+bool EventFinder::moves_again(std::size_t k, Blobs& blobs, std::vector<Appearance>& appearances, Assignment& assignment,
+                              const FrameView& sight, const Moment& now) {
     const std::size_t number = tracks_[k].number();
     const auto is_own = [&](std::size_t other) { return tracks_[other].from() == number; };
     const std::vector<int> overlap = overlaps_of(tracks_[k].patch(), {}, blobs);
@@ -176,14 +178,14 @@ bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appear
     if (own.empty()) return false;
     const std::size_t place = *std::ranges::max_element(own, {}, [&](std::size_t b) { return blobs.patches[b].area; });
     for (const std::size_t b : own) {
-        for (const std::size_t piece : assignment.tracks[b]) tracks_[piece].drop();
+        for (const std::size_t piece : assignment.tracks[b]) tracks_[piece].end();
         assignment.tracks[b].clear();
         if (b == place) continue;
         blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
         assignment.fragment_of[b] = k;
     }
-    looks[place] = Appearance(blobs.patches[place], sight);
-    tracks_[k].resume_motion(now);
+    appearances[place] = Appearance(blobs.patches[place], sight);
+    tracks_[k].move_again(now);
     assignment.tracks[place] = {k};
     return true;
 }
@@ -203,11 +205,12 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
 
 /// The number of somebody who came to a thing and stands beside it. If it moves now, it doesn't move by itself.
 std::optional<std::size_t> EventFinder::bystander(const Track& thing) const {
-    if (thing.state() != State::appeared) return std::nullopt;
+    if (!thing.found_standing()) return std::nullopt;
     const PixelBox& box = thing.patch().box;
     const PixelBox wide = box.inflated(box.width(), box.height());
     for (const Track& track : tracks_) {
-        const bool came = track.state() == State::standing && track.first().frame > thing.still_since().frame;
+        const bool came =
+            track.is<Standing>() && !track.found_standing() && track.first().frame > thing.still_since().frame;
         const bool larger = thing.patch().area <= thresholds.most * track.usual_area();
         if (came && larger && wide.intersects(track.patch().box)) return track.number();
     }
@@ -225,12 +228,12 @@ void EventFinder::drop_unconfirmed(std::vector<std::size_t>& chosen) {
         // An object that has just entered at the border is no fragment of one that leaves there.
         if (tracks_[whole].is_confirmed() && piece.entered_at_border()) return false;
         if (!tracks_[whole].is_confirmed()) tracks_[whole].join(piece);
-        piece.drop();
+        piece.end();
         return true;
     });
 }
 
-void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
+void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> appearances,
                                 const Assignment& assignment, const Moment& now) {
     std::vector<bool> went_on(tracks_.size());
     std::vector<Track> begun;
@@ -242,19 +245,16 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
             continue;
         }
         if (chosen.size() == 1) {
-            Track& track = tracks_[chosen.front()];
-            track.see(blobs.patches[b], looks[b], sight, now);
-            track.look_for_novelty(sight, scene(), now);
-            track.set_near({});
+            tracks_[chosen.front()].update(blobs.patches[b], appearances[b], sight, scene(), now);
             continue;
         }
         if (assignment.fragment_of[b]) continue;
-        begin(blobs.patches[b], looks[b], assignment.split_from[b], begun, sight, now);
+        begin(blobs.patches[b], appearances[b], assignment.split_from[b], begun, sight, now);
     }
     for (std::size_t k = 0; k < went_on.size(); ++k) {
         Track& track = tracks_[k];
         if (went_on[k] || !track.follows_blobs()) continue;
-        track.miss(now);
+        track.coast(now);
         if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, false, now);
     }
     std::ranges::move(begun, std::back_inserter(tracks_));
@@ -262,22 +262,20 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
 
 /// Begins a track with a blob.
 /// \param parent index of the track from which it split
-void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent,
+void EventFinder::begin(const Patch& blob, const Appearance& appearance, std::optional<std::size_t> parent,
                         std::vector<Track>& begun, const FrameView& sight, const Moment& now) {
     auto from = parent ? std::optional(tracks_[*parent].number()) : std::nullopt;
     for (const Track& track : tracks_) {
         // A fragment of a fragment belongs to the whole object.
         const bool own = !parent || tracks_[*parent].from() == track.number();
-        if (own && track.stands() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
+        if (own && track.is<Standing>() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
     }
     Origin origin{from};
     if (parent) {
         origin.area = tracks_[*parent].usual_area();
-        origin.was_alone = tracks_[*parent].state() == State::moving;
+        origin.was_alone = tracks_[*parent].is<Moving>();
     }
-    Track& track = begun.emplace_back(next_++, origin, field_);
-    track.see(blob, look, sight, now);
-    track.look_for_novelty(sight, scene(), now);
+    begun.emplace_back(next_++, origin, field_).update(blob, appearance, sight, scene(), now);
 }
 
 /// Finds each of several tracks within their shared blob.
@@ -294,11 +292,10 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     const std::vector<TemplateMatch> shares = split_blob(blob, sight, templates, expected);
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
-        track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
+        track.merge(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
         // A small object matches any part of a person.
-        const bool is_small = track.current_area() < thresholds.merged.searched * largest;
-        if (is_small) {
-            track.miss_merged(now);
+        if (track.current_area() < thresholds.merged.searched * largest) {
+            track.coast(now);
             if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, true, now);
             continue;
         }
@@ -310,19 +307,17 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
 
 /// If the track left the picture shortly before, ends it, and goes on with the thing that it left behind.
 void EventFinder::part_with_bearer(Track& track, const FrameView& sight, const Moment& now) {
-    if (!track.departed()) return;
-    Track bearer = *track.departed();
-    if (now.seconds - bearer.seen().seconds > 2 * thresholds.stationary.stay) return;
-    Track thing(next_++, {bearer.number(), bearer.usual_area(), true}, field_);
-    thing.see(track.patch(), Appearance(track.patch(), sight), sight, now);
-    thing.look_for_novelty(sight, scene(), now);
-    end(bearer, false, bearer.seen());
+    const std::optional<Tracklet>& bearer = track.departed();
+    if (!bearer || now.seconds - bearer->end.at.seconds > 2 * thresholds.stationary.stay) return;
+    Track thing(next_++, {bearer->number, bearer->area, true}, field_);
+    thing.update(track.patch(), Appearance(track.patch(), sight), sight, scene(), now);
+    keep(*bearer);
     track = std::move(thing);
 }
 
 void EventFinder::settle(const FrameView& sight, const Moment& now) {
     for (Track& track : tracks_) {
-        if (track.state() != State::moving || track.seen().frame != now.frame) continue;
+        if (!track.is<Moving>() || track.seen().frame != now.frame) continue;
         if (!track.has_settled(steadiness_, flicker_, now)) continue;
         part_with_bearer(track, sight, now);
         track.settle(steadiness_, flicker_, sight, now);
@@ -335,36 +330,39 @@ void EventFinder::settle(const FrameView& sight, const Moment& now) {
 /// track stays.
 void EventFinder::merge_stationary(Track& part) {
     for (Track& other : tracks_) {
-        if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
+        if (&other == &part || !other.is<Standing>() || !part.belongs_to(other)) continue;
         const bool is_whole = part.first().frame < other.first().frame && part.usual_area() > other.usual_area();
         Track& whole = is_whole ? part : other;
         Track& rest = is_whole ? other : part;
         whole.add_part(rest);
-        rest.drop();
+        rest.end();
         if (!is_whole) return;
     }
 }
 
 void EventFinder::end(Track& track, bool taken, const Moment& now) {
-    if (track.is_over()) return;
-    const bool certain = track.is_confirmed();
-    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, scene(), now);
+    if (track.is<Ended>()) return;
+    keep(track.tracklet(taken, scene(), now));
+    track.end();
+}
+
+void EventFinder::keep(Tracklet tracklet) {
     tracklet.stretch = stretches_.size() - 1;
     // Tracklets of rain and leaves are dropped: in a stream of days they would fill the memory.
     const bool jumps = !tracklet.settled && tracklet.continuous < thresholds.event.continuous;
-    if (certain && !jumps) ended_.push_back(std::move(tracklet));
+    if (tracklet.is_confirmed() && !jumps) ended_.push_back(std::move(tracklet));
 }
 
 bool EventFinder::follows(std::span<const std::size_t> tracks) const {
     return std::ranges::any_of(tracks_, [&](const Track& track) {
-        return !track.is_over() && std::ranges::find(tracks, track.number()) != tracks.end();
+        return !track.is<Ended>() && std::ranges::find(tracks, track.number()) != tracks.end();
     });
 }
 
 TrackedFrame EventFinder::tracked(const Moment& now) const {
     TrackedFrame frame{{now, {}}, {}, {}};
     for (const Track& track : tracks_) {
-        if (options_.labels && !track.is_over() && track.seen().frame == now.frame) {
+        if (options_.labels && !track.is<Ended>() && track.seen().frame == now.frame) {
             add_runs(track.pixels(), track.number(), frame.labels);
         }
         const auto since = track.busy_since(now);

@@ -76,25 +76,26 @@ class EventFinder {
     const fields::Planes& scene() const { return infrared_ ? infrared_scene_ : scene_; }
     void restart();
     Plane<std::uint8_t> without_stationary(const FrameView& sight, const Moment& now);
-    Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
-    void merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
+    Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> appearances, const Moment& now) const;
+    void merge_fragments(Blobs& blobs, std::vector<Appearance>& appearances, const Assignment& assignment,
                          const FrameView& sight);
-    void track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                        const Moment& now);
-    bool resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                        const FrameView& sight, const Moment& now);
+    void track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& appearances,
+                        Assignment& assignment, const Moment& now);
+    bool moves_again(std::size_t k, Blobs& blobs, std::vector<Appearance>& appearances, Assignment& assignment,
+                     const FrameView& sight, const Moment& now);
     std::optional<std::size_t> bystander(const Track& thing) const;
     std::optional<std::size_t> about(const Track& standing) const;
     void drop_unconfirmed(std::vector<std::size_t>& chosen);
-    void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
+    void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> appearances,
                        const Assignment& assignment, const Moment& now);
-    void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
-               const FrameView& sight, const Moment& now);
+    void begin(const Patch& blob, const Appearance& appearance, std::optional<std::size_t> parent,
+               std::vector<Track>& begun, const FrameView& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now);
     void part_with_bearer(Track& track, const FrameView& sight, const Moment& now);
     void settle(const FrameView& sight, const Moment& now);
     void merge_stationary(Track& part);
     void end(Track& track, bool taken, const Moment& now);
+    void keep(Tracklet tracklet);
     TrackedFrame tracked(const Moment& now) const;
     void record_share(const Plane<std::uint8_t>& field, const Moment& now);
     double share_at(const Moment& moment) const;

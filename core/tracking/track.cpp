@@ -51,101 +51,90 @@ double mean_gradient(const Patch& patch, const FrameView& sight) {
 
 }  // namespace
 
-glm::ivec2 Track::shift_at(const Moment& now) const {
-    return glm::ivec2(glm::round(expected_at(now) - patch_.centre));
-}
-
-glm::ivec2 Track::template_shift_at(const Moment& now) const {
-    return glm::ivec2(glm::round(expected_at(now) - template_.patch.centre));
-}
-
-PixelBox Track::moved_box_at(const Moment& now) const {
-    const glm::ivec2 shift = shift_at(now);
-    return patch_.box.translated(shift.x, shift.y);
-}
-
 void Track::record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area) {
     if (sightings_ == 0) {
-        first_ = now;
-        low_ = place;
-        high_ = place;
-        begin_ = {now, place, {}, touches_border(box, field_)};
+        bounds_min_ = bounds_max_ = place;
+        tracklet_.begin = {now, place, {}, touches_border(box, field_)};
         first_box_ = box;
     }
-    seen_ = now;
-    box_ = bounding_box(box_, box);
-    low_ = glm::min(low_, place);
-    high_ = glm::max(high_, place);
+    tracklet_.end.at = now;
+    tracklet_.box = bounding_box(tracklet_.box, box);
+    bounds_min_ = glm::min(bounds_min_, place);
+    bounds_max_ = glm::max(bounds_max_, place);
     ++sightings_;
     path_.add(now, place, area);
-    if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
+    if (!is<Standing>()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
-void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Moment& now) {
+void Track::update(const Patch& patch, const Appearance& appearance, const FrameView& sight,
+                   const fields::Planes& scene, const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
-    look_for_departure(patch, sight.field);
-    if (state_ == State::merged || growth > thresholds.track.abrupt || growth < 1 / thresholds.track.abrupt)
-        recent_.clear();
-    recent_.push_back({now, patch.centre});
-    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > thresholds.track.velocity)
-        recent_.pop_front();
-    const double span = now.seconds - recent_.front().at.seconds;
+    detect_departure(patch, sight.field);
+    auto& recent = motion_.recent;
+    if (growth > thresholds.track.abrupt || growth < 1 / thresholds.track.abrupt) recent.clear();
+    recent.push_back({now, patch.centre});
+    while (recent.size() > 2 && now.seconds - recent.front().at.seconds > thresholds.track.velocity) recent.pop_front();
+    const double span = now.seconds - recent.front().at.seconds;
     // Over a shorter time, a velocity is noise: what passes in front changes the outline for a few frames.
     if (span >= 0.5 * thresholds.track.velocity) {
-        velocity_ = (patch.centre - recent_.front().place) / span;
-        if (!first_velocity_) first_velocity_ = velocity_;
+        motion_.velocity = (patch.centre - recent.front().place) / span;
+        if (!first_velocity_) first_velocity_ = motion_.velocity;
     }
-    if (sightings_ > 0 && (patch_.box.intersects(patch.box) || moved_box_at(now).intersects(patch.box))) ++continuous_;
-    const glm::dvec2 size(patch.box.width(), patch.box.height());
-    const double since = now.seconds - seen_.seconds;
+    const glm::ivec2 shift = shift_at(now);
+    const PixelBox moved = patch_.box.translated(shift.x, shift.y);
+    if (sightings_ > 0 && (patch_.box.intersects(patch.box) || moved.intersects(patch.box))) ++continuous_;
+    const double since = now.seconds - seen().seconds;
     const auto follow = [&](double& usual, double value) {
         usual += (sightings_ == 0 ? 1 : std::clamp(since / thresholds.track.adapts_in, 0.0, 0.5)) * (value - usual);
     };
-    follow(usual_size_.x, size.x);
-    follow(usual_size_.y, size.y);
-    follow(usual_area_, patch.area);
+    follow(tracklet_.size.x, patch.box.width());
+    follow(tracklet_.size.y, patch.box.height());
+    follow(tracklet_.area, patch.area);
     peak_area_ = std::max<double>(patch.area, peak_area_ * std::exp(-since / thresholds.track.adapts_in));
-    place_ = patch.centre;
-    place_at_ = now;
-    patch_ = patch;
-    pixels_ = patch;
+    motion_.place = patch.centre;
+    motion_.at = now;
+    patch_ = pixels_ = patch;
     template_ = Template(patch, sight);
-    look_.learn(look);
-    state_ = State::moving;
+    tracklet_.appearance.learn(appearance);
+    state_ = Moving{};
     ++alone_;
     record_position(now, patch.box, patch.centre, patch.area);
     take_portrait(sight, patch, now);
+    measure_novelty(sight, scene, now);
 }
 
-void Track::look_for_departure(const Patch& patch, const Plane<std::uint8_t>& field) {
+void Track::detect_departure(const Patch& patch, const Plane<std::uint8_t>& field) {
     const bool at_border = touches_border(patch.box, field_);
     const bool came_off = !at_border && touches_border(patch_.box, field_);
     if (at_border || came_off) departed_.reset();
     if (!came_off || patch.area >= thresholds.most * peak_area_) return;
     // What stood here before as it does now was only occluded.
-    if (settled_ && part_alike(settled_->patch, field) >= stationary.undisturbed) return;
-    departed_ = std::make_shared<const Track>(*this);
+    const auto& settled = tracklet_.settled;
+    if (settled && part_alike(settled->patch, field) >= stationary.undisturbed) return;
+    departed_ = tracklet(false, {}, seen());
 }
 
-void Track::look_for_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
+/// Compares the looks of its box with those of the same box in the empty scene.
+void Track::measure_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
     if (scene.grey.empty() || now.seconds < novelty_due_) return;
     novelty_due_ = now.seconds + thresholds.claim.sampled;
     const PixelBox box = intersection(patch_.box, {0, 0, field_.width, field_.height});
     const Patch all{box, Plane<std::uint8_t>(box.size(), 1), box.width() * box.height(), {}};
     const FrameView empty{sight.field, scene.grey, scene.colour};
-    novelty_ += (distance(Appearance(all, sight), Appearance(all, empty)) - novelty_) / ++novelties_;
+    const double value = distance(Appearance(all, sight), Appearance(all, empty));
+    double& mean = tracklet_.novelty;
+    mean = ++novelties_ == 1 ? value : mean + (value - mean) / novelties_;
 }
 
 void Track::move_to(const glm::dvec2& place, const Moment& now) {
     patch_ = translated(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
-    place_ = place;
-    place_at_ = now;
+    motion_.place = place;
+    motion_.at = now;
 }
 
 bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const FrameView& sight, const Moment& now) {
-    state_ = State::merged;
-    const double time = now.seconds - place_at_.seconds;
-    const glm::dvec2 expected = expected_at(now);
+    const double time = now.seconds - motion_.at.seconds;
+    const glm::dvec2 expected = motion_.expected_at(now);
     constexpr auto& merged = thresholds.merged;
     const bool found = share.similarity >= merged.similarity;
     const glm::dvec2 found_at = template_.patch.centre + glm::dvec2(share.shift);
@@ -157,11 +146,10 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const F
         const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
         place = glm::clamp(place, low, high);
     }
-    if (found && time > 0) velocity_ += merged.correction * (found_at - expected) / std::max(time, 0.2);
+    if (found && time > 0) motion_.velocity += merged.correction * (found_at - expected) / std::max(time, 0.2);
     move_to(place, now);
     pixels_ = share.patch;
-    box_ = bounding_box(box_, pixels_.box);
-    recent_.clear();
+    tracklet_.box = bounding_box(tracklet_.box, pixels_.box);
     if (found) {
         record_position(now, patch_.box, place, patch_.area);
         take_portrait(sight, patch_, now, hindered);
@@ -169,13 +157,17 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, const F
     return found;
 }
 
-void Track::miss(const Moment& now) {
-    if (state_ != State::merged) state_ = State::unseen;
-    move_to(expected_at(now), now);
+void Track::coast(const Moment& now) {
+    if (!is<Merged>()) state_ = Unseen{};
+    move_to(motion_.expected_at(now), now);
+}
+
+const Moment& Track::steady_since(const Steadiness::Pixel& pixel) const {
+    return pixel.since.frame < moved_again_at_.frame ? moved_again_at_ : pixel.since;
 }
 
 bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
-    const Moment& since = pixel.since.frame < risen_.frame ? risen_ : pixel.since;
+    const Moment& since = steady_since(pixel);
     return pixel.level != 0 && now.seconds - since.seconds >= stationary.stay &&
            now.frame - since.frame >= stationary.sightings;
 }
@@ -189,16 +181,15 @@ bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, co
 }
 
 /// Forgets what was before a moment: until then, the track was the bearer.
-void Track::begin_again(const Moment& still, const Moment& now) {
-    first_ = still;
-    box_ = patch_.box;
-    low_ = high_ = patch_.centre;
-    begin_ = {still, patch_.centre, {}, touches_border(patch_.box, field_)};
+void Track::restart(const Moment& still, const Moment& now) {
+    tracklet_.box = patch_.box;
+    bounds_min_ = bounds_max_ = patch_.centre;
+    tracklet_.begin = {still, patch_.centre, {}, touches_border(patch_.box, field_)};
     if (first_velocity_) *first_velocity_ = glm::dvec2();
     path_ = Path();
-    path_.add(first_, patch_.centre, patch_.area);
+    path_.add(still, patch_.centre, patch_.area);
     stays_ = Stays(stationary.stay);
-    portrait_.reset();
+    tracklet_.portrait.reset();
     sightings_ = static_cast<int>(now.frame - still.frame);
 }
 
@@ -209,14 +200,15 @@ bool Track::is_unchanged(const Patch& before, const Plane<std::uint8_t>& field) 
 }
 
 void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now) {
-    const bool young = now.seconds - first_.seconds < 2 * stationary.stay;
+    auto& settled = tracklet_.settled;
+    const bool young = now.seconds - first().seconds < 2 * stationary.stay;
     const bool small = patch_.area < thresholds.most * origin_.area;
     const bool out_of_another = origin_.track.has_value() && (young || small);
     std::vector<Moment> since;
     patch_ = part_of(patch_, [&](int i, int j) {
         const Steadiness::Pixel& pixel = steadiness.at(i, j);
         if (!is_steady(pixel, now)) return false;
-        since.push_back(pixel.since.frame < risen_.frame ? risen_ : pixel.since);
+        since.push_back(steady_since(pixel));
         return true;
     });
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
@@ -224,38 +216,31 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
     });
     const Moment still_since = nearly_last_of(std::move(since));
     Moment still = still_since;
-    const double length = std::max({thresholds.least_length, usual_size_.x, usual_size_.y});
-    double moved = glm::distance(low_, high_) / length;
     // What was only occluded, and looks as before, stands as before: it did not move by itself.
-    const bool was_occluded = settled_ && is_unchanged(settled_->patch, sight.field);
-    if (was_occluded) {
-        state_ = stood_as_;
-    } else if (out_of_another) {
-        // Where its first blob already covered its place, the bearer's parts moved in that blob.
-        if (is_mostly_inside(patch_.box, first_box_)) moved = 0;
-        begin_again(still, now);
-        state_ = State::appeared;
-    } else {
-        // An object that never moved is a ghost, or appeared there.
-        // Of its width or its height: a person who has moved by their width stands elsewhere.
-        const glm::dvec2 moved_by = (high_ - low_) / glm::max(usual_size_, glm::dvec2(thresholds.least_length));
-        const bool was_near = std::max(moved_by.x, moved_by.y) < stationary.near_place;
-        state_ = was_near ? State::appeared : State::standing;
-        if (still.frame < first_.frame) still = first_;
-        // A plain surface is steady shortly before it stops.
-        const auto& open = stays_.open();
-        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.stay) {
-            still = open->first;
+    if (!settled || !is_unchanged(settled->patch, sight.field)) {
+        double moved = glm::distance(bounds_min_, bounds_max_) / length();
+        bool found_standing = true;
+        if (out_of_another) {
+            // Where its first blob already covered its place, the bearer's parts moved in that blob.
+            if (is_mostly_inside(patch_.box, first_box_)) moved = 0;
+            restart(still, now);
+        } else {
+            // An object that never moved is a ghost, or appeared there.
+            // Of its width or its height: a person who has moved by their width stands elsewhere.
+            const glm::dvec2 moved_by =
+                (bounds_max_ - bounds_min_) / glm::max(tracklet_.size, glm::dvec2(thresholds.least_length));
+            found_standing = std::max(moved_by.x, moved_by.y) < stationary.near_place;
+            if (still.frame < first().frame) still = first();
+            // A plain surface is steady shortly before it stops.
+            const auto& open = stays_.open();
+            if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.stay) {
+                still = open->first;
+            }
         }
+        settled = Settled{patch_, still_since, {.moved = moved, .flicker = flicker.of(patch_)}, {}, found_standing};
     }
-    if (!was_occluded) settled_ = Settled{patch_, still_since, {.moved = moved, .flicker = flicker.of(patch_)}, {}};
-    still_ = StillPicture(patch_, field_);
-    velocity_ = {};
-    place_ = patch_.centre;
-    place_at_ = now;
-    recent_.clear();
-    stay_ = {still, now, patch_.centre, patch_.box};
-    uncovered_.reset();
+    state_ = Standing{{still, now, patch_.centre, patch_.box}, StillPicture(patch_, field_)};
+    motion_ = {.place = patch_.centre, .at = now};
     update_stationary(sight, now, true, true);
 }
 
@@ -263,20 +248,20 @@ bool Track::belongs_to(const Track& other) const {
     const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
     const int reach = 3 + static_cast<int>(stationary.apart * std::max(larger.width(), larger.height()));
     return patch_.box.inflated(reach, reach).intersects(other.patch_.box) &&
-           std::abs(settled_->since.seconds - other.settled_->since.seconds) <= stationary.stay;
+           std::abs(still_since().seconds - other.still_since().seconds) <= stationary.stay;
 }
 
 void Track::add_part(const Track& part) {
+    Standing& standing = std::get<Standing>(state_);
     patch_ = joined(patch_, part.patch_);
-    box_ = bounding_box(box_, patch_.box);
-    place_ = patch_.centre;
-    stay_.place = patch_.centre;
-    stay_.box = patch_.box;
-    settled_->patch = patch_;
+    tracklet_.box = bounding_box(tracklet_.box, patch_.box);
+    motion_.place = standing.stay.place = patch_.centre;
+    standing.stay.box = patch_.box;
+    tracklet_.settled->patch = patch_;
     // What has been seen so far counts: a scrap may come when somebody bends down to the thing.
-    if (still_.box().contains(patch_.box)) return;
-    still_ = StillPicture(patch_, field_);
-    portrait_.reset();
+    if (standing.picture.box().contains(patch_.box)) return;
+    standing.picture = StillPicture(patch_, field_);
+    tracklet_.portrait.reset();
     portrait_due_ = 0;
 }
 
@@ -285,33 +270,35 @@ double Track::visible_part(const Plane<std::uint8_t>& field) const {
 }
 
 void Track::update_stationary(const FrameView& sight, const Moment& now, bool whole, bool beside) {
-    stay_.last = now;
+    Standing& standing = std::get<Standing>(state_);
+    standing.stay.last = now;
     pixels_ = patch_;
     record_position(now, patch_.box, patch_.centre, patch_.area);
     // Not only while it is whole: a shadow that counted as a part of it may have gone.
-    if (!beside && alone_at_) settled_->evidence.alone += now.seconds - alone_at_->seconds;
-    alone_at_ = beside ? std::nullopt : std::optional(now);
+    if (!beside && standing.alone_at) {
+        tracklet_.settled->evidence.alone += now.seconds - standing.alone_at->seconds;
+    }
+    standing.alone_at = beside ? std::nullopt : std::optional(now);
     if (whole) {
-        still_.add(sight, now);
-        last_whole_ = now;
-        near_.reset();
+        standing.picture.add(sight, now);
+        standing.whole_at = now;
+        standing.near.reset();
         take_portrait(sight, patch_, now);
     }
 }
 
-void Track::resume_motion(const Moment& now) {
-    risen_ = now;
-    stood_as_ = state_;
+void Track::move_again(const Moment& now) {
+    moved_again_at_ = now;
     // A plain surface looks still for a while after it starts to move, because it covers itself.
-    stay_.last = last_whole_;
-    stays_.add_exactly(stay_);
-    state_ = State::moving;
-    still_ = {};
+    Standing& standing = std::get<Standing>(state_);
+    standing.stay.last = standing.whole_at;
+    stays_.add_exactly(standing.stay);
+    state_ = Moving{};
 }
 
-void Track::join(const Track& piece) {
-    if (piece.first_.frame < first_.frame) first_ = piece.first_;
-    box_ = bounding_box(box_, piece.box_);
+void Track::join(const Track& fragment) {
+    if (fragment.first().frame < first().frame) tracklet_.begin.at = fragment.first();
+    tracklet_.box = bounding_box(tracklet_.box, fragment.tracklet_.box);
 }
 
 void Track::take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth) {
@@ -320,50 +307,41 @@ void Track::take_portrait(const FrameView& sight, const Patch& patch, const Mome
     if (touches_border(patch.box, field_)) worth *= hindered;
     const double score =
         worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
-    if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
+    auto& best = tracklet_.portrait;
+    if (!best || score > best->score) best = Portrait{now, patch.box, score};
 }
 
-Tracklet Track::finish(std::optional<std::size_t> into, const fields::Planes& scene, const Moment& now) {
-    Tracklet result;
-    result.stood_to_end = stands();
-    result.gone = uncovered_.value_or(now);
-    result.stood_from_start = state_ == State::appeared;
-    if (stands()) stays_.add_exactly(stay_);
-    state_ = State::over;
-    result.number = number_;
-    result.from = origin_.track;
-    result.into = into;
-    result.begin = begin_;
-    result.begin.at = first_;
-    const PixelBox last_box = translated(patch_, glm::ivec2(glm::round(velocity_ * 0.2))).box;
-    result.path = path_.points();
-    result.areas = path_.areas();
-    result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_,
-                  touches_border(last_box, field_)};
-    result.begin.velocity = first_velocity_.value_or(velocity_);
-    result.length = std::max(usual_size_.x, usual_size_.y);
-    result.size = usual_size_;
-    result.area = usual_area_;
-    result.area_of_parent = origin_.was_alone ? origin_.area : 0;
-    const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
-    result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
-    result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
-    result.moved = glm::distance(low_, high_);
-    if (novelties_ > 0) result.novelty = novelty_;
-    result.box = box_;
-    result.look = look_;
-    result.stays = stays_.finish();
-    if (settled_) {
-        if (auto differs = compare_with_scene(still_, settled_->patch, scene)) {
-            settled_->evidence.difference = differs->difference;
-            settled_->evidence.edges = differs->edges;
-            settled_->evidence.scene_edges = differs->scene_edges;
-            settled_->evidence.thickness = differs->thickness;
-            settled_->region = std::move(differs->region);
+Tracklet Track::tracklet(bool taken, const fields::Planes& scene, const Moment& now) const {
+    Tracklet result = tracklet_;
+    Stays stays = stays_;
+    if (const auto* const merged = std::get_if<Merged>(&state_); merged && taken) result.into = merged->near;
+    if (const auto* const standing = std::get_if<Standing>(&state_)) {
+        if (taken) result.into = standing->near;
+        stays.add_exactly(standing->stay);
+        result.stood_to_end = true;
+        result.stood_from_start = found_standing();
+        result.gone = standing->uncovered.value_or(now);
+        if (auto differs = compare_with_scene(standing->picture, result.settled->patch, scene)) {
+            Evidence& evidence = result.settled->evidence;
+            evidence.difference = differs->difference;
+            evidence.edges = differs->edges;
+            evidence.scene_edges = differs->scene_edges;
+            evidence.thickness = differs->thickness;
+            result.settled->region = std::move(differs->region);
         }
     }
-    result.settled = std::move(settled_);
-    result.portrait = portrait_;
+    const glm::ivec2 shift(glm::round(motion_.velocity * 0.2));
+    result.path = path_.points();
+    result.areas = path_.areas();
+    result.stays = stays.finish();
+    result.begin.velocity = first_velocity_.value_or(motion_.velocity);
+    result.end = {seen(), result.path.empty() ? motion_.place : result.path.back().place, motion_.velocity,
+                  touches_border(patch_.box.translated(shift.x, shift.y), field_)};
+    result.length = std::max(result.size.x, result.size.y);
+    const auto frames = static_cast<double>(seen().frame - first().frame + 1);
+    result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
+    result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
+    result.moved = glm::distance(bounds_min_, bounds_max_);
     return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/tracking/appearance.h"
 #include "core/tracking/event.h"
+#include "core/tracking/event_options.h"
 
 namespace vvr::tracking {
 
@@ -15,6 +16,7 @@ struct Settled {
     Moment since;                 ///< when its pixels became steady
     Evidence evidence;            ///< all terms but `carried`, `novelty` and `confidence`
     std::optional<Patch> region;  ///< the pixels of the field in which its stay differs from the empty scene
+    bool found_standing = false;  ///< it was never seen to move: nobody saw it come
 };
 
 /// One end of a tracklet.
@@ -43,12 +45,12 @@ struct Tracklet {
     double novelty = 1;
     double moved = 0;  ///< diagonal of the box around all its places, field pixels
     PixelBox box;      ///< around all its places
-    Appearance look;
+    Appearance appearance;
     std::vector<PathPoint> path;
     std::vector<int> areas;  ///< field pixels, one per point of the path
     std::vector<Stay> stays;
     std::optional<Settled> settled;  ///< its last stationary state
-    bool stood_from_start = false;   ///< it was never seen to move: nobody saw it come
+    bool stood_from_start = false;   ///< nobody saw it come, and it has not moved since
     bool stood_to_end = false;       ///< it was stationary when last seen
     Moment gone;                     ///< when its absence became certain
     std::optional<Portrait> portrait;
@@ -56,6 +58,9 @@ struct Tracklet {
     bool in_scene = false;    ///< the empty scene shows it: the fields show its ghost while it is absent
 
     double seconds() const { return end.at.seconds - begin.at.seconds; }
+
+    /// Whether it has been seen for so long that it is no fragment or noise.
+    bool is_confirmed() const { return seconds() >= thresholds.event.least; }
 };
 
 }  // namespace vvr::tracking

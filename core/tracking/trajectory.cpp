@@ -62,7 +62,7 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
     if (earlier.stretch != later.stretch) return never;
     const double gap = later.begin.at.seconds - earlier.end.at.seconds;
     if (gap < 0 || later.begin.at.frame <= earlier.begin.at.frame) return never;
-    const double looks = distance(earlier.look, later.look) / thresholds.link.looks;
+    const double difference = distance(earlier.appearance, later.appearance) / thresholds.link.looks;
     if (earlier.stood_from_start || later.stood_from_start) {
         // A thing stays in its place. No path begins with a thing.
         const bool both = earlier.stood_to_end && later.stood_from_start;
@@ -70,9 +70,9 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
             glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
         return both && off < thresholds.stationary.apart && gap <= thresholds.link.seconds ? off : never;
     }
-    if (looks > 1) return never;
+    if (difference > 1) return never;
     const bool same_group = earlier.into && (later.from == earlier.into);
-    if (same_group && gap < thresholds.memory) return looks / 3;
+    if (same_group && gap < thresholds.memory) return difference / 3;
     if (gap > thresholds.link.seconds) return never;
     if (earlier.end.at_border || later.begin.at_border) return never;  // nothing occludes at the border
     const double length = std::max({thresholds.least_length, earlier.length, later.length});
@@ -82,7 +82,7 @@ double link_cost(const Tracklet& earlier, const Tracklet& later) {
     const double speed = std::max(glm::length(earlier.end.velocity), glm::length(later.begin.velocity));
     const double reach = thresholds.link.reach * length + speed * gap;
     if (away > reach) return never;
-    return (away / reach + gap / thresholds.link.seconds + looks) / 3;
+    return (away / reach + gap / thresholds.link.seconds + difference) / 3;
 }
 
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
@@ -142,28 +142,29 @@ void append(const Tracklet& later, Tracklet& whole) {
 /// If two objects enter as one blob and split, the one with the new number also gets the path before the split.
 void begin_with_group(std::size_t k, Trajectories& trajectories) {
     constexpr auto& group = thresholds.group;
-    Tracklet& own = trajectories.all[k].whole;
-    if (!own.from || own.area_of_parent <= 0 || own.stood_from_start || own.seconds() < 2 * thresholds.event.least) {
+    Tracklet& tracklet = trajectories.all[k].whole;
+    if (!tracklet.from || tracklet.area_of_parent <= 0 || tracklet.stood_from_start ||
+        tracklet.seconds() < 2 * thresholds.event.least) {
         return;
     }
-    const double times = own.area_of_parent / std::max(1.0, own.area);
+    const double times = tracklet.area_of_parent / std::max(1.0, tracklet.area);
     if (times < group.least || times > group.most) return;
-    const auto found = trajectories.of_track.find(*own.from);
+    const auto found = trajectories.of_track.find(*tracklet.from);
     if (found == trajectories.of_track.end() || found->second == k) return;
     const Tracklet& other = trajectories.all[found->second].whole;
     std::vector<PathPoint> before;
     for (std::size_t p = 0; p < other.path.size(); ++p) {
-        if (other.path[p].at.frame >= own.begin.at.frame) break;
+        if (other.path[p].at.frame >= tracklet.begin.at.frame) break;
         before.push_back(other.path[p]);
-        if (other.areas[p] > 0 && other.areas[p] < thresholds.most * own.area_of_parent) before.clear();
+        if (other.areas[p] > 0 && other.areas[p] < thresholds.most * tracklet.area_of_parent) before.clear();
     }
     if (before.empty()) return;
-    own.path.insert(own.path.begin(), before.begin(), before.end());
-    own.areas.insert(own.areas.begin(), before.size(), 0);
-    own.begin.at = before.front().at;
-    own.begin.place = before.front().place;
-    own.from.reset();
-    own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
+    tracklet.path.insert(tracklet.path.begin(), before.begin(), before.end());
+    tracklet.areas.insert(tracklet.areas.begin(), before.size(), 0);
+    tracklet.begin.at = before.front().at;
+    tracklet.begin.place = before.front().place;
+    tracklet.from.reset();
+    tracklet.moved = std::max(tracklet.moved, glm::distance(tracklet.begin.place, tracklet.end.place));
 }
 
 /// Whether `part` is where `whole` went. Somebody who stands for long is often seen as two: what is still, and what

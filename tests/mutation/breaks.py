@@ -73,7 +73,7 @@ BREAKS = [
     Break("core/tracking/proximity.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
           "kind == EventKind::taken ? bearer.end : bearer.begin",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
-    Break("core/tracking/conclude.cpp", "span_.stretches[k - 1].infrared == stretch_of(own).infrared", "k > 0",
+    Break("core/tracking/conclude.cpp", "span_.stretches[k - 1].infrared == stretch_of(tracklet).infrared", "k > 0",
           "Infrared.AGhostAtTheChangeIsAThingPutDownLater"),
     Break("core/tracking/identify.cpp", "*other = places[**other];", "*other = order[**other];",
           "Claims.OfAPersonInTheEmptySceneAreOfWhoStoodThere"),
@@ -83,7 +83,7 @@ BREAKS = [
           "EventFinder.ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken"),
     Break("core/tracking/proximity.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "static_cast<void>(field);",
           "EventFinder.WhoLeavesThePictureIsNotTheThingThatStays"),
-    Break("core/tracking/track.cpp", "if (was_occluded) {", "if (!was_occluded) {",
+    Break("core/tracking/track.cpp", "!settled || !is_unchanged(", "!settled || is_unchanged(",
           "EventFinder.ABagThatWasHiddenForAnInstantIsTheSameBag"),
     # core/space
     Break("core/space/camera.cpp", "std::max({x.half() / tan_x, y.half() / tan_y, 1e-9 - z.low})", "std::max({x.half() / tan_x, 1e-9 - z.low})",

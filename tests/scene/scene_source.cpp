@@ -7,6 +7,8 @@ extern "C" {
 #include <libavutil/frame.h>
 }
 
+#include "core/media/scaler.h"
+
 namespace vvr::generator {
 namespace {
 

@@ -198,14 +198,14 @@ tracking::Tracklet tracklet(std::size_t number, double begin, double end, double
     t.end = {{static_cast<std::int64_t>(end * 25), end}, {x1, 30}, {speed, 0}, false};
     t.length = 20;
     t.area = 160;
-    t.look = tracked({10, 10, 18, 30}, red).look;
+    t.appearance = tracked({10, 10, 18, 30}, red).look;
     return t;
 }
 
 TEST(Link, JoinsWhatGoesOnBehindAPostAndNothingElse) {
     std::vector<tracking::Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100),
                                         tracklet(2, 5, 9, 62, 20)};
-    all[2].look = tracked({10, 10, 18, 30}, blue).look;
+    all[2].appearance = tracked({10, 10, 18, 30}, blue).look;
     const auto next = tracking::link(all);
     EXPECT_EQ(next[0], 1U);
     EXPECT_FALSE(next[1]);
