@@ -10,7 +10,7 @@
 
 #include <spdlog/logger.h>
 
-#include "cli/app/observer.h"
+#include "cli/plan/observer.h"
 #include "cli/signals.h"
 
 namespace vvr::cli {

@@ -6,17 +6,19 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/compose.h"
-#include "cli/app/draw.h"
-#include "cli/app/golden.h"
-#include "cli/app/identify.h"
-#include "cli/app/input.h"
-#include "cli/app/plan.h"
-#include "cli/app/settings.h"
-#include "cli/app/window.h"
+#include "cli/compose/compose.h"
+#include "cli/compose/page_content.h"
+#include "cli/draw/draw.h"
+#include "cli/observe/identify.h"
+#include "cli/observe/window.h"
+#include "cli/plan/input.h"
+#include "cli/plan/make_plan.h"
+#include "cli/plan/settings.h"
+#include "cli/write/golden.h"
 #include "core/base/text.h"
 #include "core/image/text.h"
 #include "core/media/input.h"
+#include "core/page/html.h"
 
 namespace vvr::app {
 
@@ -27,21 +29,21 @@ constexpr std::int64_t soon_read = 5000;
 // For longer clips, create the renderer after reading: saving memory is worth the extra time.
 constexpr std::int64_t long_read = 100'000;
 
-/// Adds an observer of the fields that collects what a page and a still show.
-page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
-    if (page_of(output).empty() && output.still.empty()) return nullptr;
-    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), !page_of(output).empty());
-    page::WatchedFields* const watcher = watched.get();
-    fields.source = std::move(watched);
-    return watcher;
-}
-
 /// The phase of the tracelines' texture: stripes move from picture to picture (§6.2.1), faster in stills, which are
 /// few.
 double phase_of(const Plan& plan, std::int64_t brick, std::int64_t pictures) {
     constexpr std::int64_t stills = 8;  // number of stills over which the texture moves by one stripe
-    if (!plan.job.output.slide) return static_cast<double>(brick % stills) / stills;
+    if (!plan.output.files.slide) return static_cast<double>(brick % stills) / stills;
     return static_cast<double>(pictures % default_animation) / default_animation;
+}
+
+std::vector<page::PageContent::Segment> pieces_for_page(const PagePlan& page, const KeptEvents& kept) {
+    std::vector<page::PageContent::Segment> pieces;
+    for (const WrittenPiece& piece : kept.pieces) {
+        pieces.push_back({page::relative_url(page.path, page.pieces / piece.file), piece.facts.begin,
+                          piece.facts.until - piece.facts.begin});
+    }
+    return pieces;
 }
 
 /// A run for a report or tables alone. It draws nothing, so it opens no OpenGL, which costs more than a short clip.
@@ -50,43 +52,47 @@ Outcome describe_clip(const Plan& plan, fields::FieldSource& source, Observer& o
     Observation seen = observe(plan, source, observer);
     run.stages.end("fields");
     Composition composed = compose(plan, seen);
+    run.note(composed);
     run.stages.end("scene");
     return {std::move(seen), std::move(composed), std::move(run)};
 }
 
 }  // namespace
 
-Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink) {
-    if (plan.products.pictures == 0) return describe_clip(plan, source, observer);
+Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
+                    const FrameWatch& watch) {
+    if (plan.output.pictures == 0) return describe_clip(plan, source, observer);
     RunFacts run;  // starts the timing of stages
-    const std::int64_t expected = plan.clip.expected_frames;
+    const std::int64_t expected = plan.read.clip.expected_frames;
     const bool is_long = expected > long_read;
     RenderThread thread;
-    auto opened = thread.start([&](Drawing& drawing) { open_context(plan, drawing, observer); });
+    auto opened = thread.start([&](GlSession& session) { open_context(plan.look, session, observer); });
     // Loading the libraries and compiling the shaders uses a second core while the clip is read.
     if (!is_long) {
-        thread.start([&](Drawing& drawing) {
-            make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);
-            warm_up(plan, drawing);
+        thread.start([&](GlSession& session) {
+            make_renderer(plan.look, gl::RenderOptions{}.tile_samples, session);
+            const Sample sample = compose_sample(plan);
+            warm_up(plan.look, sample.composed, sample.seen, session);
         });
     }
     if (expected == 0 || expected > soon_read) opened.get();
-    Observation seen = observe(plan, source, observer);
+    Observation seen = observe(plan, source, observer, watch);
     run.stages.end("fields");
     observer.drawing(0, 1);
-    thread.run([&](Drawing& drawing) {
-        if (is_long) make_renderer(plan, gl::RenderOptions{}.tile_samples / 4, drawing);
-        run.describe(*drawing.context);
+    thread.run([&](GlSession& session) {
+        if (is_long) make_renderer(plan.look, gl::RenderOptions{}.tile_samples / 4, session);
+        run.describe(*session.context);
     });
     Composition composed = compose(plan, seen);
+    run.note(composed);
     run.stages.end("scene");
-    thread.run([&](Drawing& drawing) { show(plan, composed, seen, drawing); });
-    const int pictures = plan.products.pictures;
+    thread.run([&](GlSession& session) { show(plan.look, composed, seen, session); });
+    const int pictures = plan.output.pictures;
     for (int i = 0; i < pictures; ++i) {
         FinishedPicture picture{i, {}, {plan, seen, composed, run}};
-        thread.run([&](Drawing& drawing) {
-            picture.picture = draw(plan, seen, drawing, observer, static_cast<double>(i) / pictures);
-            if (i + 1 == pictures) close(drawing);
+        thread.run([&](GlSession& session) {
+            picture.picture = draw(plan.look, seen, session, observer, static_cast<double>(i) / pictures);
+            if (i + 1 == pictures) close(session);
         });
         run.stages.end("draw");
         run.pictures = i + 1;
@@ -97,29 +103,26 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
 }
 
 Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
-                      const EndedSink& ended) {
+                      const EndedSink& ended, const FrameWatch& watch) {
     RunFacts run;
     RenderThread thread;
-    thread.run([&](Drawing& drawing) {
-        open_context(plan, drawing, observer);
-        run.describe(*drawing.context);
-        make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);
+    thread.run([&](GlSession& session) {
+        open_context(plan.look, session, observer);
+        run.describe(*session.context);
+        make_renderer(plan.look, gl::RenderOptions{}.tile_samples, session);
     });
     Composition composed;
     Observer unseen;  // the progress is that of the frames, between which the pictures are drawn
-    bool never_moves = true;
-    bool frames_missing = false;
     const auto full = [&](const Observation& seen, std::int64_t brick) {
         run.stages.end("fields");
         composed = compose(plan, seen);
+        run.note(composed);
         run.stages.end("scene");
-        never_moves = never_moves && composed.nothing_moves;
-        frames_missing = frames_missing || composed.frames_missing;
-        thread.run([&](Drawing& drawing) { show(plan, composed, seen, drawing); });
-        for (int i = 0; i < plan.products.pictures; ++i) {
+        thread.run([&](GlSession& session) { show(plan.look, composed, seen, session); });
+        for (int i = 0; i < plan.output.pictures; ++i) {
             FinishedPicture picture{static_cast<int>(brick), {}, {plan, seen, composed, run}};
-            thread.run([&](Drawing& drawing) {
-                picture.picture = draw(plan, seen, drawing, unseen, phase_of(plan, brick, run.pictures));
+            thread.run([&](GlSession& session) {
+                picture.picture = draw(plan.look, seen, session, unseen, phase_of(plan, brick, run.pictures));
             });
             run.stages.end("draw");
             ++run.pictures;
@@ -129,15 +132,15 @@ Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& o
     };
     Window window(plan, source, full, ended);
     std::int64_t frames = 0;
+    if (watch.begin) watch.begin(source);
     fields::FieldSummary summary =
         source.read(window.needs(), [&](const media::SharedFrame& frame, const fields::Field& field) {
+            if (watch.add) watch.add(frame, field);
             window.add(frame, field);
-            observer.frames(++frames, plan.clip.expected_frames);
+            observer.frames(++frames, plan.read.clip.expected_frames);
         });
     Observation seen = window.finish(source, std::move(summary));
     run.stages.end("fields");
-    composed.nothing_moves = never_moves;
-    composed.frames_missing = frames_missing;
     return {std::move(seen), std::move(composed), std::move(run)};
 }
 
@@ -156,17 +159,35 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
     const Plan plan =
         make_plan(job, fields.facts(), on_picture ? Purpose::caller : Purpose::files, std::move(detector));
     if (!fields.day_times.empty()) observer.info(fields.day_times);
-    Writer writer(files, watch(job.output, fields), on_picture, observer);
-    check_memory(plan.extent);
+    Writer writer(files, on_picture, observer);
+    check_memory(plan.volume.extent);
 
-    const PictureSink write = [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); };
-    Outcome done = plan.products.series ? render_series(plan, *fields.source, observer, write)
-                                        : render_clip(plan, *fields.source, observer, write);
+    const bool has_page = !page_of(job.output).empty();
+    page::MomentWatch moments(has_page);
+    FrameWatch watch;
+    if (plan.field.keeps_moments) {
+        watch = {[&](const fields::FieldSource& source) { moments.begin(source); },
+                 [&](const media::SharedFrame& frame, const fields::Field& field) { moments.add(frame, field); }};
+    }
+    KeptEvents kept;
+    const PictureSink write = [&](FinishedPicture&& picture) {
+        const Observation& seen = picture.context.seen;
+        if (!plan.output.files.pieces.folder.empty()) kept = keep_events(plan, seen, observer);
+        Writer::Kept beside;
+        if (plan.field.keeps_moments) beside.moments = moments.take();
+        if (has_page) {
+            beside.page = page_content(plan, seen, picture.context.composed);
+            beside.page.pieces = pieces_for_page(plan.page, kept);
+        }
+        writer.write(std::move(picture), std::move(beside));
+    };
+    const Outcome done = plan.volume.series ? render_series(plan, *fields.source, observer, write, {}, watch)
+                                            : render_clip(plan, *fields.source, observer, write, watch);
     require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    writer.finish({plan, done.seen, done.composed, done.run}, took.count());
+    writer.finish({plan, done.seen, done.composed, done.run}, took.count(), kept);
     return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged,
-            std::move(done.seen.events).value_or(ShownEvents{}), plan.clip.field_size};
+            done.seen.events.value_or(ShownEvents{}), plan.read.clip.field_size};
 }
 
 }  // namespace vvr::app

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "cli/app/job.h"
-#include "cli/app/observer.h"
-#include "cli/app/window.h"
-#include "cli/app/write.h"
+#include "cli/observe/window.h"
+#include "cli/plan/job.h"
+#include "cli/plan/observer.h"
+#include "cli/write/write.h"
 
 /// The whole application: a job as input; pictures, a page, a report and the comparison with a golden picture as
 /// output.
@@ -33,7 +33,8 @@ struct Outcome {
 /// Draws one picture of a whole clip, or `products.pictures` of them; none if only a report is wanted. These differ
 /// only in the phase of the tracelines' texture and form a loop.
 /// \throws Error backend before a long clip is read, if OpenGL can't draw; limit, not_video, io, usage
-Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
+Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
+                    const FrameWatch& watch = {});
 
 /// Draws a series: one picture per brick of the clip, when the brick has entered the window. Picture j shows bricks j -
 /// k + 1 to j; the first pictures show fewer, from the start of the horseshoe. Time scale and camera are the same in
@@ -42,6 +43,6 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
 /// \param ended called with each event that has ended; may be empty. It needs a plan that finds objects
 /// \returns the last window's observation, with the frames, damage and events of the whole clip
 Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
-                      const EndedSink& ended = {});
+                      const EndedSink& ended = {}, const FrameWatch& watch = {});
 
 }  // namespace vvr::app

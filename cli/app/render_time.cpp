@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "cli/app/observer.h"
 #include "cli/app/render.h"
+#include "cli/plan/observer.h"
 
 namespace vvr::app {
 
@@ -67,7 +67,7 @@ media::FrameSpan begin_of(media::FrameSpan span, double rate) {
 
 RenderTime measure_render(const RenderJob& job, const Plan& plan) {
     RenderJob part = job;
-    part.fields.span = begin_of(plan.clip.span, plan.clip.info.rate);
+    part.fields.span = begin_of(plan.read.clip.span, plan.read.clip.info.rate);
     Stopwatch watch;
     const auto begin = Stopwatch::Clock::now();
     try {
@@ -79,8 +79,8 @@ RenderTime measure_render(const RenderJob& job, const Plan& plan) {
     RenderTime time{.measured = watch.frames_read};
     if (watch.frames_read < 2 || reading <= 0) return time;
     time.frames_per_second = static_cast<double>(watch.frames_read - 1) / reading;
-    if (plan.extent.frames > 0)
-        time.seconds = all - reading + static_cast<double>(plan.extent.frames) / time.frames_per_second;
+    if (plan.volume.extent.frames > 0)
+        time.seconds = all - reading + static_cast<double>(plan.volume.extent.frames) / time.frames_per_second;
     return time;
 }
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "cli/app/job.h"
-#include "cli/app/plan.h"
+#include "cli/plan/job.h"
+#include "cli/plan/plan.h"
 
 namespace vvr::app {
 

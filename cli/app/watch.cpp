@@ -20,14 +20,15 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/identify.h"
-#include "cli/app/input.h"
-#include "cli/app/plan.h"
 #include "cli/app/render.h"
-#include "cli/app/report.h"
-#include "cli/app/settings.h"
-#include "cli/app/video_scale.h"
-#include "cli/app/write.h"
+#include "cli/compose/page_content.h"
+#include "cli/observe/identify.h"
+#include "cli/plan/input.h"
+#include "cli/plan/make_plan.h"
+#include "cli/plan/settings.h"
+#include "cli/plan/video_scale.h"
+#include "cli/write/report.h"
+#include "cli/write/write.h"
 #include "core/annotation/lettering.h"
 #include "core/annotation/time_ticks.h"
 #include "core/base/text.h"
@@ -38,6 +39,7 @@
 #include "core/media/input.h"
 #include "core/page/html.h"
 #include "core/page/moments.h"
+#include "core/page/page.h"
 
 namespace vvr::app {
 
@@ -112,11 +114,11 @@ class LivePictures {
     LivePictures(const Plan& plan, const media::LiveSource& stream, const page::RecentMoments& moments,
                  Observer& observer)
         : plan_(plan),
-          name_(plan.job.output.path),
+          name_(plan.output.files.path),
           stream_(stream),
           moments_(moments),
           observer_(observer),
-          files_(plan.job.output, observer),
+          files_(plan.output.files, observer),
           outages_([this](const std::stop_token& stop) { look_for_outages(stop); }) {}
 
     void add(FinishedPicture&& finished) {
@@ -127,9 +129,14 @@ class LivePictures {
         if (failure_) std::rethrow_exception(failure_);
         record_ = record_of(context);
         add_lettering(finished);
-        if (is_page(plan_.job.output.path)) {
-            page_ = page_text(context, std::move(finished.picture), record_,
-                              moments_.since(seen.begin.frame, seen.end().frame), state_of(context));
+        if (is_page(plan_.output.files.path)) {
+            page::PageContent content = page_content(plan_, seen, context.composed);
+            content.picture = std::move(finished.picture);
+            content.settings = record_;
+            content.moments = moments_.since(seen.begin.frame, seen.end().frame);
+            content.live = state_of(context);
+            content.unseen.dropped = content.live->dropped;
+            page_ = page::make_page(content);
         } else {
             picture_ = std::move(finished.picture);
         }
@@ -143,8 +150,8 @@ class LivePictures {
         if (came) latency_.add(took);
         observer_.info(fmt::format(
             "'{}': brick {}, {}, written {:.2f} s after its last frame", name_.at(finished.number).string(),
-            finished.number, annotation::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock),
-            took));
+            finished.number,
+            annotation::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.read.clock), took));
     }
 
     /// Call it after the stream's last picture: whoever looks at the page learns that there will be no other.
@@ -171,13 +178,14 @@ class LivePictures {
     void write() {
         lost_ = stream_.lost_since();
         const std::string text =
-            lost_ ? fmt::format("no signal since {}", annotation::format_moment(*lost_, plan_.clock)) : std::string();
+            lost_ ? fmt::format("no signal since {}", annotation::format_moment(*lost_, plan_.read.clock))
+                  : std::string();
         if (!page_.empty()) {
             files_.add_page(lost_ ? page::with_state(page_, text) : page_);
         } else {
             image::Picture picture{picture_.pixels};
             const Size size = picture.pixels.size();
-            const scene::Theme& theme = plan_.job.look.theme;
+            const scene::Theme& theme = plan_.look.theme;
             annotation::Label label = annotation::make_centred_label(text, 2 * text_size_, size.width / 2.0,
                                                                      size.height / 2.0, image::Rgba(theme.fast, 1));
             label.halo = image::Rgba(theme.background, 1);
@@ -207,7 +215,7 @@ class LivePictures {
     void check_clock(double end) {
         constexpr double little = 5;  // seconds; a server may send what it has kept
         const double passed = std::chrono::duration<double>(Clock::now() - began_).count();
-        const bool is_live = plan_.clock && plan_.clock->source == ClockSource::live;
+        const bool is_live = plan_.read.clock && plan_.read.clock->source == ClockSource::live;
         if (!is_live || end < passed + little || std::exchange(is_ahead_, true)) return;
         observer_.warn(
             fmt::format("'{}' comes faster than it was recorded, so its times of day are ahead of the clock; give "
@@ -228,7 +236,7 @@ class LivePictures {
     /// Whether the reference may still contain objects that were there when the stream began.
     bool is_learning(const Observation& seen) const {
         constexpr double first_look = 2;  // seconds; ghosts disappear afterwards
-        return plan_.reference != nullptr && plan_.reference->adapts &&
+        return plan_.field.reference != nullptr && plan_.field.reference->adapts &&
                seen.end().seconds < first_look + fields::RunningReference::ghost_seconds;
     }
 
@@ -299,12 +307,12 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
                                       job, *job.fields.filter, false);
     plan_ = std::make_unique<const Plan>(
         make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream, std::move(detector)));
-    fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
+    fields_ = std::move(opened.source);
 }
 
 tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size_t number) const {
     const media::VideoInfo& info = stream_->info();
-    const WallClock& clock = plan_->clock;
+    const WallClock& clock = plan_->read.clock;
     const auto time = [&](double seconds) {
         return clock ? std::optional(clock->iso(seconds)) : std::optional<std::string>();
     };
@@ -316,25 +324,29 @@ tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size
     line.begin = time(line.first);
     line.end = time(line.last);
     line.open_ended = event.open_ended;
-    line.box = VideoScale(plan_->clip.field_size, info.size)(event.box);
+    line.box = VideoScale(plan_->read.clip.field_size, info.size)(event.box);
     line.direction = tracking::direction_of(event);
-    if (const fs::path& page = page_of(plan_->job.output); !page.empty())
+    if (const fs::path& page = page_of(plan_->output.files); !page.empty())
         line.page = fmt::format("{}#event={}", page::url_of_path(page.filename().string()), number);
     return line;
 }
 
 std::int64_t StreamWatch::run() {
-    check_memory(plan_->extent);
+    check_memory(plan_->volume.extent);
     const media::VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
-    LivePictures pictures(*plan_, *stream_, *fields_, observer_);
+    page::RecentMoments moments(info.size, plan_->volume.window.frames());
+    const FrameWatch watch{
+        {}, [&](const media::SharedFrame& frame, const fields::Field& field) { moments.add(*frame, field); }};
+    LivePictures pictures(*plan_, *stream_, moments, observer_);
     EndedSink ended;
     if (options_.on_event) {
         ended = [this](const tracking::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };
     }
     const Outcome done = render_series(
-        *plan_, *fields_, observer_, [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); }, ended);
+        *plan_, *fields_, observer_, [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); }, ended,
+        watch);
     pictures.end();
     observer_.info(pictures.summary(done.seen));
     return pictures.count();

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/app/job.h"
-#include "cli/app/observer.h"
-#include "cli/app/plan.h"
+#include "cli/plan/job.h"
+#include "cli/plan/observer.h"
+#include "cli/plan/plan.h"
 #include "core/fields/field_source.h"
 #include "core/media/live_source.h"
 #include "core/page/moments.h"
@@ -47,7 +47,7 @@ class StreamWatch {
     Observer& observer_;
     StreamOptions options_;
     std::unique_ptr<const Plan> plan_;
-    std::unique_ptr<page::RecentMoments> fields_;
+    std::unique_ptr<fields::FieldSource> fields_;
     media::LiveSource* stream_;  ///< owned by fields_
 };
 

@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/identify.h"
-#include "cli/app/input.h"
-#include "cli/app/settings.h"
 #include "cli/commands/command.h"
+#include "cli/observe/identify.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/settings.h"
 #include "core/archive/output_files.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/app/golden.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/write/golden.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/image/comparison.h"

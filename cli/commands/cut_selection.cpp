@@ -8,12 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/identify.h"
-#include "cli/app/input.h"
-#include "cli/app/observe.h"
-#include "cli/app/piece.h"
-#include "cli/app/piece_record.h"
-#include "cli/app/settings.h"
+#include "cli/excerpt/piece.h"
+#include "cli/excerpt/piece_record.h"
+#include "cli/observe/identify.h"
+#include "cli/observe/observe.h"
+#include "cli/plan/input.h"
+#include "cli/plan/make_plan.h"
+#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"
@@ -56,7 +57,7 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     const app::Plan plan = app::make_plan(std::move(search), fields.facts(), app::Purpose::search, std::move(detector));
     std::vector<app::PieceEvent> events;
     const app::Observation seen = app::observe(plan, *fields.source, observer);
-    const app::VideoScale scale(plan.clip.field_size, seen.info.size);
+    const app::VideoScale scale(plan.read.clip.field_size, seen.info.size);
     for (const tracking::Event& event : seen.events->events) {
         events.push_back(app::piece_event(event, std::ssize(events) + 1, scale));
     }
@@ -67,7 +68,7 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     if (places.empty() || places.back().path != footage.recording.segments.back().path) {
         places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
     }
-    return {span, std::move(places), event, events, plan.job.settings, {}, app::unseen_of(plan, seen)};
+    return {span, std::move(places), event, events, plan.output.settings, {}, app::unseen_of(plan, seen)};
 }
 
 Selection read_event(const CutJob& job, const app::Footage& footage) {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/app/footage.h"
-#include "cli/app/job.h"
-#include "cli/app/observer.h"
+#include "cli/excerpt/footage.h"
+#include "cli/plan/job.h"
+#include "cli/plan/observer.h"
 #include "core/footage/segment.h"
 #include "core/image/picture_file.h"
 #include "core/media/frame_source.h"

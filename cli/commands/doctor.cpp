@@ -16,9 +16,9 @@ extern "C" {
 #include <libavutil/ffversion.h>
 }
 
-#include "cli/app/identify.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/observe/identify.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
 #include "cli/workers/sandbox.h"

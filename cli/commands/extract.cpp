@@ -5,14 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/input.h"
-#include "cli/app/job.h"
-#include "cli/app/observer.h"
-#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/observe/observe.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/job.h"
+#include "cli/plan/observer.h"
+#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/dataset/data_folder.h"

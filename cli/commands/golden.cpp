@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/input.h"
 #include "cli/app/render.h"
 #include "cli/commands/command.h"
 #include "cli/commands/golden_cases.h"
 #include "cli/commands/golden_results.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
+#include "cli/plan/input.h"
 #include "core/archive/output_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/app/job.h"
 #include "cli/options/command_line.h"
+#include "cli/plan/job.h"
 #include "core/base/error.h"
 
 namespace vvr::commands {

@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/app/input.h"
-#include "cli/app/plan.h"
 #include "cli/app/render_time.h"
-#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/make_plan.h"
+#include "cli/plan/settings.h"
 #include "core/annotation/time_ticks.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
@@ -192,7 +192,7 @@ class Info final : public Command {
         app::validate(job_);
         const app::OpenedFields fields = app::open_fields(job_);
         const app::Plan plan = app::make_plan(job_, fields.facts());
-        Facts facts{*fields.source, plan.extent, list_clips(job_.input), fields.warnings};
+        Facts facts{*fields.source, plan.volume.extent, list_clips(job_.input), fields.warnings};
         // An extraction is drawn as a whole.
         if (!quick_ && fields.extracted.empty()) facts.time = measure(plan, facts.warnings);
         cli::print(json_ ? as_json(facts) : as_text(facts));

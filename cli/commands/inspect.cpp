@@ -11,14 +11,14 @@
 #include <fmt/ranges.h>
 #include <glm/glm.hpp>
 
-#include "cli/app/input.h"
-#include "cli/app/job.h"
-#include "cli/app/observer.h"
-#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/job.h"
+#include "cli/plan/observer.h"
+#include "cli/plan/settings.h"
 #include "core/annotation/time_ticks.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"

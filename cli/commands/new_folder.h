@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/app/observer.h"
+#include "cli/plan/observer.h"
 #include "core/base/lock_file.h"
 
 namespace vvr::commands {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/input.h"
 #include "cli/app/render.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
 #include "core/base/error.h"
 
 namespace vvr::commands {

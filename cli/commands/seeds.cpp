@@ -13,11 +13,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/observer.h"
 #include "cli/commands/command.h"
 #include "cli/commands/new_folder.h"
 #include "cli/console.h"
 #include "cli/options/add_option.h"
+#include "cli/plan/observer.h"
 #include "cli/signals.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/input.h"
-#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/event_file.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/fields/reference.h"

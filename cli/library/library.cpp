@@ -18,10 +18,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/input.h"
 #include "cli/app/render.h"
-#include "cli/app/video_scale.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/input.h"
+#include "cli/plan/video_scale.h"
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/version.h"

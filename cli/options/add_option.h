@@ -7,7 +7,7 @@
 namespace vvr::options {
 
 /// Adds an option of the group for each setting that it is called with. The variable holds the default and receives the
-/// value. It can visit lists of settings (cli/app/settings.h), whose further arguments it passes on to
+/// value. It can visit lists of settings (cli/plan/settings.h), whose further arguments it passes on to
 /// cli/options/value.h.
 class AddOptions {
   public:

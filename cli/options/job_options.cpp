@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/settings.h"
 #include "cli/options/add_option.h"
 #include "cli/options/presets.h"
+#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/dataset/scalar_picture.h"
 #include "core/fields/settings.h"

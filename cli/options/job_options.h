@@ -3,8 +3,8 @@
 #include <array>
 #include <filesystem>
 
-#include "cli/app/job.h"
 #include "cli/options/command_line.h"
+#include "cli/plan/job.h"
 
 // The groups of options that fill a RenderJob.
 namespace vvr::options {

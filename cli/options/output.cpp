@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/settings.h"
 #include "cli/options/add_option.h"
 #include "cli/options/job_options.h"
+#include "cli/plan/settings.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/file.h"

@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/golden.h"
-#include "cli/app/settings.h"
+#include "cli/plan/settings.h"
+#include "cli/write/golden.h"
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/base/file.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/settings.h"
+#include "cli/plan/settings.h"
 #include "core/base/error.h"
 
 namespace vvr::options {

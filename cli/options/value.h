@@ -17,9 +17,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/settings.h"
 #include "cli/options/help.h"
 #include "cli/options/parse_value.h"
+#include "cli/plan/settings.h"
 #include "core/archive/camera_days.h"
 #include "core/base/setting.h"
 #include "core/image/comparison.h"

@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/settings.h"
 #include "cli/console.h"
 #include "cli/log.h"
+#include "cli/plan/settings.h"
 #include "cli/workers/archive_run.h"
 #include "core/annotation/time_ticks.h"
 #include "core/archive/index.h"

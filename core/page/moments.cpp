@@ -177,20 +177,7 @@ bool browsers_play(const media::VideoInfo& info) {
 
 }  // namespace
 
-WatchedFields::WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview)
-    : fields_(std::move(fields)), with_preview_(with_preview) {}
-
-fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
-    begin();
-    fields::FieldNeeds more = needs;
-    more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const media::SharedFrame& frame, fields::Field&& field) {
-        look_at(frame, field);
-        sink(frame, std::move(field));
-    });
-}
-
-Moments WatchedFields::take() {
+Moments MomentWatch::take() {
     Moments moments{times_.stretches(), {}, {}, {}};
     if (stills_) moments.stills = stills_->take();
     if (preview_) moments.preview = preview_->finish();
@@ -198,21 +185,22 @@ Moments WatchedFields::take() {
     return moments;
 }
 
-void WatchedFields::begin() {
-    ExpectedLength expected{expected_frames(), 0};
-    if (info().rate > 0) expected.seconds = static_cast<double>(expected.frames) / info().rate;
+void MomentWatch::begin(const fields::FieldSource& source) {
+    const media::VideoInfo& info = source.info();
+    ExpectedLength expected{source.expected_frames(), 0};
+    if (info.rate > 0) expected.seconds = static_cast<double>(expected.frames) / info.rate;
     times_ = {};
     preview_.reset();
     // A preview of two frames would be useless.
-    if (has_pictures() && with_preview_) {
-        const Preview::Use use = browsers_play(info()) ? Preview::Use::fallback : Preview::Use::instead;
-        preview_.emplace(info().size, expected, use);
+    if (source.has_pictures() && with_preview_) {
+        const Preview::Use use = browsers_play(info) ? Preview::Use::fallback : Preview::Use::instead;
+        preview_.emplace(info.size, expected, use);
     }
     const bool has_film = preview_ && preview_->is_possible();
-    stills_.emplace(fit_into(info().size, still_side), has_film ? few_stills : Stills::most);
+    stills_.emplace(fit_into(info.size, still_side), has_film ? few_stills : Stills::most);
 }
 
-void WatchedFields::look_at(const media::SharedFrame& frame, const fields::Field& field) {
+void MomentWatch::add(const media::SharedFrame& frame, const fields::Field& field) {
     times_.add(field.index, field.pts);
     if (frame->grey.empty() && frame->colour.empty()) return;  // extracted data may have neither
     stills_->add(frame, cv::countNonZero(cv_view(field.scalar)));
@@ -226,19 +214,8 @@ constexpr std::int64_t most_stills = 40;  // live pages are sent often, so they 
 
 }  // namespace
 
-RecentMoments::RecentMoments(std::unique_ptr<fields::FieldSource> fields, std::int64_t frames)
-    : fields_(std::move(fields)), frames_(std::max<std::int64_t>(1, frames)) {}
-
-fields::FieldSummary RecentMoments::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
-    times_.clear();
-    stills_.clear();
-    fields::FieldNeeds more = needs;
-    more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const media::SharedFrame& frame, fields::Field&& field) {
-        look_at(*frame, field);
-        sink(frame, std::move(field));
-    });
-}
+RecentMoments::RecentMoments(Size shown, std::int64_t frames)
+    : shown_(shown), frames_(std::max<std::int64_t>(1, frames)) {}
 
 Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
     Timeline times;
@@ -252,7 +229,7 @@ Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
     return moments;
 }
 
-void RecentMoments::look_at(const media::Frame& frame, const fields::Field& field) {
+void RecentMoments::add(const media::Frame& frame, const fields::Field& field) {
     times_.push_back({field.index, field.pts});
     if (std::ssize(times_) > frames_) times_.pop_front();
     while (!stills_.empty() && stills_.front().frame < times_.front().frame) stills_.pop_front();
@@ -260,7 +237,7 @@ void RecentMoments::look_at(const media::Frame& frame, const fields::Field& fiel
     if (!stills_.empty() && field.index - stills_.back().frame < apart) return;
     const Plane<Bgr> picture = media::picture_of(frame);
     if (picture.empty()) return;
-    stills_.push_back({field.index, field.pts, image::resized(picture, fit_into(info().size, recent_still_side))});
+    stills_.push_back({field.index, field.pts, image::resized(picture, fit_into(shown_, recent_still_side))});
 }
 
 }  // namespace vvr::page

@@ -127,56 +127,40 @@ struct Moments {
 };
 
 /// Collects times, stills and a preview while fields are read, so that a page needs no second pass over the clip.
-class WatchedFields final : public fields::FieldSource {
+class MomentWatch {
   public:
     /// \param with_preview whether to make a preview; it is small if browsers can play the clip
-    WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview);
+    explicit MomentWatch(bool with_preview) : with_preview_(with_preview) {}
 
-    const media::VideoInfo& info() const override { return fields_->info(); }
-    Size field_size() const override { return fields_->field_size(); }
-    std::int64_t expected_frames() const override { return fields_->expected_frames(); }
-    std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
-    bool has_pictures() const override { return fields_->has_pictures(); }
-    void read_again(std::span<const double> times, const std::function<void(const media::Frame&)>& sink) override {
-        fields_->read_again(times, sink);
-    }
-    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
+    /// Call it before the first frame. Forgets what it has.
+    void begin(const fields::FieldSource& source);
 
-    /// The moments of the last `read`. Call it once.
+    void add(const media::SharedFrame& frame, const fields::Field& field);
+
+    /// What was collected. Call it once.
     Moments take();
 
   private:
-    void begin();
-    void look_at(const media::SharedFrame& frame, const fields::Field& field);
-
-    std::unique_ptr<fields::FieldSource> fields_;
     bool with_preview_;
     Timeline times_;
     std::optional<Stills> stills_;
     std::optional<PreviewThread> preview_;  ///< encodes in parallel to the next fields
 };
 
-/// Collects times and stills of the most recent frames of a stream while its fields are read. The number of frames
-/// bounds its memory.
-class RecentMoments final : public fields::FieldSource {
+/// Collects times and stills of the most recent frames of a stream. The number of frames bounds its memory.
+class RecentMoments {
   public:
+    /// \param shown display size of the stream
     /// \param frames number of frames to keep
-    RecentMoments(std::unique_ptr<fields::FieldSource> fields, std::int64_t frames);
+    RecentMoments(Size shown, std::int64_t frames);
 
-    const media::VideoInfo& info() const override { return fields_->info(); }
-    Size field_size() const override { return fields_->field_size(); }
-    std::int64_t expected_frames() const override { return fields_->expected_frames(); }
-    std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
-    bool has_pictures() const override { return fields_->has_pictures(); }
-    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
+    void add(const media::Frame& frame, const fields::Field& field);
 
     /// The moments of the frames from `first` to `last`, inclusive, without a preview.
     Moments since(std::int64_t first, std::int64_t last = std::numeric_limits<std::int64_t>::max()) const;
 
   private:
-    void look_at(const media::Frame& frame, const fields::Field& field);
-
-    std::unique_ptr<fields::FieldSource> fields_;
+    Size shown_;
     std::int64_t frames_;
     std::deque<Moment> times_;
     std::deque<Still> stills_;

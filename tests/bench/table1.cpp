@@ -15,9 +15,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/app/draw.h"
-#include "cli/app/job.h"
-#include "cli/app/plan.h"
+#include "cli/draw/draw.h"
+#include "cli/plan/job.h"
+#include "cli/plan/make_plan.h"
 #include "core/fields/field_source.h"
 #include "gl/renderer.h"
 #include "tests/bench/in_turn.h"
@@ -76,18 +76,17 @@ class Drawing {
     Drawing(std::shared_ptr<gl::Context> context, const volume::Volume& volume, app::RenderJob job)
         : plan_(app::make_plan(std::move(job), {{}, volume.size(), volume.layers(), {}, {}, {}})),
           volume_(&volume),
-          bricks_(volume::cut_into(volume.layers(), plan_.job.bricks.window)),
-          tiles_(gl::cut_tiles(plan_.picture.size, plan_.picture.tile_samples)) {
-        drawing_.context = std::move(context);
-        app::make_renderer(plan_, plan_.picture.tile_samples, drawing_);
-        const int textures =
-            app::textures_of({.series = true}, static_cast<int>(volume::cut_into_sub_bricks(bricks_).size()));
-        drawing_.window =
-            std::make_unique<gl::BrickWindow>(drawing_.context->gl(), *plan_.layout, volume.layers(), textures);
+          bricks_(volume::cut_into(volume.layers(), plan_.volume.bricks.window)),
+          tiles_(gl::cut_tiles(plan_.look.picture.size, plan_.look.picture.tile_samples)) {
+        session_.context = std::move(context);
+        app::make_renderer(plan_.look, plan_.look.picture.tile_samples, session_);
+        const auto textures = static_cast<int>(volume::cut_into_sub_bricks(bricks_).size());
+        session_.window =
+            std::make_unique<gl::BrickWindow>(session_.context->gl(), *plan_.look.layout, volume.layers(), textures);
         show();
         app::Composition composed;
-        composed.framing = plan_.framing();
-        drawing_.renderer->set_scene(app::scene_of(plan_, app::Observation{volume}, composed));
+        composed.framing = plan_.look.framing();
+        session_.renderer->set_scene(app::scene_of(plan_, app::Observation{volume}, composed));
     }
 
     /// The next brick enters, the oldest leaves; after the last comes the first again.
@@ -99,14 +98,14 @@ class Drawing {
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw() {
-        for (const PixelBox& tile : tiles_) drawing_.renderer->draw_tile(*drawing_.window, tile);
-        drawing_.context->gl().Finish();
+        for (const PixelBox& tile : tiles_) session_.renderer->draw_tile(*session_.window, tile);
+        session_.context->gl().Finish();
     }
 
   private:
     void show() {
         const std::int64_t pieces_of_brick = std::ssize(volume::cut_into_sub_bricks(std::array{bricks_.front()}));
-        drawing_.window->show(*volume_, volume::cut_into_sub_bricks(bricks_), oldest_ * pieces_of_brick);
+        session_.window->show(*volume_, volume::cut_into_sub_bricks(bricks_), oldest_ * pieces_of_brick);
     }
 
     app::Plan plan_;
@@ -114,7 +113,7 @@ class Drawing {
     std::vector<volume::Brick> bricks_;
     std::int64_t oldest_ = 0;  ///< number of the first brick of the window
     std::vector<PixelBox> tiles_;
-    app::Drawing drawing_;
+    app::GlSession session_;
 };
 
 /// The volume of the left-bag scene seen through a filter, with the seeds and the flow that `vvr render` wants of it.

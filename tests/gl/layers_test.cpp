@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/app/render.h"
+#include "cli/plan/make_plan.h"
 #include "core/scene/slices.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"

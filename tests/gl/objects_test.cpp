@@ -1,4 +1,4 @@
-#include "cli/app/objects.h"
+#include "cli/observe/objects.h"
 
 #include <algorithm>
 #include <map>

@@ -134,9 +134,9 @@ BREAKS = [
     Break("gl/brick_window.cpp", "return same_before && same_after ?", "return same_before || same_after ?",
           "MovingWindow.LooksOnlyAtTheEndsOfABrickThatIsThere"),
     # cli
-    Break("cli/app/window.cpp", "key.number -= plan_.window.brick_frames();", "key.number += plan_.window.brick_frames();",
+    Break("cli/observe/window.cpp", "key.number -= plan_.volume.window.brick_frames();", "key.number += plan_.volume.window.brick_frames();",
           "cli/test_annotations.py::test_keyframes_of_a_series_stand_in_each_brick"),
-    Break("cli/app/footage.cpp", "part.span.start = std::max(0.0, from - file.begin);", "part.span.start = std::max(0.0, file.begin - from);",
+    Break("cli/excerpt/footage.cpp", "part.span.start = std::max(0.0, from - file.begin);", "part.span.start = std::max(0.0, file.begin - from);",
           "cli/test_cut_recording.py::test_cut_joins_the_files_of_a_recording"),
     Break("cli/options/parse_value.cpp", "(!last && *value != std::floor(*value))", "(last && *value != std::floor(*value))",
           "ParseTime.RefusesEverythingElse"),

@@ -2,9 +2,11 @@
 
 - A file includes only headers of its own library and of those that this library links, directly or through others.
 - Libraries link only what comes before them: the modules of core in the order of core/CMakeLists.txt (docs/design.md
-  lists them in that order too), then gl, then cli/app, then the rest of cli, then cli/library.
+  lists them in that order too), then gl, then the rooms of the application in the order of cli/CMakeLists.txt, then the rest
+  of cli, then cli/library.
 - Folders do not include each other in a cycle, nor do files: a header and its source are one file for that.
-- core, gl, cli/app and cli/library use neither the library for the command line nor the one for logs.
+- core, gl, the application and cli/library use neither the library for the command line nor the one for logs.
+- Who observes, composes or draws sees the plan, not the job that it was made of.
 - Headers that other programs include use the standard library and each other alone, and only cli/library uses them.
 """
 
@@ -16,7 +18,10 @@ import sys
 
 FLOORS = ("core", "gl", "cli")
 PROCESS_HEADERS = ("CLI/", "spdlog/")
-NO_PROCESS = ("core", "gl", "cli/app", "cli/library")
+APPLICATION = ("cli/plan", "cli/observe", "cli/compose", "cli/draw", "cli/excerpt", "cli/write", "cli/app")
+NO_PROCESS = ("core", "gl", *APPLICATION, "cli/library")
+VERBS = ("cli/observe", "cli/compose", "cli/draw")
+OF_A_JOB = ("cli/plan/job.h", "cli/plan/settings.h", "cli/plan/input.h", "cli/plan/make_plan.h")
 PUBLIC = "cli/library/vvr"
 OF_C = {"stddef.h", "stdint.h"}  # the headers of C that a public header may include
 
@@ -49,7 +54,7 @@ class House:
                 self._read(file)
         modules = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
         self.modules = [f"core/{module}" for module in itertools.chain(*modules)]
-        self.order = [*self.modules, "gl", "cli/app", "cli", "cli/library"]
+        self.order = [*self.modules, "gl", *APPLICATION, "cli", "cli/library"]
         self.includes = list(self._includes())
 
     def _read(self, file):
@@ -113,6 +118,8 @@ def wrong_includes(house):
             if header.startswith(PROCESS_HEADERS) and any(file.is_relative_to(module) for module in NO_PROCESS):
                 yield f"{place}, which only the rest of cli may use"
             continue
+        if header in OF_A_JOB and str(file.parent) in VERBS:
+            yield f"{place}: {file.parent} sees cli/plan/plan.h, not the job"
         mine, other = house.program_of.get(file, house.library_of.get(str(file.parent))), house.library_of.get(folder)
         if mine is None or other is None:
             yield f"{place}: no library has sources in {file.parent if mine is None else folder}"

@@ -1,7 +1,7 @@
 """Checks that a name has one meaning.
 
-A module's files open only the namespace of that module: core/media is vvr::media, cli is vvr::cli. core/base and cli/library are
-vvr itself; rows of settings are in vvr::setting wherever they are.
+A module's files open only the namespace of that module: core/media is vvr::media, cli is vvr::cli. The rooms of the application
+share vvr::app. core/base and cli/library are vvr itself; rows of settings are in vvr::setting wherever they are.
 
 No two types have one qualified name. Two such types make two programs of one: the linker keeps the inline functions of one
 of them and drops the other's, and nobody is told. What is in an unnamed namespace belongs to its file alone.
@@ -10,7 +10,7 @@ of them and drops the other's, and nobody is told. What is in an unnamed namespa
 import collections
 import re
 
-from includes import sources
+from includes import APPLICATION, sources
 
 NAMESPACE = re.compile(r"^(?:inline )?namespace ([\w:]+) \{")
 TYPE = re.compile(r"^(?:struct|class|enum class|union) (\w+)(?: final)?(?: ?:(?!:)[^;{]*)?(?: \{|$)")
@@ -33,6 +33,8 @@ def types_in(text):
 def namespace_of(file):
     """The namespace of the module that a file is in."""
     module = file.parts[1] if len(file.parts) > 2 else file.parts[0]
+    if str(file.parent) in APPLICATION:
+        module = "app"
     return "vvr" if module in ("base", "library") else f"vvr::{module}"
 
 

@@ -28,15 +28,21 @@ HOUSE = {
     "core/fields/flow.cpp": '#include "core/media/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
-    "cli/CMakeLists.txt": """add_library(vvr_app STATIC app/job.cpp)
-target_link_libraries(vvr_app PUBLIC vvr_gl vvr_fields)
+    "cli/CMakeLists.txt": """add_library(vvr_plan STATIC plan/job.cpp)
+target_link_libraries(vvr_plan PUBLIC vvr_gl vvr_fields)
+add_library(vvr_draw STATIC draw/draw.cpp)
+target_link_libraries(vvr_draw PUBLIC vvr_plan)
+add_library(vvr_app STATIC app/render.cpp)
+target_link_libraries(vvr_app PUBLIC vvr_draw)
 add_library(vvr_cli STATIC log.cpp commands/render.cpp)
 target_link_libraries(vvr_cli PUBLIC vvr_app CLI11::CLI11)
 add_executable(vvr main.cpp)
 target_link_libraries(vvr PRIVATE vvr_cli)
 """,
-    "cli/app/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
-    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/app/job.h"\n',
+    "cli/plan/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
+    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/plan/job.h"\n',
+    "cli/draw/draw.cpp": '#include "cli/plan/plan.h"\n#include "gl/context.h"\n',
+    "cli/app/render.cpp": '#include "cli/draw/draw.h"\n',
     "cli/main.cpp": '#include "cli/commands/render.h"\n',
     "cli/log.cpp": "#include <spdlog/spdlog.h>\n",
     "cli/library/CMakeLists.txt": "add_library(vvr_library SHARED clip.cpp)\ntarget_link_libraries(vvr_library PRIVATE vvr_cli)\n",
@@ -114,6 +120,7 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
     ("cli/app/late.h", "#include <CLI/CLI.hpp>\n", "cli/app/late.h:1: includes CLI/CLI.hpp, which only the rest of cli"),
     ("cli/app/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
     ("cli/app/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_app doesn't link"),
+    ("cli/draw/late.h", '#include "cli/plan/job.h"\n', "cli/draw/late.h:1: includes cli/plan/job.h: cli/draw sees cli/plan/plan.h, not the job"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
     ("core/media/late.h", '#include "core/media/later.h"\n', "cycle core/media/late -> core/media/later -> core/media/late: "
      "core/media/late.h:1, core/media/later.cpp:1"),
@@ -141,7 +148,7 @@ def test_a_wrong_include_is_found(tmp_path, name, text, complaint):
     ("core/base/size.cpp", "namespace vvr {\nnamespace {\n}  // namespace\n\nclass Size final : public Base {\n};\n}  // namespace vvr\n",
      "vvr::Size is 2 types: core/base/plane.h:2, core/base/size.cpp:5"),
     ("core/media/frame.cpp", "namespace vvr {\n}  // namespace vvr\n", "core/media/frame.cpp:1: vvr is not the namespace of this module, vvr::media"),
-    ("cli/app/plan.h", "namespace vvr::cli {\n}  // namespace vvr::cli\n", "cli/app/plan.h:1: vvr::cli is not the namespace of this module, vvr::app"),
+    ("cli/plan/plan.h", "namespace vvr::cli {\n}  // namespace vvr::cli\n", "cli/plan/plan.h:1: vvr::cli is not the namespace of this module, vvr::app"),
     ("core/fields/filters/knn.cpp", "namespace vvr::filters {\n}  // namespace vvr::filters\n",
      "core/fields/filters/knn.cpp:1: vvr::filters is not the namespace of this module, vvr::fields"),
 ])

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/media/scaler.h"
+
 extern "C" {
 #include <libavutil/frame.h>
 }

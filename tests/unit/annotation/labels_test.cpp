@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/compose.h"
-#include "cli/app/input.h"
+#include "cli/compose/compose.h"
+#include "cli/plan/input.h"
+#include "cli/plan/make_plan.h"
 #include "core/annotation/lettering.h"
 #include "core/annotation/ruler.h"
 #include "core/annotation/sheet.h"

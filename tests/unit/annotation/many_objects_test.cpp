@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/compose.h"
+#include "cli/compose/compose.h"
+#include "cli/plan/make_plan.h"
 #include "tests/support/fields.h"
 
 namespace vvr {

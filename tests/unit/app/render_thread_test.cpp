@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/draw.h"
+#include "cli/draw/draw.h"
 #include "core/base/error.h"
 #include "tests/support/errors.h"
 
@@ -16,7 +16,7 @@ TEST(RenderThread, DoesAllWorkInOrderOnAThreadOfItsOwn) {
     {
         app::RenderThread thread;
         for (int i = 0; i < 5; ++i) {
-            thread.start([&, i](app::Drawing&) {
+            thread.start([&, i](app::GlSession&) {
                 done.push_back(i);
                 threads.insert(std::this_thread::get_id());
             });
@@ -29,10 +29,11 @@ TEST(RenderThread, DoesAllWorkInOrderOnAThreadOfItsOwn) {
 
 TEST(RenderThread, PassesTheFirstErrorToAllWhoWait) {
     app::RenderThread thread;
-    auto first = thread.start([](app::Drawing&) { throw Error(ErrorCode::backend, "no OpenGL"); });
+    auto first = thread.start([](app::GlSession&) { throw Error(ErrorCode::backend, "no OpenGL"); });
     bool done = false;
     for (int i = 0; i < 2; ++i) {
-        test::expect_error(ErrorCode::backend, [&] { thread.run([&](app::Drawing&) { done = true; }); }, {"no OpenGL"});
+        test::expect_error(ErrorCode::backend, [&] { thread.run([&](app::GlSession&) { done = true; }); },
+                           {"no OpenGL"});
     }
     EXPECT_FALSE(done);
     EXPECT_THROW(first.get(), Error);
@@ -45,14 +46,14 @@ TEST(RenderThread, LetsOneTaskWait) {
     {
         app::RenderThread thread;
         std::promise<void> begun;
-        thread.start([&](app::Drawing&) {
+        thread.start([&](app::GlSession&) {
             begun.set_value();
             go.get_future().wait();
         });
         begun.get_future().wait();
         giver = std::jthread([&] {
             for (int i = 0; i < 3; ++i) {
-                thread.start([](app::Drawing&) {});
+                thread.start([](app::GlSession&) {});
                 ++given;
             }
         });

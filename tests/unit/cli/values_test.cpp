@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/settings.h"
 #include "cli/exit_status.h"
 #include "cli/options/add_option.h"
 #include "cli/options/config_file.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/value.h"
+#include "cli/plan/settings.h"
 #include "tests/support/errors.h"
 
 namespace vvr {

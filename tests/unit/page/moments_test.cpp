@@ -15,8 +15,7 @@ class Frames final : public fields::FieldSource {
     const media::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field; }
     std::int64_t expected_frames() const override { return 0; }
-    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override {
-        EXPECT_TRUE(needs.colour);
+    fields::FieldSummary read(const fields::FieldNeeds&, const fields::FieldSink& sink) override {
         for (std::int64_t k = 0; k < count_; ++k) {
             auto frame = std::make_shared<media::Frame>();
             frame->index = k;
@@ -36,8 +35,9 @@ class Frames final : public fields::FieldSource {
 };
 
 TEST(RecentMoments, KeepTheEndOfAStreamAndNoMore) {
-    page::RecentMoments moments(std::make_unique<Frames>(5000), 400);
-    moments.read({}, [](const media::SharedFrame&, fields::Field&&) {});
+    Frames frames(5000);
+    page::RecentMoments moments(frames.info().size, 400);
+    frames.read({}, [&](const media::SharedFrame& frame, fields::Field&& one) { moments.add(*frame, one); });
     const page::Moments all = moments.since(0);
     ASSERT_EQ(all.times.size(), 1U);
     EXPECT_EQ(all.times[0].first, 4600);
