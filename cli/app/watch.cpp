@@ -32,7 +32,7 @@
 #include "core/annotation/lettering.h"
 #include "core/annotation/time_ticks.h"
 #include "core/base/text.h"
-#include "core/fields/running_reference.h"
+#include "core/fields/thresholds.h"
 #include "core/footage/recorder_names.h"
 #include "core/footage/recording.h"
 #include "core/image/text.h"
@@ -235,9 +235,8 @@ class LivePictures {
 
     /// Whether the reference may still contain objects that were there when the stream began.
     bool is_learning(const Observation& seen) const {
-        constexpr double first_look = 2;  // seconds; ghosts disappear afterwards
-        return plan_.field.reference != nullptr && plan_.field.reference->adapts &&
-               seen.end().seconds < first_look + fields::RunningReference::ghost_seconds;
+        constexpr double ghosts_until = fields::thresholds.scene.live + fields::thresholds.running.ghost;
+        return plan_.field.reference != nullptr && plan_.field.reference->adapts && seen.end().seconds < ghosts_until;
     }
 
     const Plan& plan_;

@@ -10,12 +10,10 @@
 #include "core/fields/blobs.h"
 #include "core/fields/motion.h"
 #include "core/fields/seeds.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
-
-// Grey levels by which an object differs from the empty scene, for filters whose threshold means something else.
-constexpr int object_threshold = 24;
 
 void paste(const Flow& part, const PixelBox& where, Flow& whole) {
     for (int j = 0; j < where.height(); ++j) {
@@ -73,7 +71,7 @@ FieldStages::SceneStage FieldStages::stage_of(const Reference& scene) const {
     SceneStage stage;
     if (needs_reference(options_)) {
         const int threshold =
-            row_.traits.object ? options_.threshold.value_or(row_.traits.threshold) : object_threshold;
+            row_.traits.object ? options_.threshold.value_or(row_.traits.threshold) : thresholds.object.usual;
         const bool darker = row_.traits.darker || (second_ && second_->row->traits.darker);
         stage.object = std::make_unique<ObjectFinder>(options_, threshold, scene, region_, darker);
     }

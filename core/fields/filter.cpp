@@ -13,6 +13,7 @@
 #include "core/base/cv_view.h"
 #include "core/base/setting.h"
 #include "core/fields/illumination.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
@@ -73,12 +74,10 @@ Plane<std::uint8_t> luminance(const FilterInput& input) {
 }
 
 Plane<std::uint8_t> flow_magnitude(const FilterInput& input) {
-    // The range ends at about ten pixels per frame, more than CCTV shows at its usual field size.
-    constexpr float levels_per_pixel = 24;
     Plane<std::uint8_t> result(input.frame.grey.size());
     if (input.flow.u.empty()) return result;
     std::ranges::transform(input.flow.u.pixels(), input.flow.v.pixels(), result.pixels().begin(), [](float u, float v) {
-        const float level = levels_per_pixel * std::sqrt(u * u + v * v);
+        const float level = thresholds.flow.levels_per_pixel * std::sqrt(u * u + v * v);
         return static_cast<std::uint8_t>(std::lround(std::min(level, 255.F)));
     });
     return result;
@@ -103,8 +102,6 @@ Filter make_temporal(const FieldOptions& options) {
 // OpenCV's adaptive background models, with its defaults. Their shadow detection is off, because it marks shadows with
 // a third value.
 
-constexpr int background_history = 500;  // frames
-
 Filter background_filter(cv::Ptr<cv::BackgroundSubtractor> model) {
     return [model = std::move(model), random = cv::RNG()](const FilterInput& input) mutable {
         Plane<std::uint8_t> result(input.frame.grey.size());
@@ -118,13 +115,13 @@ Filter background_filter(cv::Ptr<cv::BackgroundSubtractor> model) {
 }
 
 Filter make_mog2(const FieldOptions&) {
-    constexpr double variances = 16;
-    return background_filter(cv::createBackgroundSubtractorMOG2(background_history, variances, false));
+    return background_filter(
+        cv::createBackgroundSubtractorMOG2(thresholds.background.history, thresholds.background.variances, false));
 }
 
 Filter make_knn(const FieldOptions&) {
-    constexpr double squared_distance = 400;
-    return background_filter(cv::createBackgroundSubtractorKNN(background_history, squared_distance, false));
+    return background_filter(cv::createBackgroundSubtractorKNN(thresholds.background.history,
+                                                               thresholds.background.squared_distance, false));
 }
 
 Filter make_given(const FieldOptions& options) {
@@ -136,7 +133,7 @@ Filter make_given(const FieldOptions& options) {
 constexpr std::array filter_rows{
     FilterRow{"difference",
               "what differs from the empty scene",
-              {.object = true, .colour = true, .shows_object = true, .threshold = 24},
+              {.object = true, .colour = true, .shows_object = true, .threshold = thresholds.object.usual},
               stateless<difference>},
     FilterRow{"temporal",
               "what differs from the frame before",
@@ -144,7 +141,7 @@ constexpr std::array filter_rows{
               make_temporal},
     FilterRow{"hull",
               "the silhouette of what differs from the empty scene: over time, its visual hull",
-              {.object = true, .colour = true, .shows_object = true, .threshold = 24},
+              {.object = true, .colour = true, .shows_object = true, .threshold = thresholds.object.usual},
               stateless<hull>},
     FilterRow{"bands",
               "the silhouette in three bands: uncovered 85, still covered 170, newly covered 255",
@@ -153,15 +150,19 @@ constexpr std::array filter_rows{
                .previous = true,
                .shows_object = true,
                .values = Values::band,
-               .threshold = 24},
+               .threshold = thresholds.object.usual},
               stateless<bands>,
               "bands"},
-    FilterRow{
-        "signed",
-        "what differs from the empty scene, darker 127 to 1, brighter 129 to 255",
-        {.object = true, .colour = true, .shows_object = true, .darker = true, .values = Values::sign, .threshold = 24},
-        stateless<signed_difference>,
-        "signed"},
+    FilterRow{"signed",
+              "what differs from the empty scene, darker 127 to 1, brighter 129 to 255",
+              {.object = true,
+               .colour = true,
+               .shows_object = true,
+               .darker = true,
+               .values = Values::sign,
+               .threshold = thresholds.object.usual},
+              stateless<signed_difference>,
+              "signed"},
     FilterRow{"edges", "how steeply the brightness changes", {.min_area = false, .threshold = 24}, stateless<edges>},
     FilterRow{"flow",
               "how fast it moves: 24 levels per pixel per frame",

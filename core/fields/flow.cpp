@@ -8,6 +8,7 @@
 
 #include "core/base/setting.h"
 #include "core/fields/blobs.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
@@ -21,11 +22,6 @@ constexpr std::array flow_rows{
 
 /// Chosen by the name of a folder.
 constexpr FlowRow of_folder{"folder", "the .flo files of a folder", make_stored_flow};
-
-constexpr std::int64_t few_frames = 64;
-
-// Parts that cover more than this share cost more, with their margins, than the whole picture.
-constexpr double max_share = 0.7;
 
 long area(const PixelBox& box) {
     return static_cast<long>(box.width()) * box.height();
@@ -60,12 +56,12 @@ std::vector<PixelBox> regions_around(const Plane<std::uint8_t>& object, int marg
     }
     long covered = 0;
     for (const PixelBox& part : parts) covered += area(part);
-    if (static_cast<double>(covered) > max_share * static_cast<double>(area(whole))) return {whole};
+    if (static_cast<double>(covered) > thresholds.flow.most_parts * static_cast<double>(area(whole))) return {whole};
     return parts;
 }
 
 bool is_short(std::int64_t frames) {
-    return frames > 0 && frames <= few_frames;
+    return frames > 0 && frames <= thresholds.flow.few_frames;
 }
 
 bool has_flow(const FlowOptions& options) {

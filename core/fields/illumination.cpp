@@ -14,19 +14,10 @@
 #include "core/base/cv_view.h"
 #include "core/base/setting.h"
 #include "core/fields/options.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
-
-// The usable levels: beyond them a camera clips.
-constexpr int darkest = 3;
-constexpr int brightest = 250;
-
-// Smoothing mixes clipped pixels with others: the true level of one above this may have been higher.
-constexpr int cut_off = 240;
-
-// Pixels between samples: a sparse sample is enough to estimate the light.
-constexpr int sampling = 3;
 
 /// A weighted sample.
 struct Vote {
@@ -74,23 +65,20 @@ class LevelChange {
 
 /// The change of a picture's levels, in classes of neighbouring levels.
 std::vector<LevelChange> level_changes(const Planes& reference, const Planes& frame) {
-    constexpr int levels_per_class = 8;
-    constexpr int fewest = 20;
-    std::vector<LevelChange> classes(256 / levels_per_class);
-    for (int j = 0; j < frame.grey.height(); j += sampling) {
-        for (int i = 0; i < frame.grey.width(); i += sampling) {
+    std::vector<LevelChange> classes(256 / thresholds.light.levels_per_class);
+    for (int j = 0; j < frame.grey.height(); j += thresholds.sampling) {
+        for (int i = 0; i < frame.grey.width(); i += thresholds.sampling) {
             const std::uint8_t before = reference.grey.at(i, j);
             const std::uint8_t now = frame.grey.at(i, j);
-            if (before < darkest || before > brightest || now < darkest || now > brightest) continue;
-            classes[before / levels_per_class].add(before, now);
+            if (before < thresholds.light.darkest || before > thresholds.light.brightest ||
+                now < thresholds.light.darkest || now > thresholds.light.brightest)
+                continue;
+            classes[before / thresholds.light.levels_per_class].add(before, now);
         }
     }
-    std::erase_if(classes, [](const LevelChange& c) { return c.total() < fewest; });
+    std::erase_if(classes, [](const LevelChange& c) { return c.total() < thresholds.light.fewest; });
     return classes;
 }
-
-constexpr double least_gain = 0.4;
-constexpr double most_gain = 2.5;
 
 /// One class: its mean level in the reference, and its level in the frame.
 struct Change {
@@ -106,13 +94,14 @@ IlluminationChange line_through(std::span<const Change> changes) {
     for (const Change& a : changes) {
         for (const Change& b : changes) {
             const double distance = b.before - a.before;
-            if (distance < 12) continue;
+            if (distance < thresholds.light.least_distance) continue;
             slopes.push_back({(b.now - a.now) / distance, std::sqrt(a.weight * b.weight) * distance});
         }
     }
     // In a picture of one level, a gain and an offset look the same; either is fine.
     IlluminationChange light;
-    if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
+    if (!slopes.empty())
+        light.gain = std::clamp(weighted_median(slopes), thresholds.light.least_gain, thresholds.light.most_gain);
     std::vector<Vote> offsets;
     for (const Change& c : changes) offsets.push_back({c.now - light.gain * c.before, c.weight});
     light.offset = weighted_median(offsets);
@@ -149,7 +138,7 @@ void allow_for_clipping(const Plane<T>& reference, const Plane<T>& frame, Plane<
     auto* const out = reinterpret_cast<std::uint8_t*>(lit.pixels().data());
     for (std::size_t i = 0; i < before.size(); ++i) {
         const std::uint8_t brighter = std::max(out[i], now[i]);
-        out[i] = before[i] > cut_off ? brighter : out[i];
+        out[i] = before[i] > thresholds.light.cut_off ? brighter : out[i];
     }
 }
 
@@ -163,13 +152,10 @@ std::optional<Planes> relit_globally(const Planes& reference, const Planes& fram
     return lit;
 }
 
-// A person seldom fills a block of this size. Its gain must also agree with its neighbours', so that a coat isn't taken
-// for a shadow.
-constexpr int block = 24;
-constexpr double most_local_change = 1.5;
-
-// The median ratio of grey levels around each block.
+// The median ratio of grey levels around each block. It must also agree with its neighbours', so that a coat isn't
+// taken for a shadow.
 Plane<float> local_gains(const Planes& reference, const Planes& frame) {
+    constexpr int block = thresholds.light.block;
     const Size size = frame.grey.size();
     Plane<float> gains({(size.width + block - 1) / block, (size.height + block - 1) / block});
     std::vector<Vote> ratios;
@@ -179,15 +165,15 @@ Plane<float> local_gains(const Planes& reference, const Planes& frame) {
             const cv::Rect window = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
                                     cv::Rect(0, 0, size.width, size.height);
             ratios.clear();
-            for (int y = window.y; y < window.y + window.height; y += sampling) {
-                for (int x = window.x; x < window.x + window.width; x += sampling) {
-                    const double before = std::max<int>(reference.grey.at(x, y), darkest);
+            for (int y = window.y; y < window.y + window.height; y += thresholds.sampling) {
+                for (int x = window.x; x < window.x + window.width; x += thresholds.sampling) {
+                    const double before = std::max<int>(reference.grey.at(x, y), thresholds.light.darkest);
                     // Brighter pixels give more precise ratios.
-                    ratios.push_back({std::max<int>(frame.grey.at(x, y), darkest) / before, before});
+                    ratios.push_back({std::max<int>(frame.grey.at(x, y), thresholds.light.darkest) / before, before});
                 }
             }
-            gains.at(i, j) =
-                static_cast<float>(std::clamp(weighted_median(ratios), 1 / most_local_change, most_local_change));
+            gains.at(i, j) = static_cast<float>(std::clamp(
+                weighted_median(ratios), 1 / thresholds.light.most_local_change, thresholds.light.most_local_change));
         }
     }
     Plane<float> smooth(gains.size());
@@ -211,6 +197,7 @@ std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame
     const std::optional<Planes> globally = relit_globally(reference, frame, light);
     const Planes& lit = globally ? *globally : reference;
     const Plane<float> blocks = local_gains(lit, frame);
+    constexpr int block = thresholds.light.block;
     // Blocks may extend beyond the picture: the gains are enlarged, then cropped.
     cv::Mat gains;
     cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
@@ -231,8 +218,8 @@ IlluminationChange estimate_illumination(const Planes& reference, const Planes& 
     int used = 0;
     for (const LevelChange& c : classes) used += c.total();
     // If nearly all pixels are clipped, nothing can be learnt.
-    const int sampled =
-        ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
+    const int sampled = ((frame.grey.width() + thresholds.sampling - 1) / thresholds.sampling) *
+                        ((frame.grey.height() + thresholds.sampling - 1) / thresholds.sampling);
     if (used == 0 || 5 * used < sampled) return {};
     std::vector<Change> changes;
     for (const LevelChange& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
@@ -242,9 +229,9 @@ IlluminationChange estimate_illumination(const Planes& reference, const Planes& 
 Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {
     std::array<int, 256> counts{};
     int total = 0;
-    for (int j = 0; j < grey.height(); j += sampling) {
-        for (int i = 0; i < grey.width(); i += sampling) ++counts[grey.at(i, j)];
-        total += (grey.width() + sampling - 1) / sampling;
+    for (int j = 0; j < grey.height(); j += thresholds.sampling) {
+        for (int i = 0; i < grey.width(); i += thresholds.sampling) ++counts[grey.at(i, j)];
+        total += (grey.width() + thresholds.sampling - 1) / thresholds.sampling;
     }
     Quantiles quantiles{};
     int below = 0;
@@ -260,9 +247,9 @@ Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {
 }
 
 bool illumination_jumps(const Quantiles& from, const Quantiles& to) {
-    constexpr float least = 3;
     std::size_t changed = 0;
-    for (std::size_t k = 0; k < from.size(); ++k) changed += std::abs(to[k] - from[k]) >= least ? 1U : 0U;
+    for (std::size_t k = 0; k < from.size(); ++k)
+        changed += std::abs(to[k] - from[k]) >= thresholds.light.jump ? 1U : 0U;
     return 2 * changed > from.size();
 }
 

@@ -9,6 +9,8 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "core/fields/thresholds.h"
+
 namespace vvr::fields {
 
 // The value is found bit by bit, from the highest. Every loop runs along the row, so the compiler vectorizes it;
@@ -63,11 +65,8 @@ Planes median_reference(std::span<const media::Frame> frames) {
 
 namespace {
 
-// Grey levels by which an unchanged pixel may vary over a clip, per channel.
-constexpr int level_tolerance = 18;
-
 bool similar(std::uint8_t a, std::uint8_t b) {
-    return std::abs(a - b) <= level_tolerance;
+    return std::abs(a - b) <= thresholds.scene.level_tolerance;
 }
 bool similar(const Bgr& a, const Bgr& b) {
     return similar(a[0], b[0]) && similar(a[1], b[1]) && similar(a[2], b[2]);
@@ -173,9 +172,7 @@ bool show(const std::vector<const media::Frame*>& frames, const Planes& scene, s
 }  // namespace
 
 void look_behind(std::span<const media::Frame> frames, const LivingFinder& find_living, Planes& scene) {
-    constexpr std::size_t looks = 8;
-    constexpr std::size_t fewest = 2;  // what a single frame shows may be a shadow or a reflection
-    const std::size_t step = std::max<std::size_t>(1, frames.size() / looks);
+    const std::size_t step = std::max<std::size_t>(1, frames.size() / thresholds.scene.looks);
     std::vector<const media::Frame*> seen;
     std::vector<Plane<std::uint8_t>> hides;
     for (std::size_t k = 0; k < frames.size(); k += step) {
@@ -193,7 +190,8 @@ void look_behind(std::span<const media::Frame> frames, const LivingFinder& find_
         before.clear();
         for (std::size_t k = 0; k < seen.size(); ++k) (hides[k].pixels()[i] != 0 ? before : behind).push_back(seen[k]);
         // The scene shows somebody where it looks like most frames with somebody there, and unlike the others.
-        if (behind.size() < fewest || !show(before, scene, i) || show(behind, scene, i)) continue;
+        if (behind.size() < thresholds.scene.fewest_behind || !show(before, scene, i) || show(behind, scene, i))
+            continue;
         set_median(scene, i, behind, scratch);
     }
 }

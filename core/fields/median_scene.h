@@ -21,9 +21,6 @@ void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t needed, st
 /// must have the same size; without frames the result is empty.
 Planes median_reference(std::span<const media::Frame> frames);
 
-/// Frames for `lasting_reference`: a quarter of fewer is one frame, which doesn't show what lasts.
-inline constexpr std::size_t fewest_for_lasting = 8;
-
 /// The empty scene of frames that are ordered by time. Each pixel is the median of the first level that lasts for at
 /// least a quarter of the frames, or else the median of all frames. Passers-by seldom stay that long. A bag left behind
 /// stays an object even if it lies there for most of the clip; the median of all frames would contain it.

@@ -7,17 +7,10 @@
 #include <vector>
 
 #include "core/fields/blobs.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
-
-// Bounds of the threshold of a tile's mean difference, grey levels. The lower one detects a motion of a tenth of a
-// pixel in a clip without noise; the upper one still detects a person in the noisiest clip.
-constexpr float least = 0.5F;
-constexpr float most = 4;
-
-// Ratio of a tile's mean to that of a quiet tile: noise alone stays below it over 64 pixels.
-constexpr float above_noise = 1.6F;
 
 /// The tiles of two frames.
 class Tiles {
@@ -52,10 +45,11 @@ float threshold_of(const Tiles& tiles) {
     for (int y = 0; y < tiles.rows(); ++y) {
         for (int x = y % 5; x < tiles.columns(); x += 5) differences.push_back(tiles.difference(x, y));
     }
-    if (differences.empty()) return least;
+    constexpr auto& motion = thresholds.motion;
+    if (differences.empty()) return motion.least;
     const auto quiet = differences.begin() + std::ssize(differences) / 4;
     std::ranges::nth_element(differences, quiet);
-    return std::clamp(above_noise * *quiet + 0.25F, least, most);
+    return std::clamp(motion.above_noise * *quiet + motion.excess, motion.least, motion.most);
 }
 
 /// A tile and its neighbours, clipped at the picture's edges.

@@ -13,35 +13,14 @@
 #include "core/fields/median_scene.h"
 #include "core/fields/scene_noise.h"
 #include "core/fields/shadows.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
 
-constexpr int gain = 2;
-
-// The lower hysteresis threshold, as a share of the upper one: clothes seldom differ from the floor everywhere as
-// clearly as in some places.
-constexpr double weak_share = 0.85;
-
-// An enclosed hole belongs to its object if it differs from the scene by this share of the threshold; else it shows the
-// scene.
-constexpr double hole_share = 0.25;
-
-// Multiple of the minimum area. Objects below it have a large share of rim pixels, which mix with the scene and look
-// like shadow.
-constexpr int small_factor = 4;
-
-// Thresholds as multiples of the median noise at the usual threshold of 24, and the limits to which noise may raise
-// them.
-constexpr double usual_threshold = 24;
-constexpr double strong_noise = 5;
-constexpr double weak_noise = 3;
-constexpr double most_strong = 60;
-constexpr double most_weak = 36;
-
 /// The threshold of each pixel.
-Plane<std::uint8_t> thresholds(Size size, const Plane<std::uint8_t>& noise, double least, double per_noise,
-                               double highest) {
+Plane<std::uint8_t> thresholds_of_pixels(Size size, const Plane<std::uint8_t>& noise, double least, double per_noise,
+                                         double highest) {
     Plane<std::uint8_t> result(size, static_cast<std::uint8_t>(std::lround(least)));
     if (noise.empty()) return result;
     std::ranges::transform(noise.pixels(), result.pixels().begin(), [&](std::uint8_t median) {
@@ -51,15 +30,6 @@ Plane<std::uint8_t> thresholds(Size size, const Plane<std::uint8_t>& noise, doub
     return result;
 }
 
-// Shares of the picture. If so much stays changed, or the colours have come or gone and a little has changed, it is
-// another scene, not an object. Most people and vehicles are smaller, and don't stand still for so long.
-constexpr double most_changed = 0.4;
-constexpr double some_changed = 0.1;
-
-// A changed scene is learnt from frames of this time, at least this far apart, seconds.
-constexpr double learning_seconds = 10;
-constexpr double learning_step = 0.4;
-
 /// Whether one of two pictures is in colour and the other has none, as when a camera changes to infrared or back.
 bool is_other_mode(const Planes& a, const Planes& b) {
     return (has_colours_everywhere(a.colour) && !has_colours(b.colour)) ||
@@ -67,7 +37,7 @@ bool is_other_mode(const Planes& a, const Planes& b) {
 }
 
 std::uint8_t value_of(int difference) {
-    return static_cast<std::uint8_t>(std::min(gain * difference, 255));
+    return static_cast<std::uint8_t>(std::min(thresholds.object.gain * difference, 255));
 }
 
 /// The object's values from differences: 0 below `weak`.
@@ -77,11 +47,11 @@ Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plan
     const std::uint8_t* const in = differences.pixels().data();
     const std::uint8_t* const least = weak.pixels().data();
     const std::size_t count = differences.pixels().size();
-    constexpr std::uint8_t half = 255 / gain;
+    constexpr std::uint8_t half = 255 / thresholds.object.gain;
     // Plain byte arithmetic, which the compiler vectorizes.
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t value = in[i];
-        const auto lit = static_cast<std::uint8_t>(std::min(value, half) * gain);
+        const auto lit = static_cast<std::uint8_t>(std::min(value, half) * thresholds.object.gain);
         const auto shown = static_cast<std::uint8_t>(value > half ? 255 : lit);
         out[i] = value < least[i] ? std::uint8_t{0} : shown;
     }
@@ -122,9 +92,9 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
       looked_at_(region.empty() ? static_cast<double>(reference.grey.pixels().size())
                                 : std::max(1, cv::countNonZero(cv_view(region)))) {
     const Size size = reference.grey.size();
-    // The largest hole is the size of a head in a usual picture. If small blobs are kept, holes are too.
-    holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
-              .least = static_cast<int>(std::lround(hole_share * threshold)),
+    // If small blobs are kept, holes are too.
+    holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / thresholds.object.head : 0,
+              .least = static_cast<int>(std::lround(thresholds.object.hole * threshold)),
               .value = threshold_value_};
     set_scene(smoothed(reference.grey, reference.colour, options.smooth), reference.noise);
     const ReferenceRow* const row = options.reference.row();
@@ -134,9 +104,11 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
 void ObjectFinder::set_scene(const Planes& scene, const Plane<std::uint8_t>& noise) {
     reference_ = scene;
     const Size size = scene.grey.size();
-    const double scale = threshold_ / usual_threshold;
-    weak_ = thresholds(size, noise, weak_share * threshold_, scale * weak_noise, scale * most_weak);
-    strong_ = thresholds(size, noise, threshold_, scale * strong_noise, scale * most_strong);
+    const double scale = 1.0 * threshold_ / thresholds.object.usual;
+    weak_ = thresholds_of_pixels(size, noise, thresholds.object.weak * threshold_, scale * thresholds.object.weak_noise,
+                                 scale * thresholds.object.most_weak);
+    strong_ = thresholds_of_pixels(size, noise, threshold_, scale * thresholds.object.strong_noise,
+                                   scale * thresholds.object.most_strong);
     std::ranges::transform(strong_.pixels(), strong_.pixels().begin(), value_of);
 }
 
@@ -161,10 +133,10 @@ Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, co
     const Plane<std::uint8_t> before = object;
     const std::vector<ShadowPixel> shadow = extract_shadows(object, frame, empty, threshold_value_);
     if (shadow.empty()) return object;
-    restore_small_blobs(object, before, small_factor * min_area_);
+    restore_small_blobs(object, before, thresholds.object.small * min_area_);
     apply_hysteresis(object, strong_, least_strong_, min_area_);
-    constexpr int reaches_per_side = 18;  // half a car in a usual picture
-    restore_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
+    restore_enclosed(object, shadow, std::max(object.width(), object.height()) / thresholds.object.half_car,
+                     threshold_value_);
     return object;
 }
 
@@ -176,7 +148,7 @@ FoundObject ObjectFinder::find_and_adapt(const Planes& frame, double seconds) {
     const IlluminationChange light = light_of(frame, running_->now());
     FoundObject found = compare(frame, running_->now(), light);
     const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
-    if (share < some_changed) {
+    if (share < thresholds.object.some_changed) {
         changed_.reset();  // the scene is as before
         learnt_.clear();
     } else if (!changed_ && is_other_mode(frame, running_->now())) {
@@ -184,16 +156,16 @@ FoundObject ObjectFinder::find_and_adapt(const Planes& frame, double seconds) {
     }
     if (changed_) return learn(frame, seconds);
     running_->adapt(frame, found.values, light, seconds);
-    if (std::min(share, running_->steady_pixels() / looked_at_) >= most_changed)
-        changed_ = seconds - RunningReference::ghost_seconds;
+    if (std::min(share, running_->steady_pixels() / looked_at_) >= thresholds.object.most_changed)
+        changed_ = seconds - thresholds.running.ghost;
     return found;
 }
 
 /// Collects frames of the changed scene. Nothing is found in them until there are enough.
 FoundObject ObjectFinder::learn(const Planes& frame, double seconds) {
-    if (learnt_.empty() || seconds - learnt_.back().pts >= learning_step)
+    if (learnt_.empty() || seconds - learnt_.back().pts >= thresholds.object.step)
         learnt_.push_back({.pts = seconds, .grey = frame.grey, .colour = frame.colour});
-    if (seconds - learnt_.front().pts < learning_seconds || learnt_.size() < fewest_for_lasting) {
+    if (seconds - learnt_.front().pts < thresholds.object.learning || learnt_.size() < thresholds.scene.fewest) {
         const Plane<std::uint8_t> nothing(frame.grey.size());
         return {nothing, marks_darker_ ? nothing : Plane<std::uint8_t>{}, true};
     }

@@ -14,6 +14,7 @@
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/fields/thresholds.h"
 #include "core/kernels/rows.h"
 
 namespace vvr::fields {
@@ -30,26 +31,17 @@ Plane<T> smooth_plane(const Plane<T>& plane, double sigma) {
     return result;
 }
 
-// Pixels between the samples that decide whether a picture has colours.
-constexpr int sampling = 3;
-
-// Levels; compression tints grey pixels by up to 2, and scenes with little colour have 12 or more.
-constexpr int least_tint_of_colour = 6;
-
-// Levels by which a camera may tint all of a grey picture.
-constexpr int most_tint_of_grey = 12;
-
 /// How often a channel is by -255 to 255 levels brighter than green.
 using Tints = std::array<int, 511>;
 
-/// Whether the median is a colour, or more than one in twenty differ from it by `least_tint_of_colour` or more.
+/// Whether the median is a colour, or more than one in twenty differ from it by `least_tint` or more.
 bool are_colours(const Tints& tints) {
     const int count = std::accumulate(tints.begin(), tints.end(), 0);
     int below = 0;
     auto median = tints.begin();
     while (2 * (below + *median) < count) below += *median++;
-    if (count > 0 && std::abs(median - tints.begin() - 255) > most_tint_of_grey) return true;
-    const auto most = static_cast<std::ptrdiff_t>(least_tint_of_colour - 1);
+    if (count > 0 && std::abs(median - tints.begin() - 255) > thresholds.colour.most_tint_of_grey) return true;
+    const auto most = static_cast<std::ptrdiff_t>(thresholds.colour.least_tint - 1);
     const auto first = median - std::min(most, median - tints.begin());
     const auto last = median + std::min(most + 1, tints.end() - median);
     return 20 * (count - std::accumulate(first, last, 0)) > count;
@@ -58,8 +50,8 @@ bool are_colours(const Tints& tints) {
 bool has_colours_in(const Plane<Bgr>& picture, const PixelBox& part) {
     Tints blue{};
     Tints red{};
-    for (int j = part.top; j < part.bottom; j += sampling) {
-        for (int i = part.left; i < part.right; i += sampling) {
+    for (int j = part.top; j < part.bottom; j += thresholds.sampling) {
+        for (int i = part.left; i < part.right; i += thresholds.sampling) {
             const auto [b, g, r] = picture.at(i, j);
             ++blue[static_cast<std::size_t>(255 + b - g)];
             ++red[static_cast<std::size_t>(255 + r - g)];

@@ -21,15 +21,13 @@
 #include "core/fields/illumination.h"
 #include "core/fields/scene_noise.h"
 #include "core/fields/stabilizer.h"
+#include "core/fields/thresholds.h"
 #include "core/footage/open_source.h"
 #include "core/media/scaler.h"
 
 namespace vvr::fields {
 
 namespace {
-
-// Odd, so that the median is the middle value.
-constexpr int frames_for_median = 31;
 
 /// Converts frames to the light of the first: levels of a pixel are comparable only in the same light.
 std::vector<media::Frame> relit_like_first(std::vector<media::Frame> frames, const IlluminationRow& illumination) {
@@ -44,16 +42,16 @@ std::vector<media::Frame> relit_like_first(std::vector<media::Frame> frames, con
     return frames;
 }
 
-/// The grey levels of seven of the frames, which tell whether the camera shakes.
+/// The grey levels of some of the frames, which tell whether the camera shakes.
 std::vector<media::Frame> frames_for_shake(std::span<const media::Frame> frames) {
-    const std::size_t count = std::min<std::size_t>(frames.size(), 7);
+    const std::size_t count = std::min(frames.size(), thresholds.shake.frames);
     std::vector<media::Frame> some(count);
     for (std::size_t k = 0; k < count; ++k) some[k].grey = frames[k * frames.size() / count].grey;
     return some;
 }
 
 std::vector<media::Frame> spread_over_clip(media::FrameSource& clip) {
-    return clip.sample(frames_for_median);
+    return clip.sample(thresholds.scene.frames);
 }
 
 /// Frames from the clip's start.
@@ -83,12 +81,11 @@ std::vector<media::Frame> first_frame(media::FrameSource& clip) {
     return first_frames(clip, 0, 0, 1);
 }
 
-// A live stream can't wait, so two seconds must be enough, or a few frames. A clip can be read again, so its first
-// twenty seconds are used: passers-by are absent for most of them.
 std::vector<media::Frame> first_seconds(media::FrameSource& clip) {
     const bool is_live = clip.info().duration <= 0 && clip.info().frames <= 0;
-    return is_live ? first_frames(clip, 2, 0.08, fewest_for_lasting)
-                   : first_frames(clip, frames_for_median * 0.64, 0.64, fewest_for_lasting);
+    constexpr auto& scene = thresholds.scene;
+    return is_live ? first_frames(clip, scene.live, scene.live_step, scene.fewest)
+                   : first_frames(clip, scene.frames * scene.step, scene.step, scene.fewest);
 }
 
 constexpr std::array reference_rows{
@@ -101,23 +98,17 @@ constexpr std::array reference_rows{
                  lasting_reference, false, true},
 };
 
-// A scene of fewer frames would hold whoever passes in one of them.
-constexpr std::ptrdiff_t fewest_of_mode = 3;
-
-// Grey levels between the darkest and the brightest twentieth of a picture; with less, the camera is covered.
-constexpr float least_contrast = 20;
-
 bool is_infrared(const media::Frame& frame) {
     if (has_colours(frame.colour)) return false;
     const Quantiles levels = quantiles_of(frame.grey);
-    return levels.back() - levels.front() >= least_contrast;
+    return levels.back() - levels.front() >= thresholds.scene.least_contrast;
 }
 
 /// Takes the frames out that a camera made in its infrared mode. Takes none if there are too few of these or of others.
 std::vector<media::Frame> take_infrared(std::vector<media::Frame>& frames) {
     const auto by_day = [](const media::Frame& frame) { return has_colours_everywhere(frame.colour); };
-    if (std::ranges::count_if(frames, is_infrared) < fewest_of_mode) return {};
-    if (std::ranges::count_if(frames, by_day) < fewest_of_mode) return {};
+    if (std::ranges::count_if(frames, is_infrared) < thresholds.scene.fewest_of_mode) return {};
+    if (std::ranges::count_if(frames, by_day) < thresholds.scene.fewest_of_mode) return {};
     const auto infrared = std::stable_partition(frames.begin(), frames.end(), std::not_fn(is_infrared));
     std::vector<media::Frame> taken(std::make_move_iterator(infrared), std::make_move_iterator(frames.end()));
     frames.erase(infrared, frames.end());
@@ -149,7 +140,7 @@ Reference learn(media::FrameSource& clip, const ReferenceRow& row, const FieldOp
     if (!row.adapts && options.illumination->compensates) infrared = take_infrared(frames);
     if (infrared.empty()) return learn_from(std::move(frames), row.scene, options, find_living);
     const auto learn_mode = [&](std::vector<media::Frame> of_mode) {
-        const SceneOfFrames scene = of_mode.size() < fewest_for_lasting ? median_reference : row.scene;
+        const SceneOfFrames scene = of_mode.size() < thresholds.scene.fewest ? median_reference : row.scene;
         return learn_from(std::move(of_mode), scene, options, find_living);
     };
     Reference reference = learn_mode(std::move(frames));

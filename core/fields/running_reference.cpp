@@ -9,15 +9,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
-
-// Time constant of the reference, seconds: it adapts in about four seconds.
-constexpr double slowness = 1.24;
-
-// Pixels around objects where the reference doesn't adapt: objects have soft edges below the threshold.
-constexpr int edge = 3;
 
 template <class T>
 void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
@@ -32,18 +27,8 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
     }
 }
 
-// Grey levels by which a stationary pixel may vary.
-constexpr int steady_tolerance = 12;
-
 // Milliseconds.
-constexpr int ghost_check_interval = 1000;
-constexpr int ghost_after = 1000 * RunningReference::ghost_seconds;
-constexpr int first_passed = 40;
-
-// A ghost's outline is stronger in the reference than in the frame by this ratio, and by a step of this many grey
-// levels.
-constexpr double min_edge_ratio = 2;
-constexpr double min_edge_step = 8;
+constexpr int ghost_after = 1000 * thresholds.running.ghost;
 
 /// The largest gradient at and next to each pixel.
 cv::Mat gradient(const Plane<std::uint8_t>& grey) {
@@ -52,7 +37,7 @@ cv::Mat gradient(const Plane<std::uint8_t>& grey) {
     return steep;
 }
 
-/// 255 where a blob of `steady` is a ghost, and `edge` pixels around it; empty if there is none.
+/// 255 where a blob of `steady` is a ghost, and some pixels around it; empty if there is none.
 Plane<std::uint8_t> find_ghosts(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
                                 const Plane<std::uint8_t>& reference) {
     cv::Mat labels, boxes, centres;
@@ -81,7 +66,8 @@ Plane<std::uint8_t> find_ghosts(const Plane<std::uint8_t>& steady, const Plane<s
     for (int j = 0; j < labels.rows; ++j) {
         for (int i = 0; i < labels.cols; ++i) {
             const Outline& outline = outlines[static_cast<std::size_t>(labels.at<int>(j, i))];
-            if (outline.there < min_edge_step * outline.pixels || outline.there < min_edge_ratio * outline.here)
+            if (outline.there < thresholds.running.edge_step * outline.pixels ||
+                outline.there < thresholds.running.edge_ratio * outline.here)
                 continue;
             if (labels.at<int>(j, i) == 0) continue;
             ghosts.at(i, j) = 255;
@@ -90,7 +76,7 @@ Plane<std::uint8_t> find_ghosts(const Plane<std::uint8_t>& steady, const Plane<s
     }
     if (!any) return {};
     cv::Mat out = cv_view(ghosts);
-    cv::dilate(out, out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8U));
+    cv::dilate(out, out, cv::Mat(), {-1, -1}, thresholds.running.edge);
     return ghosts;
 }
 
@@ -106,13 +92,14 @@ RunningReference::RunningReference(const Planes& start)
 
 void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light,
                              double seconds) {
-    const double since = adapted_ ? seconds - *adapted_ : first_passed / 1000.0;
+    const double since = adapted_ ? seconds - *adapted_ : thresholds.running.first;
     adapted_ = seconds;
-    absorb_ghosts(frame, object, static_cast<int>(std::lround(1000 * std::clamp(since, 0.001, 2.0 * ghost_seconds))));
-    const auto rate = static_cast<float>(since / (since + slowness));
+    absorb_ghosts(frame, object,
+                  static_cast<int>(std::lround(1000 * std::clamp(since, 0.001, 2.0 * thresholds.running.ghost))));
+    const auto rate = static_cast<float>(since / (since + thresholds.running.slowness));
     Plane<std::uint8_t> near_object(object.size());
     cv::Mat out = cv_view(near_object);
-    cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
+    cv::dilate(cv_view(object), out, cv::Mat(), {-1, -1}, thresholds.running.edge);
     follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, rate, now_.grey.pixels().data());
     if (colour_.empty() || frame.colour.empty()) return;
     follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, rate,
@@ -125,12 +112,12 @@ void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8
         std::uint16_t& steady = steady_for_.pixels()[i];
         std::uint8_t& last = last_level_.pixels()[i];
         const std::uint8_t level = frame.grey.pixels()[i];
-        const bool is_same = steady > 0 && std::abs(level - last) <= steady_tolerance;
+        const bool is_same = steady > 0 && std::abs(level - last) <= thresholds.running.steady;
         if (!is_same) last = level;
         const int time = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + passed, 2 * ghost_after) : passed;
         steady = static_cast<std::uint16_t>(time);
     }
-    if ((since_check_ += passed) < ghost_check_interval) return;
+    if ((since_check_ += passed) < 1000 * thresholds.running.check) return;
     since_check_ = 0;
     Plane<std::uint8_t> steady(object.size());
     std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),

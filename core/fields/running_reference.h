@@ -12,12 +12,10 @@ namespace vvr::fields {
 
 /// A reference that follows slow changes of the scene in a stream of any length. It doesn't adapt where there is an
 /// object, so a bag left behind never becomes background. If somebody stands in the scene while it is learned and walks
-/// away later, a ghost remains: an object that hasn't changed for `ghost_seconds`, with an edge in the reference and
+/// away later, a ghost remains: an object that hasn't changed for `running.ghost`, with an edge in the reference and
 /// none in the frame. A ghost becomes background.
 class RunningReference {
   public:
-    static constexpr int ghost_seconds = 5;
-
     explicit RunningReference(const Planes& start);
 
     const Planes& now() const { return now_; }
@@ -27,7 +25,7 @@ class RunningReference {
     /// \param seconds of the clip
     void adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light, double seconds);
 
-    /// The number of an object's pixels that haven't changed for `ghost_seconds` and are no ghost's; counted each
+    /// The number of an object's pixels that haven't changed for `running.ghost` and are no ghost's; counted each
     /// second.
     int steady_pixels() const { return steady_pixels_; }
 

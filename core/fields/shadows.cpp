@@ -10,25 +10,10 @@
 
 #include "core/base/setting.h"
 #include "core/fields/options.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
-
-// A shadow keeps at least this share of the light, because the sky still lights it. Dark clothes keep less.
-constexpr float darkest = 0.45F;
-
-// Largest difference between the channels' ratios.
-constexpr float most_tint = 0.07F;
-
-// The same for a single pixel, which proves less.
-constexpr float least_tint = 0.06F;
-
-// A pixel with a larger difference is never a shadow, whatever its neighbours are.
-constexpr float max_tint_of_shadow = 0.3F;
-
-// A deep shadow gets more of its light from the sky, which is bluer than the sun: so the allowed difference grows by
-// this times the missing share of light.
-constexpr float sky_tint = 0.1F;
 
 /// 1 / (level + 1), as a table: a division takes as long as all the rest.
 constexpr std::array<float, 256> inverses() {
@@ -55,7 +40,7 @@ Shares shares_of(const Bgr& frame, const Bgr& empty) {
 }
 
 bool is_darker(const Shares& shares) {
-    return shares.least > darkest && shares.most < 1;
+    return shares.least > thresholds.shadow.darkest && shares.most < 1;
 }
 
 /// Sums of the channels over a square of 5 × 5 pixels, of which every second row and column counts. Clipped at the
@@ -83,7 +68,7 @@ bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
     }
     const auto [least, most] = std::ranges::minmax(shares);
     const bool bluer = shares[0] >= shares[2];
-    const float tint = most_tint + (bluer ? sky_tint * std::max(1 - most, 0.F) : 0.F);
+    const float tint = thresholds.shadow.tint + (bluer ? thresholds.shadow.sky * std::max(1 - most, 0.F) : 0.F);
     return most - least < tint;
 }
 
@@ -136,9 +121,9 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
     for (const auto& [i, j] : points) {
         const Shares shares = shares_of(frame.colour.at(i, j), empty.colour.at(i, j));
         // Next to its object, a shadow has that object's colour around it.
-        const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
+        const float own_tint = object.at(i, j) < faint ? thresholds.shadow.tint : thresholds.shadow.tint_of_pixel;
         const float tint = shares.most - shares.least;
-        const bool may_be = is_darker(shares) && tint < max_tint_of_shadow;
+        const bool may_be = is_darker(shares) && tint < thresholds.shadow.most_tint;
         const bool shadow = may_be && (tint < own_tint || has_kept_colour(frame, empty, i, j));
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }

@@ -14,6 +14,7 @@
 #include "core/base/cv_view.h"
 #include "core/base/setting.h"
 #include "core/fields/options.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
@@ -23,30 +24,14 @@ constexpr std::array stabilizer_rows{
     StabilizerRow{"off", "compare frames unaligned", false},
 };
 
-// Points all over the picture, so that no object covers most of them.
-constexpr int most_points = 120;
-constexpr double least_quality = 0.01;  // relative to the best corner
-constexpr int points_per_side = 24;     // at most, along the longer side
-
-// Windows of 15 pixels on four pyramid levels find shifts of up to about thirty pixels.
-const cv::Size window{15, 15};
-constexpr int top_level = 3;
-
-// Noise and compression allow about a tenth of a pixel.
-const cv::TermCriteria accuracy{cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 12, 0.05};
-
-// Shifts that differ by less than this many pixels agree; this number and share of them prove a shift.
-constexpr float shift_tolerance = 0.75F;
-constexpr int fewest_agreeing = 8;
-constexpr double least_agreeing = 0.25;  // share of the points that were found again
-
-// Pixels; from here on, edges appear in the difference.
-constexpr double least_shake = 0.5;
+const cv::Size window{thresholds.shake.window, thresholds.shake.window};
+const cv::TermCriteria accuracy{cv::TermCriteria::COUNT | cv::TermCriteria::EPS, thresholds.shake.steps,
+                                thresholds.shake.precision};
 
 /// The mean of the largest set of shifts that agree.
 Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
     const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
-        return std::abs(a.x - b.x) < shift_tolerance && std::abs(a.y - b.y) < shift_tolerance;
+        return std::abs(a.x - b.x) < thresholds.shake.tolerance && std::abs(a.y - b.y) < thresholds.shake.tolerance;
     };
     std::ptrdiff_t most = 0;
     cv::Point2f best;
@@ -57,7 +42,8 @@ Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
             best = candidate;
         }
     }
-    const double needed = std::max<double>(fewest_agreeing, least_agreeing * static_cast<double>(shifts.size()));
+    const double needed = std::max<double>(thresholds.shake.fewest_agreeing,
+                                           thresholds.shake.agreeing * static_cast<double>(shifts.size()));
     if (static_cast<double>(most) < needed) return {};
     Shift mean;
     for (const cv::Point2f& shift : shifts) {
@@ -77,7 +63,7 @@ double median_of(std::span<const Shift> shifts, double Shift::*part) {
 }
 
 bool is_visible(const Shift& shift) {
-    return std::hypot(shift.x, shift.y) >= least_shake;
+    return std::hypot(shift.x, shift.y) >= thresholds.shake.visible;
 }
 
 template <class T>
@@ -108,9 +94,9 @@ struct Stabilizer::Landmarks {
 
     explicit Landmarks(const Plane<std::uint8_t>& picture) {
         const cv::Mat grey = cv_view(picture);
-        const double apart = std::max(picture.width(), picture.height()) / double{points_per_side};
-        cv::goodFeaturesToTrack(grey, points, most_points, least_quality, apart);
-        cv::buildOpticalFlowPyramid(grey, pyramid, window, top_level);
+        const double apart = std::max(picture.width(), picture.height()) / double{thresholds.shake.points_per_side};
+        cv::goodFeaturesToTrack(grey, points, thresholds.shake.points, thresholds.shake.quality, apart);
+        cv::buildOpticalFlowPyramid(grey, pyramid, window, thresholds.shake.top_level);
     }
 };
 
@@ -125,7 +111,7 @@ Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
     std::vector<cv::Point2f> found;
     std::vector<unsigned char> is_found;
     cv::calcOpticalFlowPyrLK(landmarks_->pyramid, cv_view(grey), points, found, is_found, cv::noArray(), window,
-                             top_level, accuracy);
+                             thresholds.shake.top_level, accuracy);
     std::vector<cv::Point2f> shifts;
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (is_found[k] != 0) shifts.push_back(found[k] - points[k]);

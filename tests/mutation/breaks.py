@@ -55,7 +55,7 @@ BREAKS = [
           "cli/test_region_editor.py::test_a_picture_is_an_area_where_it_is_128_or_brighter"),
     Break("core/fields/blobs.cpp", "merge_neighbours(gaps, 0);", "merge_neighbours(gaps, 1);",
           "Blobs.HolesAreFilledAndBaysAreNot"),
-    Break("core/fields/shadows.cpp", "shares.least > darkest && shares.most < 1", "shares.least > darkest && shares.most < 2",
+    Break("core/fields/shadows.cpp", "shares.least > thresholds.shadow.darkest && shares.most < 1", "shares.least > thresholds.shadow.darkest && shares.most < 2",
           "Shadows.AreNotObjectsAndDarkThingsAre"),
     Break("core/fields/shadows.cpp", "!has_colours(frame.colour) || !has_colours(empty.colour)", "frame.colour.empty() || empty.colour.empty()",
           "Shadows.AreUnknownWhereNothingHasAColour"),

@@ -7,6 +7,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
+#include "core/fields/thresholds.h"
 #include "core/kernels/rows.h"
 
 namespace vvr::fields {
@@ -19,10 +20,6 @@ Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<c
     kernels::weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
     return result;
 }
-
-/// σ of the Gaussian before the derivatives of Barron, Fleet and Beauchemin, in pixels and frames. Those of Horn and
-/// Schunck have none.
-constexpr double barron_smooth = 1.5;
 
 /// A thread's buffers, which it reuses for each frame.
 struct LinearWorkspace {
@@ -38,7 +35,7 @@ class Jacobi final : public FlowMethod {
         : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
           iterations_(settings.iterations),
           cube_(settings.cube),
-          taps_(gaussian_taps(settings.cube ? 0 : barron_smooth)) {}
+          taps_(gaussian_taps(settings.cube ? 0 : thresholds.flow.barron_smooth)) {}
 
     int reach() const override {
         const auto smoothing = static_cast<int>(taps_.size() / 2);

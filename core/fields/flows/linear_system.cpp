@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/fields/thresholds.h"
 #include "core/kernels/rows.h"
 
 namespace vvr::fields {
@@ -14,9 +15,6 @@ namespace {
 // optimum is flat.
 constexpr int rows_at_a_time = 2;
 constexpr int steps_together = 20;
-
-// Grids of this size have no coarser one.
-constexpr int coarsest = 6;
 
 }  // namespace
 
@@ -167,7 +165,7 @@ void Multigrid::load(const PlaneStack& derivatives, float a) {
     grid(0).reset(derivatives.size(), a);
     grids_.front().load(derivatives);
     used_ = 1;
-    while (std::max(grids_[used_ - 1].size().width, grids_[used_ - 1].size().height) > coarsest) {
+    while (std::max(grids_[used_ - 1].size().width, grids_[used_ - 1].size().height) > thresholds.flow.coarsest) {
         LinearSystem& coarse = grid(used_);
         grids_[used_ - 1].restrict_to(coarse);
         ++used_;
@@ -182,7 +180,7 @@ void Multigrid::improve(const PlaneStack& derivatives, float a, const Flow& flow
         grids_[k].relax(2);
         grids_[k].restrict_residual(grids_[k + 1]);
     }
-    grids_[last].relax(2 * coarsest);
+    grids_[last].relax(2 * thresholds.flow.coarsest);
     for (std::size_t k = last; k-- > 0;) {
         grids_[k].add(grids_[k + 1]);
         grids_[k].relax(1);

@@ -6,6 +6,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/fields/flow.h"
+#include "core/fields/thresholds.h"
 
 namespace vvr::fields {
 namespace {
@@ -34,15 +35,12 @@ class OpenCvFlow : public FlowMethod {
     virtual void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const = 0;
 };
 
-// The method compares patches of 8×8 pixels at a quarter of the size.
-constexpr int smallest_frame = 48;
-
 class Dis final : public OpenCvFlow {
     // One object per call: it has buffers, and calls come from several threads.
     void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const override {
-        if (std::min(here.cols, here.rows) < smallest_frame) {
-            const int right = std::max(0, smallest_frame - here.cols);
-            const int bottom = std::max(0, smallest_frame - here.rows);
+        if (std::min(here.cols, here.rows) < thresholds.flow.smallest_dis) {
+            const int right = std::max(0, thresholds.flow.smallest_dis - here.cols);
+            const int bottom = std::max(0, thresholds.flow.smallest_dis - here.rows);
             cv::Mat large_here, large_next, large;
             cv::copyMakeBorder(here, large_here, 0, bottom, 0, right, cv::BORDER_REPLICATE);
             cv::copyMakeBorder(next, large_next, 0, bottom, 0, right, cv::BORDER_REPLICATE);

@@ -12,6 +12,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
+#include "core/fields/thresholds.h"
 #include "core/kernels/rows.h"
 
 namespace vvr::fields {
@@ -19,7 +20,6 @@ namespace vvr::fields {
 namespace {
 
 constexpr int border = 2;
-constexpr double pre_smooth = 0.8;  // σ of the Gaussian before derivatives, pixels
 
 /// Rows that may be read one vector beyond their end, with a border on each side.
 class WideRows {
@@ -75,13 +75,6 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
                               result.row(along_y, j), result.row(along_t, j), size.width);
     }
 }
-
-// The coarsest level: smaller pictures show nothing that can be tracked.
-constexpr int smallest_level = 24;
-
-// Largest increment, pixels. The linearized equations hold for about a pixel; a larger increment may be wrong, and
-// errors would accumulate.
-constexpr float longest_step = 1;
 
 Size half(Size size) {
     return {(size.width + 1) / 2, (size.height + 1) / 2};
@@ -145,14 +138,15 @@ class Pyramid final : public FlowMethod {
     explicit Pyramid(const SolverSettings& settings)
         : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
           warps_(settings.iterations),
-          taps_(gaussian_taps(pre_smooth)) {}
+          taps_(gaussian_taps(thresholds.flow.pyramid_smooth)) {}
 
     int reach() const override { return 1; }
     int margin() const override { return 16; }
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override {
         FlowFrame frame{grey, {smoothed(grey, taps_)}};
-        while (std::min(frame.levels.back().width(), frame.levels.back().height()) >= 2 * smallest_level) {
+        while (std::min(frame.levels.back().width(), frame.levels.back().height()) >=
+               2 * thresholds.flow.smallest_level) {
             frame.levels.push_back(downsampled(frame.levels.back()));
         }
         return frame;
@@ -204,7 +198,7 @@ class Pyramid final : public FlowMethod {
 
     static void step_toward(Plane<float>& flow, const Plane<float>& solved) {
         std::ranges::transform(flow.pixels(), solved.pixels(), flow.pixels().begin(), [](float from, float to) {
-            return from + std::clamp(to - from, -longest_step, longest_step);
+            return from + std::clamp(to - from, -thresholds.flow.longest_step, thresholds.flow.longest_step);
         });
     }
 
