@@ -127,6 +127,23 @@ TEST(WhoStandsLong, IsOneThatStood) {
     }
 }
 
+// 12.5, 5 and 1 frames per second, beside 25. At the lowest rate, people go their own width from frame to frame.
+TEST(LowRates, HaveTheEventsOfTheFullRate) {
+    for (const auto& make : {generator::make_stands, generator::make_pale_bag}) {
+        const generator::Scene scene = make(small());
+        const std::vector<tracking::Event> full = found_in(scene).all.events;
+        for (const int every : {2, 5, 25}) {
+            const Found found = found_in(generator::make_thinned(scene, every));
+            ASSERT_EQ(kinds_of(found.all.events), kinds_of(full)) << every << found;
+            for (std::size_t k = 0; k < full.size(); ++k) {
+                // What lies still is known by a second frame.
+                const int frames = row_of(full[k].kind).is_thing ? 2 : 1;
+                EXPECT_NEAR(found.all.events[k].first.seconds, full[k].first.seconds, frames * every / 25.0) << found;
+            }
+        }
+    }
+}
+
 TEST(Labels, SayWhosePixelsTheyAre) {
     const Found found = found_in(generator::make_ten_crossings(small()));
     ASSERT_EQ(found.all.events.size(), 2U);
