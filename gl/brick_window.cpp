@@ -125,7 +125,7 @@ BrickWindow::BrickWindow(const GladGLContext& gl, const space::Layout& layout, s
     : layout_(&layout), window_layers_(static_cast<double>(layers)), margin_(margin), textures_(gl, textures) {}
 
 void BrickWindow::show(const volume::Volume& volume, std::span<const volume::Brick> bricks, std::int64_t first,
-                       const volume::Identify& identify) {
+                       const volume::VoxelStyleLookup& identify) {
     std::vector<Shown> before = std::exchange(shown_, {});
     for (const volume::Brick& brick : bricks)
         shown_.push_back({first + std::ssize(shown_), volume::BrickLayers(volume, brick, identify), {}});

@@ -77,7 +77,7 @@ class BrickWindow {
     /// \param first number of the first brick. A brick must keep its number from call to call.
     /// \param identify must live as long as `volume`. A brick that keeps its texture keeps its old identities.
     void show(const volume::Volume& volume, std::span<const volume::Brick> bricks, std::int64_t first = 0,
-              const volume::Identify& identify = volume::no_identities);
+              const volume::VoxelStyleLookup& identify = volume::no_styles);
 
     /// The bricks' intervals of t_C and their cells.
     std::span<const volume::PlacedCells> cells() const { return placed_; }

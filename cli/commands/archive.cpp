@@ -30,13 +30,13 @@ namespace vvr::commands {
 
 namespace {
 
-namespace archive_text {
+namespace archive_rows {
 constexpr Setting output{"output", "DIR", "folder for pictures, pages and their "};
 constexpr Setting match{
     "match", "GLOB",
     "pattern of the clips: *.avi, or with folders cam?/*.avi; may be repeated; default: files that end in "};
 constexpr Setting exclude{"exclude", "GLOB", "pattern of files to leave out; may be repeated"};
-constexpr Setting per{"per", "NAME", "what one picture shows"};
+constexpr Setting per{"per", "NAME", "one picture per clip, day or night"};
 constexpr Setting day_begins{
     "day-begins",
     "HH:MM",
@@ -70,33 +70,33 @@ constexpr Setting timeout{"timeout", "TIME", "maximum time per clip; 0 = no limi
 constexpr Setting max_memory{
     "max-memory", "BYTES", "memory limit per clip, for example 2G", {}, "80 % of the memory / --jobs, at least 2G"};
 constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its own clip and pictures"};
-}  // namespace archive_text
+}  // namespace archive_rows
 
 void add_archive_options(options::CommandLine& line, workers::ArchiveOptions& archive,
                          std::optional<std::pair<int, int>>& part) {
     const options::AddOptions add(line, options::Group::archive);
-    add(archive_text::output, archive.out,
+    add(archive_rows::output, archive.out,
         {.letter = 'o',
          .help = fmt::format("{}; created if missing", archive::index_name),
          .use = options::FileUse::filled});
-    add(archive_text::match, archive.match, {.help = fmt::format("{}", fmt::join(footage::video_extensions(), " "))});
-    add(archive_text::exclude, archive.exclude);
-    add(archive_text::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
-    add(archive_text::day_begins, archive.day);
-    add(archive_text::part, part);
-    add(archive_text::dry_run, archive.dry_run);
-    add(archive_text::prune, archive.prune);
-    add(archive_text::keep, archive.keep);
-    add(archive_text::keep_events, archive.keep_events);
-    add(archive_text::margin, archive.margin);
-    add(archive_text::write, archive.write, workers::written_rows, &workers::WrittenRow::kind);
+    add(archive_rows::match, archive.match, {.help = fmt::format("{}", fmt::join(footage::video_extensions(), " "))});
+    add(archive_rows::exclude, archive.exclude);
+    add(archive_rows::per, archive.per, workers::groupings, &workers::GroupingRow::grouping);
+    add(archive_rows::day_begins, archive.day);
+    add(archive_rows::part, part);
+    add(archive_rows::dry_run, archive.dry_run);
+    add(archive_rows::prune, archive.prune);
+    add(archive_rows::keep, archive.keep);
+    add(archive_rows::keep_events, archive.keep_events);
+    add(archive_rows::margin, archive.margin);
+    add(archive_rows::write, archive.write, workers::outputs_rows, &workers::OutputsRow::kind);
     options::add_events_to_option(line, options::Group::archive, archive.events_to);
-    add(archive_text::events_csv, archive.events_csv, {.use = options::FileUse::written});
+    add(archive_rows::events_csv, archive.events_csv, {.use = options::FileUse::written});
     const options::AddOptions add_worker(line, options::Group::workers);
-    add_worker(archive_text::jobs, archive.jobs);
-    add_worker(archive_text::timeout, archive.timeout);
-    add_worker(archive_text::max_memory, archive.max_memory);
-    add_worker(archive_text::sandbox, archive.sandbox, workers::sandbox_modes, &workers::SandboxRow::mode);
+    add_worker(archive_rows::jobs, archive.jobs);
+    add_worker(archive_rows::timeout, archive.timeout);
+    add_worker(archive_rows::max_memory, archive.max_memory);
+    add_worker(archive_rows::sandbox, archive.sandbox, workers::sandbox_modes, &workers::SandboxRow::mode);
 }
 
 /// \throws Error usage when options contradict each other
@@ -106,13 +106,13 @@ void check(const workers::ArchiveOptions& options) {
     if (options.keep && *options.keep < std::chrono::hours(1)) {
         throw Error(ErrorCode::option_value_out_of_range,
                     "keep: files are kept for at least an hour; give a longer time, for example 30d",
-                    {archive_text::keep.name});
+                    {archive_rows::keep.name});
     }
     if (options.keep_events && options.prune) {
         throw Error(ErrorCode::options_conflict,
                     "--prune removes the pieces of deleted clips, which --keep-events is to keep; drop --prune, and "
                     "remove files by age with --keep AGE",
-                    {archive_text::keep_events.name});
+                    {archive_rows::keep_events.name});
     }
     if (!options.draws() && (options.prune || options.keep || options.dry_run)) {
         throw Error(ErrorCode::options_conflict,
@@ -127,12 +127,12 @@ void check(const workers::ArchiveOptions& options) {
     if (options.day && !options.grouping().days) {
         throw Error(ErrorCode::options_conflict,
                     "--per clip has no days; drop --day-begins, or choose --per day or night",
-                    {archive_text::day_begins.name});
+                    {archive_rows::day_begins.name});
     }
     if (options.per == workers::Grouping::night && !options.day_rule().is_night()) {
         throw Error(ErrorCode::options_conflict,
                     "a night begins at 12:00 or later; give a later --day-begins, or choose --per day",
-                    {archive_text::day_begins.name});
+                    {archive_rows::day_begins.name});
     }
     constexpr std::int64_t least_memory = 200'000'000;  // what a worker needs for the smallest clip
     if (options.max_memory && *options.max_memory < least_memory) {
@@ -140,7 +140,7 @@ void check(const workers::ArchiveOptions& options) {
                     fmt::format("max-memory: '{}' is less than a worker needs to start; give at least 200M, or 1G "
                                 "for most clips",
                                 *options.max_memory),
-                    {archive_text::max_memory.name});
+                    {archive_rows::max_memory.name});
     }
     if (options.in.empty() && options.draws()) {
         throw Error(ErrorCode::input_missing, "no INPUT given; name the folder of the clips");
@@ -163,7 +163,7 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
         }
     }
     for (const archive::OutputRow& row : archive::output_rows) {
-        if (row.kind != archive::OutputKind::page || options.writes(workers::Written::pages))
+        if (row.kind != archive::OutputKind::page || options.writes(workers::Outputs::pages))
             text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
     if (options.keep_events) text += fmt::format("pieces {}\n", options.margin);
@@ -204,9 +204,9 @@ class Archive final : public Command {
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (!job_.input.names.empty()) options_.in = app::only_input(job_.input);
         check(options_);
-        if (!options_.keep_events && line.is_argument(archive_text::margin.name)) {
+        if (!options_.keep_events && line.is_argument(archive_rows::margin.name)) {
             throw Error(ErrorCode::option_needs_another,
-                        "--margin needs --keep-events, the pieces to which it adds time", {archive_text::margin.name});
+                        "--margin needs --keep-events, the pieces to which it adds time", {archive_rows::margin.name});
         }
         if (part_) {
             options_.shard = {static_cast<std::uint64_t>(part_->first - 1), static_cast<std::uint64_t>(part_->second)};
@@ -248,7 +248,7 @@ class Archive final : public Command {
                             fmt::format("filter '{}' does not mark objects, so there are no events to keep; choose "
                                         "another filter, or drop --keep-events",
                                         filter.name),
-                            {"filter", archive_text::keep_events.name});
+                            {"filter", archive_rows::keep_events.name});
             }
             options::check_events_to(options_.events_to, job_);
             app::open_detector(job_.detector);

@@ -20,13 +20,13 @@ namespace vvr::commands {
 
 namespace {
 
-namespace log_text {
+namespace log_rows {
 constexpr Setting quiet{"quiet", "", "print errors only"};
 constexpr Setting verbose{"verbose", "", "print more"};
 constexpr Setting log_file{"log-file", "FILE",
                            "also append every line, with its time, to this file, even with --quiet"};
 constexpr Setting log_format{"log-format", "NAME", "format of the log"};
-}  // namespace log_text
+}  // namespace log_rows
 
 /// \returns as add_file
 std::function<bool()> apply(const LogOptions& options, spdlog::logger& log) {
@@ -79,11 +79,11 @@ CommandAndLine::CommandAndLine(const CommandRow& row)
     : command(row.make()), line(std::string(row.name), std::string(row.help)) {
     command->add_options(line);
     const options::AddOptions add(line, options::Group::run);
-    add(log_text::quiet, log.quiet, {.letter = 'q'});
-    add(log_text::verbose, log.verbose, {.letter = 'v'});
-    line.exclude(log_text::quiet, log_text::verbose);
-    add(log_text::log_file, log.log_file, {.use = options::FileUse::written});
-    add(log_text::log_format, log.log_format, cli::log_formats());
+    add(log_rows::quiet, log.quiet, {.letter = 'q'});
+    add(log_rows::verbose, log.verbose, {.letter = 'v'});
+    line.exclude(log_rows::quiet, log_rows::verbose);
+    add(log_rows::log_file, log.log_file, {.use = options::FileUse::written});
+    add(log_rows::log_format, log.log_format, cli::log_formats());
     line.add_common(names_of_commands);
 }
 

@@ -45,7 +45,7 @@ namespace fs = std::filesystem;
 
 constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
 
-namespace cut_text {
+namespace cut_rows {
 constexpr Setting output{"output", "FILE",
                          "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
 constexpr Setting event{
@@ -60,7 +60,7 @@ constexpr Setting evidence{
 constexpr Setting report{"report", "FILE",
                          "take the events from this report of `vvr render --report`, without a search"};
 constexpr Setting margin{"margin", "TIME", "additional time before and after the piece", {0, 3600}};
-}  // namespace cut_text
+}  // namespace cut_rows
 
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
     std::error_code none;
@@ -79,7 +79,7 @@ bool is_open(const fs::path& path) {
 }
 
 /// The extension that fits the piece.
-std::string_view extension_of_piece(const CutJob& job, const app::FootagePart& first) {
+std::string_view extension_of_piece(const CutJob& job, const app::ExcerptFile& first) {
     const std::string_view extension = media::extension_for(media::open_input(first.file.path), job.search.input.rate);
     if (!extension.empty()) return extension;
     throw Error(ErrorCode::input_unsuitable, fmt::format("no container supports all streams of '{}'; {}",
@@ -87,7 +87,7 @@ std::string_view extension_of_piece(const CutJob& job, const app::FootagePart& f
 }
 
 /// The full file name: adds the fitting extension, and in a folder a name based on the first file.
-fs::path named(const CutJob& job, const Selection& selection, const app::FootagePart& first) {
+fs::path named(const CutJob& job, const Selection& selection, const app::ExcerptFile& first) {
     if (!is_open(job.path)) return job.path;
     const std::string_view ending = extension_of_piece(job, first);
     std::error_code none;
@@ -186,7 +186,7 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     const std::string file = fmt::format("{}{}", stem, extension_of_piece(job, piece.parts.front()));
     const std::string still = stem + ".png";
     HeldObserver held(observer);  // outlives the folder, so that a signal finds it whole or removed
-    NewFolder folder(job.evidence, cut_text::evidence.name);
+    NewFolder folder(job.evidence, cut_rows::evidence.name);
     piece.path = folder.hidden() / file;
     piece.place = job.evidence / file;
     const std::optional<app::PieceFacts> facts = write_piece(piece, held, stop);
@@ -194,7 +194,7 @@ bool write_evidence(const CutJob& job, const Selection& selection, app::PieceJob
     app::PieceRecord record{piece.camera, piece.clock, selection.settings, selection.unseen, piece.places};
     record.pieces.push_back({file, *facts});
     if (selection.event) record.pieces.front().events = events_in(*facts, selection.known_events);
-    for (const app::FootagePart& part : piece.parts) {
+    for (const app::ExcerptFile& part : piece.parts) {
         record.footage.push_back(app::hashed(part.file.path, part.file.path));
     }
     const double middle = (facts->begin + facts->end) / 2;
@@ -236,7 +236,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     const media::RequestedSpan& asked_span = asked.search.fields.span.asked;
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
-    if (!job.evidence.empty()) check_is_free(job.evidence, cut_text::evidence.name);
+    if (!job.evidence.empty()) check_is_free(job.evidence, cut_rows::evidence.name);
     const Selection selection = select_piece(job, footage, observer);
     app::PieceJob piece;
     piece.name = footage.recording.name;
@@ -261,22 +261,22 @@ class Cut final : public Command {
     void add_options(options::CommandLine& line) override {
         constexpr options::Group output = options::Group::output;
         const options::AddOptions add(line, output);
-        add(cut_text::output, job_.path,
+        add(cut_rows::output, job_.path,
             {.letter = 'o',
              .help = fmt::format(": {}", fmt::join(names_of(media::containers()), " ")),
              .use = options::FileUse::written});
-        add(cut_text::evidence, job_.evidence, {.use = options::FileUse::written});
-        add(cut_text::event, job_.event);
-        add(cut_text::report, job_.report, {.use = options::FileUse::read});
-        add(cut_text::margin, job_.margin);
+        add(cut_rows::evidence, job_.evidence, {.use = options::FileUse::written});
+        add(cut_rows::event, job_.event);
+        add(cut_rows::report, job_.report, {.use = options::FileUse::read});
+        add(cut_rows::margin, job_.margin);
         // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
         options::add_recording_options(line, search.input, options::video_input);
         options::AddOptions(line, options::Group::look)(setting::start_time, search.look.start_time);
         options::add_span_options(line, search.fields.span);
-        line.exclude(cut_text::report, setting::start);
-        line.exclude(cut_text::report, setting::end);
+        line.exclude(cut_rows::report, setting::start);
+        line.exclude(cut_rows::report, setting::end);
         options::add_field_options(line, search.fields);
         options::add_detector_option(line, search.detector);
         options::add_preset_option(line, options::Group::run);
@@ -295,7 +295,7 @@ class Cut final : public Command {
         if (!job_.path.empty() && !job_.evidence.empty()) {
             throw Error(ErrorCode::options_conflict,
                         "--evidence writes the piece into its own folder; drop -o, or drop --evidence",
-                        {cut_text::evidence.name});
+                        {cut_rows::evidence.name});
         }
         if (!job_.event && !line.has(setting::start) && !line.has(setting::end)) {
             throw Error(ErrorCode::usage,

@@ -55,7 +55,7 @@ std::string text_of(const footage::Segment& clip) {
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
     const bool named = clip.begin_source == ClockSource::file_name;
     return fmt::format("{}, {} UTC {}{}", camera, annotation::format_clock(*clip.begin), by,
-                       named ? fmt::format(" ({})", clip.layout) : "");
+                       named ? fmt::format(" ({})", clip.scheme) : "");
 }
 
 std::string text_of(Size size) {
@@ -128,7 +128,7 @@ nlohmann::ordered_json json_of(const footage::Segment& clip) {
             {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
             {"begin", clip.begin ? Json(annotation::format_clock(*clip.begin)) : Json()},
             {"recorded_by", row_of(clip.begin_source).name},
-            {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
+            {"layout", clip.scheme.empty() ? Json() : Json(clip.scheme)}};
 }
 
 std::string as_json(const Facts& facts) {

@@ -140,7 +140,8 @@ page::PageContent page_content(const ComposePlan& plan, const Observation& seen,
     content.clock = plan.read.clock;
     if (seen.events) {
         content.events = seen.events->events;
-        for (const tracking::Event& event : *content.events) content.deeds.push_back(annotation::deed_of(event));
+        for (const tracking::Event& event : *content.events)
+            content.activities.push_back(annotation::activity_text(event));
         if (plan.volume.series) content.numbers = seen.events->numbers;
         content.colours = composed.objects.colours;
         content.not_chosen = seen.not_chosen.size();

@@ -283,8 +283,8 @@ std::vector<media::SegmentPlace> place_by_report(const Footage& footage, const R
     return places;
 }
 
-std::vector<FootagePart> parts_in(const std::vector<media::SegmentPlace>& places, const media::FrameSpan& span) {
-    std::vector<FootagePart> parts;
+std::vector<ExcerptFile> parts_in(const std::vector<media::SegmentPlace>& places, const media::FrameSpan& span) {
+    std::vector<ExcerptFile> parts;
     double shown = 0;  // end of the previous files, in seconds of the recording
     for (const media::SegmentPlace& file : places) {
         const double from = std::max(span.start, shown);
@@ -292,7 +292,7 @@ std::vector<FootagePart> parts_in(const std::vector<media::SegmentPlace>& places
         shown = std::max(shown, file.end);
         if (file.end <= from + slack) continue;
         if (span.end && file.begin >= *span.end - slack) break;
-        FootagePart part{file, span, overlaps};
+        ExcerptFile part{file, span, overlaps};
         part.span.start = std::max(0.0, from - file.begin);
         // The end of the span, not of the file: the file goes on after file.end if a search ended there.
         if (span.end) part.span.end = *span.end - file.begin;

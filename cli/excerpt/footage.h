@@ -78,7 +78,7 @@ struct Footage {
 Footage find_footage(const InputOptions& options);
 
 /// The part of a piece that lies in one file.
-struct FootagePart {
+struct ExcerptFile {
     media::SegmentPlace file;  ///< when it is shown, in seconds of the recording
     media::FrameSpan span;     ///< in seconds or frames of the file
     bool overlaps;             ///< with the previous file
@@ -98,6 +98,6 @@ std::vector<media::SegmentPlace> place_by_report(const Footage& footage, const R
                                                  const std::string& report_name);
 
 /// The files that a span reaches into, in order. If files overlap in time, the earlier one is used.
-std::vector<FootagePart> parts_in(const std::vector<media::SegmentPlace>& places, const media::FrameSpan& span);
+std::vector<ExcerptFile> parts_in(const std::vector<media::SegmentPlace>& places, const media::FrameSpan& span);
 
 }  // namespace vvr::app

@@ -97,13 +97,13 @@ KeptEvents keep_events(const Plan& plan, const Observation& seen, Observer& obse
             job.path = output.folder / name;
             job.place = output.place / name;
             // Before the copy: if the footage is removed during it, no piece lacks its record.
-            for (const FootagePart& part : job.parts) {
+            for (const ExcerptFile& part : job.parts) {
                 const std::string& file = part.file.path;
                 if (!footage.contains(file)) footage.emplace(file, hashed(file, file));
             }
             const auto facts = copy_piece(job, observer, std::stop_token());
             record.pieces.push_back({name, facts.value(), std::move(events.events)});
-            for (const FootagePart& part : job.parts) used.insert(part.file.path);
+            for (const ExcerptFile& part : job.parts) used.insert(part.file.path);
         } catch (const Error& error) {
             if (!is_of_the_footage(error)) throw;
             if (failed == 0) kept.problem = error.what();

@@ -46,7 +46,7 @@ std::optional<double> utc_at(const PieceJob& job, double seconds) {
 std::string files_of(const PieceJob& job) {
     constexpr std::size_t most = 20;
     std::vector<std::string> names;
-    for (const FootagePart& part : job.parts) names.push_back(shown_text(fs::path(part.file.path).filename().string()));
+    for (const ExcerptFile& part : job.parts) names.push_back(shown_text(fs::path(part.file.path).filename().string()));
     const std::size_t more = names.size() - std::min(names.size(), most);
     names.resize(names.size() - more);
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
@@ -114,7 +114,7 @@ PieceFacts facts_of(const std::vector<media::CopyPart>& parts) {
 std::vector<media::CopyPart> parts_to_copy(const PieceJob& job) {
     std::vector<media::CopyPart> copied;
     std::optional<double> over;
-    for (const FootagePart& part : job.parts) {
+    for (const ExcerptFile& part : job.parts) {
         if (part.overlaps) {
             throw Error(ErrorCode::input_unsuitable,
                         fmt::format("'{}' overlaps the file before it, so a copy would repeat some frames; cut each "

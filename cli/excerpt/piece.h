@@ -18,7 +18,7 @@ namespace vvr::app {
 struct PieceJob {
     std::string name;    ///< of the footage, for log lines
     std::string camera;  ///< empty = unknown
-    std::vector<FootagePart> parts;
+    std::vector<ExcerptFile> parts;
     std::vector<media::SegmentPlace> places;  ///< of all files that are known
     media::FrameSpan span;                    ///< as requested, in seconds of the recording
     WallClock clock{};                        ///< of the recording; none = unknown

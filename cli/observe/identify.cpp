@@ -44,7 +44,7 @@ std::shared_ptr<detector::Detector> open_detector(const DetectorOptions& options
     return options.model.empty() ? nullptr : std::make_shared<detector::Detector>(options.model, options.trial);
 }
 
-const DetectorUse& Identifier::identify(tracking::Findings& found, const annotation::Crops& crops) {
+const DetectorUse& ObjectClassifier::identify(tracking::Findings& found, const annotation::Crops& crops) {
     const auto begin = std::chrono::steady_clock::now();
     const fields::OpenCvThreads threads(threads_);
     std::vector<std::vector<tracking::Look>> looks(found.events.size());
@@ -63,8 +63,8 @@ const DetectorUse& Identifier::identify(tracking::Findings& found, const annotat
 }
 
 /// \param current receives the answers
-std::vector<tracking::Look> Identifier::looks_at(const tracking::Event& event, const annotation::Crops& crops,
-                                                 Answers& current) {
+std::vector<tracking::Look> ObjectClassifier::looks_at(const tracking::Event& event, const annotation::Crops& crops,
+                                                       Answers& current) {
     // The frames do not show what only the empty scene has.
     const bool only_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
     const bool is_claim = row_of(event.kind).is_thing;
@@ -81,7 +81,7 @@ std::vector<tracking::Look> Identifier::looks_at(const tracking::Event& event, c
     return looks;
 }
 
-tracking::Look Identifier::look_at(const annotation::Crop& crop) {
+tracking::Look ObjectClassifier::look_at(const annotation::Crop& crop) {
     ++use_.looks;
     const annotation::ObjectPicture shown = crop.surroundings();
     const auto all = detector_->detect(detector::view_of(shown.picture), static_cast<float>(limit.score));
@@ -91,7 +91,7 @@ tracking::Look Identifier::look_at(const annotation::Crop& crop) {
             shown.in_field(found->box)};
 }
 
-std::vector<PixelBox> Identifier::living_in(const media::Frame& frame) {
+std::vector<PixelBox> ObjectClassifier::living_in(const media::Frame& frame) {
     const auto begin = std::chrono::steady_clock::now();
     const fields::OpenCvThreads threads(threads_);
     ++use_.frames;

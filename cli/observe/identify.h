@@ -35,11 +35,11 @@ struct DetectorUse {
 
 /// Looks at pictures of events, up to three of each. It looks at a picture only once, also when the events of a stream
 /// are found again and again.
-class Identifier {
+class ObjectClassifier {
   public:
     /// \param detector must outlive this object
     /// \param threads at most; 0 = one per core
-    Identifier(detector::Detector& detector, int threads) : detector_(&detector), threads_(threads) {
+    ObjectClassifier(detector::Detector& detector, int threads) : detector_(&detector), threads_(threads) {
         use_.format = detector.format();
     }
 

@@ -59,7 +59,7 @@ ShownEvents events_between(std::span<const tracking::Event> events, double begin
     return shown;
 }
 
-volume::Identify objects_of(std::span<const tracking::Event> events, const volume::Volume& volume) {
+volume::VoxelStyleLookup objects_of(std::span<const tracking::Event> events, const volume::Volume& volume) {
     const std::vector<int> colours = tracking::colours_of(events);
     std::vector<Object> objects;
     for (std::size_t k = 0; k < events.size(); ++k) objects.push_back(object_of(events[k], colours[k], k));
@@ -67,20 +67,20 @@ volume::Identify objects_of(std::span<const tracking::Event> events, const volum
         std::max<std::int64_t>(volume.step(), std::llround(static_cast<double>(volume.frames()) / (2 * stripes)));
     return [objects = std::move(objects), events_of = tracking::events_of_tracks(events), stripe](
                std::size_t track, const volume::Layer& layer) {
-        if (track >= events_of.size() || !events_of[track]) return volume::Identity{};
+        if (track >= events_of.size() || !events_of[track]) return volume::VoxelStyle{};
         const Object& object = objects[*events_of[track]];
         const auto is_in = [&](const std::pair<double, double>& span) {
             return layer.last_pts >= span.first && layer.pts <= span.second;
         };
         // The track may begin before the object arrived, when its place differed from the reference. That is not the
         // object.
-        if (!is_in(object.seen)) return volume::Identity{};
+        if (!is_in(object.seen)) return volume::VoxelStyle{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
         const scene::ObjectState state = !stays ? scene::ObjectState::moving
                                          : dark ? scene::ObjectState::marked
                                                 : scene::ObjectState::still;
-        return volume::Identity{scene::palette_index(object.colour, state), object.number};
+        return volume::VoxelStyle{scene::palette_index(object.colour, state), object.number};
     };
 }
 
@@ -114,16 +114,16 @@ std::optional<int> LiveObjects::colour_of(std::size_t track) const {
     return known == tracks_.end() ? std::nullopt : std::optional(known->second.colour);
 }
 
-volume::Identify LiveObjects::identify() const {
+volume::VoxelStyleLookup LiveObjects::identify() const {
     return [this](std::size_t track, const volume::Layer& layer) {
         const auto known = tracks_.find(track);
-        if (known == tracks_.end()) return volume::Identity{};
+        if (known == tracks_.end()) return volume::VoxelStyle{};
         const Seen& seen = known->second;
-        if (!seen.decided || layer.last_frame < seen.undecided) return volume::Identity{};
+        if (!seen.decided || layer.last_frame < seen.undecided) return volume::VoxelStyle{};
         const auto number = numbers_.find(track);
         const bool fits = number != numbers_.end() && number->second <= most_numbers;
-        return volume::Identity{scene::palette_index(seen.colour, scene::ObjectState::moving),
-                                fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
+        return volume::VoxelStyle{scene::palette_index(seen.colour, scene::ObjectState::moving),
+                                  fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
     };
 }
 

@@ -29,7 +29,7 @@ struct ShownEvents {
 ShownEvents events_between(std::span<const tracking::Event> events, double begin, double end);
 
 /// For a clip that has ended: an object has the colour and number of its event.
-volume::Identify objects_of(std::span<const tracking::Event> events, const volume::Volume& volume);
+volume::VoxelStyleLookup objects_of(std::span<const tracking::Event> events, const volume::Volume& volume);
 
 /// For a live stream, where it isn't known yet which tracks are the same object. Each track gets its own colour: the
 /// one that has been unused for longest. A track shorter than an event belongs to no object until it is longer.
@@ -49,7 +49,7 @@ class LiveObjects {
     void give_number(std::size_t track, std::size_t number) { numbers_[track] = number; }
 
     /// \returns a function that refers to this object and must not outlive it
-    volume::Identify identify() const;
+    volume::VoxelStyleLookup identify() const;
 
   private:
     struct Seen {

@@ -228,7 +228,7 @@ ObservationBuilder::ObservationBuilder(const ObservePlan& plan, volume::VolumeOp
                        tracking::EventOptions{.scene_is_learnt = plan.field.reference != nullptr,
                                               .labels = plan.volume.colours_objects() || keeps_boxes_});
     if (plan.field.finds_objects && plan.field.detector) {
-        identifier_.emplace(*plan.field.detector, plan.read.threads);
+        classifier_.emplace(*plan.field.detector, plan.read.threads);
         seen.crops = annotation::Crops(most_looks);
     }
 }
@@ -239,7 +239,7 @@ void ObservationBuilder::set_findings(tracking::Findings findings) {
 }
 
 void ObservationBuilder::identify() {
-    if (identifier_) seen.detector = identifier_->identify(seen.findings, seen.crops);
+    if (classifier_) seen.detector = classifier_->identify(seen.findings, seen.crops);
 }
 
 fields::SceneSink ObservationBuilder::scene_sink() {
@@ -249,8 +249,8 @@ fields::SceneSink ObservationBuilder::scene_sink() {
 }
 
 fields::LivingFinder ObservationBuilder::living_finder() {
-    if (!identifier_) return {};
-    return [this](const media::Frame& frame) { return identifier_->living_in(frame); };
+    if (!classifier_) return {};
+    return [this](const media::Frame& frame) { return classifier_->living_in(frame); };
 }
 
 const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& frame, const fields::Field& field) {

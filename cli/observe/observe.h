@@ -41,18 +41,18 @@ struct Observation {
     media::SharedFrame first = std::make_shared<const media::Frame>();  ///< at the start of the volume
     media::SharedFrame last = first;                                    ///< at the end of the volume
     std::vector<KeyFrame> keyframes{};                                  ///< between these
-    std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
-    std::optional<ShownEvents> events{};                ///< none = not searched for
-    std::vector<TrackBox> track_boxes{};                ///< of all frames, if they are written
-    tracking::Findings findings{};                      ///< all that was found besides the chosen events
-    std::vector<annotation::Period> not_chosen{};       ///< when objects were there whose events weren't chosen
-    volume::Identify identify = volume::no_identities;  ///< maps voxels to objects
-    annotation::Crops crops{};                          ///< pictures of the objects
-    std::optional<DetectorUse> detector{};              ///< none = no detector looked at the events
-    Plane<Bgr> scene{};                                 ///< the scene without objects
-    std::vector<media::FrameGap> gaps{};                ///< where frames are missing
-    std::vector<media::MissingFrames> missing{};        ///< whose reason is known
-    std::vector<std::string> relearnt{};                ///< when the empty scene was learnt anew, one sentence each
+    std::int64_t first_brick = 0;                           ///< number of the volume's first brick in the clip
+    std::optional<ShownEvents> events{};                    ///< none = not searched for
+    std::vector<TrackBox> track_boxes{};                    ///< of all frames, if they are written
+    tracking::Findings findings{};                          ///< all that was found besides the chosen events
+    std::vector<annotation::Period> not_chosen{};           ///< when objects were there whose events weren't chosen
+    volume::VoxelStyleLookup identify = volume::no_styles;  ///< maps voxels to objects
+    annotation::Crops crops{};                              ///< pictures of the objects
+    std::optional<DetectorUse> detector{};                  ///< none = no detector looked at the events
+    Plane<Bgr> scene{};                                     ///< the scene without objects
+    std::vector<media::FrameGap> gaps{};                    ///< where frames are missing
+    std::vector<media::MissingFrames> missing{};            ///< whose reason is known
+    std::vector<std::string> relearnt{};                    ///< when the empty scene was learnt anew, one sentence each
     fields::FieldSummary summary{};
 
     Moment end() const { return {last->index, last->pts}; }
@@ -131,7 +131,7 @@ class ObservationBuilder {
     bool keeps_boxes_;
     VoxelColours voxel_colours_;
     tracking::FrameLabels labels_;  ///< of the last field
-    std::optional<Identifier> identifier_;
+    std::optional<ObjectClassifier> classifier_;
 };
 
 }  // namespace vvr::app

@@ -56,8 +56,8 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     }
     seen_.summary = std::move(summary);
     seen_.summary.problems.insert(seen_.summary.problems.end(), seen_.relearnt.begin(), seen_.relearnt.end());
-    seen_.info = source.info();              // only now complete for a recording of several files
-    seen_.identify = volume::no_identities;  // the other one refers to the objects of this window
+    seen_.info = source.info();          // only now complete for a recording of several files
+    seen_.identify = volume::no_styles;  // the other one refers to the objects of this window
     return std::move(seen_);
 }
 

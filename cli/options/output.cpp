@@ -26,17 +26,17 @@ namespace vvr::options {
 
 namespace {
 
-namespace text {
+namespace rows {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
-constexpr Setting still{"still", "FILE", "the frame of the clip that shows most: .jpg .png"};
+constexpr Setting still{"still", "FILE", "the most informative frame of the clip: .jpg .png"};
 constexpr Setting report{
     "report", "FILE",
     "a JSON file with the input, the settings, the events and the run; needs no -o; - = standard output"};
 constexpr Setting events_csv{"events-csv", "FILE",
                              "the events as a table with commas, one line per event; needs no -o"};
 constexpr Setting tracks{"tracks", "FILE",
-                         "where each event's object is in each frame, in the format of MOT Challenge; needs no -o"};
+                         "the events' bounding boxes per frame, in the format of MOT Challenge; needs no -o"};
 constexpr Setting events_to{
     "events-to", "FILE",
     "append a line of JSON for each event when it has ended, for other programs; a file, a named pipe, or - = "
@@ -46,7 +46,7 @@ constexpr Setting golden{
     "compare the picture with this one; if they differ, exit with 7 and keep the new picture beside it"};
 constexpr Setting diff{"diff", "FILE",
                        "picture of the differences: yellow = small, red = larger, black = the full range"};
-}  // namespace text
+}  // namespace rows
 
 void check_standard_output(const app::OutputOptions& options) {
     if (is_standard_output(options.path) && ::isatty(STDOUT_FILENO) == 1) {
@@ -117,7 +117,7 @@ struct Rule {
 };
 
 /// \throws Error for the first broken rule
-void obey(std::initializer_list<Rule> rules) {
+void check_rules(std::initializer_list<Rule> rules) {
     for (const Rule& rule : rules) {
         if (rule.is_broken) throw Error(rule.code, rule.text);
     }
@@ -128,7 +128,7 @@ void obey(std::initializer_list<Rule> rules) {
 void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) {
     const AddOptions add(line, Group::comparison);
     add(setting::tolerance, options.tolerance);
-    add(text::diff, options.diff, {.use = FileUse::written});
+    add(rows::diff, options.diff, {.use = FileUse::written});
 }
 
 void add_event_options(CommandLine& line, Group group, tracking::EventChoice& choice) {
@@ -138,7 +138,7 @@ void add_event_options(CommandLine& line, Group group, tracking::EventChoice& ch
 
 void add_events_to_option(CommandLine& line, Group group, std::filesystem::path& file) {
     const AddOptions add(line, group);
-    add(text::events_to, file, {.standard_output = true, .use = FileUse::written});
+    add(rows::events_to, file, {.standard_output = true, .use = FileUse::written});
 }
 
 void check_events_to(const std::filesystem::path& file, const app::RenderJob& job) {
@@ -151,7 +151,7 @@ void check_events_to(const std::filesystem::path& file, const app::RenderJob& jo
 
 void add_output_options(CommandLine& line, app::OutputOptions& options) {
     const AddOptions add(line, Group::output);
-    add(text::output, options.path,
+    add(rows::output, options.path,
         {.letter = 'o',
          .help = fmt::format(
              ": {}; a page to watch the clip from: .html; or animated: {}; - = a PNG file to "
@@ -164,14 +164,14 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
                              app::default_animation)});
     add(setting::slide, options.slide,
         {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_extensions(), " "))});
-    add(text::page, options.page, {.use = FileUse::written});
-    add(text::still, options.still, {.use = FileUse::written});
-    add(text::report, options.report, {.standard_output = true, .use = FileUse::written});
-    add(text::events_csv, options.events_csv, {.use = FileUse::written});
-    add(text::tracks, options.tracks, {.use = FileUse::written});
+    add(rows::page, options.page, {.use = FileUse::written});
+    add(rows::still, options.still, {.use = FileUse::written});
+    add(rows::report, options.report, {.standard_output = true, .use = FileUse::written});
+    add(rows::events_csv, options.events_csv, {.use = FileUse::written});
+    add(rows::tracks, options.tracks, {.use = FileUse::written});
     add_event_options(line, Group::output, options.events);
     const AddOptions add_comparison(line, Group::comparison);
-    add_comparison(text::golden, options.golden.path, {.use = FileUse::compared});
+    add_comparison(rows::golden, options.golden.path, {.use = FileUse::compared});
     add_comparison(setting::bless, options.golden.bless);
     add_comparison_options(line, options.golden.comparison);
     const AddOptions plan(line, Group::plan);
@@ -202,42 +202,44 @@ void check(const app::OutputOptions& options) {
     const std::string text = options.path.string();
     const bool compared = !options.golden.path.empty();
     const std::string animations = fmt::format("{}", fmt::join(image::animation_extensions(), " "));
-    obey({{text.empty() && !compared && !options.lists_events(), ErrorCode::output_missing,
-           "no output given; name the file for the picture with -o FILE"},
-          {options.slide && options.animate, ErrorCode::options_conflict,
-           "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, stripes "
-           "move too"},
-          {options.slide && !image::is_animation(options.path), ErrorCode::options_conflict,
-           fmt::format("--slide makes a video, but '{}' has the extension of a picture; use one of {}", text,
-                       animations)},
-          {compared && options.slide, ErrorCode::options_conflict,
-           "--golden compares one picture, but --slide makes a video; drop one of them"},
-          {text.empty() && options.animate, ErrorCode::output_missing, "--animate: name the pictures with -o FILE"},
-          {compared && app::pictures_of(options) > 1, ErrorCode::options_conflict,
-           "--golden compares one picture, but --animate makes many; drop one of them"}});
+    check_rules(
+        {{text.empty() && !compared && !options.lists_events(), ErrorCode::output_missing,
+          "no output given; name the file for the picture with -o FILE"},
+         {options.slide && options.animate, ErrorCode::options_conflict,
+          "--slide moves the window, --animate only the stripes of one picture; drop --animate: with --slide, stripes "
+          "move too"},
+         {options.slide && !image::is_animation(options.path), ErrorCode::options_conflict,
+          fmt::format("--slide makes a video, but '{}' has the extension of a picture; use one of {}", text,
+                      animations)},
+         {compared && options.slide, ErrorCode::options_conflict,
+          "--golden compares one picture, but --slide makes a video; drop one of them"},
+         {text.empty() && options.animate, ErrorCode::output_missing, "--animate: name the pictures with -o FILE"},
+         {compared && app::pictures_of(options) > 1, ErrorCode::options_conflict,
+          "--golden compares one picture, but --animate makes many; drop one of them"}});
     if (text.empty()) return;
     check_extension(options.path);
     const image::NamePattern name = app::name_of(options);
     const bool page = app::is_page(options.path);
     const bool animation = image::is_animation(options.path);
-    obey({{page && name.has_field(), ErrorCode::name_pattern_invalid,
-           fmt::format("'{}': a page has one picture; use a name without a field", text)},
-          {page && options.animate, ErrorCode::options_conflict,
-           fmt::format("'{}': a page has one picture; drop --animate", text)},
-          {animation && name.has_field(), ErrorCode::name_pattern_invalid,
-           fmt::format("'{}': an animated file has all pictures; use a name without a field", text)},
-          {name.counts() == "brick" && options.animate, ErrorCode::options_conflict,
-           fmt::format("'{}' names a series, one picture per brick, which can't be animated; use {{frame}} with "
-                       "--animate",
-                       text)},
-          {name.counts() == "frame" && !options.animate, ErrorCode::option_needs_another,
-           fmt::format("'{}' has a field for the pictures of an animation; give their number with --animate, or use "
-                       "{{brick}} for a series",
-                       text)},
-          {options.animate && !animation && !name.has_field(), ErrorCode::options_conflict,
-           fmt::format("--animate makes {} pictures, but '{}' names only one; use a name like out.{{frame:4}}.png, or "
-                       "an animated file: {}",
-                       options.animate.value_or(0), text, animations)}});
+    check_rules(
+        {{page && name.has_field(), ErrorCode::name_pattern_invalid,
+          fmt::format("'{}': a page has one picture; use a name without a field", text)},
+         {page && options.animate, ErrorCode::options_conflict,
+          fmt::format("'{}': a page has one picture; drop --animate", text)},
+         {animation && name.has_field(), ErrorCode::name_pattern_invalid,
+          fmt::format("'{}': an animated file has all pictures; use a name without a field", text)},
+         {name.counts() == "brick" && options.animate, ErrorCode::options_conflict,
+          fmt::format("'{}' names a series, one picture per brick, which can't be animated; use {{frame}} with "
+                      "--animate",
+                      text)},
+         {name.counts() == "frame" && !options.animate, ErrorCode::option_needs_another,
+          fmt::format("'{}' has a field for the pictures of an animation; give their number with --animate, or use "
+                      "{{brick}} for a series",
+                      text)},
+         {options.animate && !animation && !name.has_field(), ErrorCode::options_conflict,
+          fmt::format("--animate makes {} pictures, but '{}' names only one; use a name like out.{{frame:4}}.png, or "
+                      "an animated file: {}",
+                      options.animate.value_or(0), text, animations)}});
 }
 
 void check_outputs(const app::RenderJob& job) {

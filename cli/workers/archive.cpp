@@ -48,7 +48,7 @@ std::string describe_name(const std::string& clip, const ArchiveJob& job) {
     }
     text += ", " + annotation::format_clock(*begin + local_offset(*begin));
     if (!name.begin) return fmt::format("{} {}", text, row_of(ClockSource::container).words);
-    return fmt::format("{} {} ({})", text, row_of(ClockSource::file_name).words, name.layout);
+    return fmt::format("{} {} ({})", text, row_of(ClockSource::file_name).words, name.scheme);
 }
 
 // Far more than the largest picture and page need. A worker that a malicious clip has taken over can't fill the disk.
@@ -83,7 +83,7 @@ ArchiveJob job_of(const ArchiveOptions& options, const footage::RecorderNames& n
     job.in = options.in;
     job.out = options.out;
     for (const archive::OutputRow& row : archive::output_rows) {
-        if (row.kind != archive::OutputKind::page || options.writes(Written::pages))
+        if (row.kind != archive::OutputKind::page || options.writes(Outputs::pages))
             job.rules.files.push_back(row.kind);
     }
     job.rules.version = version();
@@ -136,7 +136,7 @@ std::size_t count(const std::vector<PlannedClip>& planned, archive::Need need) {
 }
 
 /// The clips found, and what to do with them.
-struct Survey {
+struct ArchivePlan {
     std::size_t unreadable = 0;
     std::size_t clips = 0;    ///< of all shards
     std::size_t waiting = 0;  ///< clips that are in no day yet
@@ -144,7 +144,7 @@ struct Survey {
 };
 
 /// The outcome of the run in one line.
-std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, double seconds) {
+std::string summary_of(const ArchivePlan& found, const ArchiveOutcome& outcome, double seconds) {
     const std::vector<PlannedClip>& planned = found.planned;
     std::string text =
         outcome.drawn + outcome.failed == 0
@@ -217,13 +217,14 @@ void warn_of_unused_cameras(const std::vector<archive::Clip>& clips, const Archi
     }
 }
 
-Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, ArchiveJob& job, spdlog::logger& log) {
+ArchivePlan plan_run(const ArchiveOptions& options, const archive::ClipNames& clips, ArchiveJob& job,
+                     spdlog::logger& log) {
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     std::vector<std::string> paths;
     for (const archive::Clip& clip : scan.clips) paths.push_back(clip.path);
     job.names.compare(paths);
-    Survey survey;
-    survey.clips = scan.clips.size();
+    ArchivePlan run;
+    run.clips = scan.clips.size();
     const archive::Settling settling{std::chrono::system_clock::now(), settling_time};
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     warn_of_unused_cameras(scan.clips, job, log);
@@ -236,7 +237,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
             job.days.emplace(day.clip.path, std::move(day));
         }
         scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
-        survey.waiting = grouped.waiting;
+        run.waiting = grouped.waiting;
         warn_of_undated(job, log);
     } else {
         wanted = std::move(scan.clips);
@@ -251,15 +252,15 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
             job.in.string(), counted(static_cast<std::int64_t>(scan.skipped), "clip"),
             fmt::join(scan.system_folders, "', '"));
     }
-    survey.unreadable = scan.problems.size();
+    run.unreadable = scan.problems.size();
     std::erase_if(wanted, [&](const archive::Clip& clip) { return !options.shard.contains(clip.path); });
-    survey.planned = plan_archive(wanted, job);
-    for (const PlannedClip& planned : survey.planned) {
+    run.planned = plan_archive(wanted, job);
+    for (const PlannedClip& planned : run.planned) {
         if (planned.need != archive::Need::unread) continue;
-        ++survey.unreadable;
+        ++run.unreadable;
         log_failure(log, job, planned.clip.path, ErrorCode::partial, planned.reason);
     }
-    return survey;
+    return run;
 }
 
 /// Runs a step that follows the drawing. An error about one file is logged, so that the next step still runs.
@@ -290,7 +291,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         return cli::ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const Survey found = survey(options, clips, job, environment.log);
+    const ArchivePlan found = plan_run(options, clips, job, environment.log);
     if (found.clips == 0) {
         // Not a warning: a monitor that reads what --quiet prints must learn of a disk that is not mounted.
         environment.log.error("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
@@ -303,7 +304,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     }
     make_folder(options.out);
     if (!options.events_csv.empty()) check_file_path(options.events_csv);
-    if (options.writes(Written::index)) archive::check_own_index(options.out);  // before hours of drawing
+    if (options.writes(Outputs::index)) archive::check_own_index(options.out);  // before hours of drawing
     std::vector<PlannedClip> work = found.planned;
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     cli::EventFile events(options.events_to, environment.log);
@@ -326,7 +327,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
                         succeeds(environment.log, [&] { return prune(job, clips, options.shard, false, environment); });
     const bool aged = !options.keep ||
                       succeeds(environment.log, [&] { return remove_expired(job, options.shard, false, environment); });
-    const bool indexed = !options.writes(Written::index) || succeeds(environment.log, [&] {
+    const bool indexed = !options.writes(Outputs::index) || succeeds(environment.log, [&] {
         write_index(job, clips, environment);
         return true;
     });

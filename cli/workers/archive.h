@@ -40,18 +40,18 @@ inline constexpr std::array groupings{
 };
 
 /// What a run writes.
-enum class Written { pictures, pages, index };
+enum class Outputs { pictures, pages, index };
 
-struct WrittenRow {
-    Written kind;
+struct OutputsRow {
+    Outputs kind;
     std::string_view name;
     std::string_view help;
 };
 
-inline constexpr std::array written_rows{
-    WrittenRow{Written::pictures, "pictures", "the pictures, and what vvr records about each clip"},
-    WrittenRow{Written::pages, "pages", "a page to watch each clip from, and its picture"},
-    WrittenRow{Written::index, "index", "the index; alone, nothing is drawn"},
+inline constexpr std::array outputs_rows{
+    OutputsRow{Outputs::pictures, "pictures", "the pictures, and what vvr records about each clip"},
+    OutputsRow{Outputs::pages, "pages", "a page to watch each clip from, and its picture"},
+    OutputsRow{Outputs::index, "index", "the index; alone, nothing is drawn"},
 };
 
 /// Which clips of an archive to draw, where to, and the limits of a worker.
@@ -70,12 +70,12 @@ struct ArchiveOptions {
     std::optional<std::chrono::seconds> keep{};  ///< how long files are kept; none = for ever
     bool keep_events = false;                    ///< copy each event to a piece beside its page
     double margin = 5;                           ///< seconds before and after a kept event
-    std::set<Written> write{Written::pictures, Written::pages, Written::index};
+    std::set<Outputs> write{Outputs::pictures, Outputs::pages, Outputs::index};
 
     const GroupingRow& grouping() const { return *std::ranges::find(groupings, per, &GroupingRow::grouping); }
     archive::DayRule day_rule() const { return day.value_or(archive::DayRule{grouping().begins}); }
-    bool writes(Written kind) const { return write.contains(kind); }
-    bool draws() const { return writes(Written::pictures) || writes(Written::pages); }
+    bool writes(Outputs kind) const { return write.contains(kind); }
+    bool draws() const { return writes(Outputs::pictures) || writes(Outputs::pages); }
 
     PictureSettings pictures;
     std::map<std::string, PictureSettings> of_cameras;  ///< for cameras with settings of their own (`name_of_camera`)

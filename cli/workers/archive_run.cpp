@@ -254,7 +254,7 @@ class Drawing {
 
     void show_progress() {
         std::vector<ClipProgress> clips;
-        for (const Running& one : running_) clips.push_back({one.clip, one.bytes, one.worker->part()});
+        for (const Running& one : running_) clips.push_back({one.clip, one.bytes, one.worker->progress()});
         bar_.show(progress_, clips);
     }
 

@@ -258,7 +258,7 @@ std::size_t Worker::marks() const {
     return std::min(end, message_.size()) - 1;
 }
 
-double Worker::part() const {
+double Worker::progress() const {
     return std::min(1.0, static_cast<double>(marks()) / most_marks);
 }
 

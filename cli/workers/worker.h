@@ -61,7 +61,7 @@ class Worker {
     void interrupt();
 
     /// Which part of its frames it says to have read, 0 to 1.
-    double part() const;
+    double progress() const;
 
     const WorkerResult& end() const { return end_; }
 

@@ -117,7 +117,7 @@ std::vector<std::string> activity_texts(const tracking::Event& event) {
             texts.back()};
 }
 
-std::string deed_of(const tracking::Event& event) {
+std::string activity_text(const tracking::Event& event) {
     return activities(event).front();
 }
 

@@ -48,7 +48,7 @@ glm::dvec2 position_at(const tracking::Event& event, double seconds);
 std::vector<std::string> activity_texts(const tracking::Event& event);
 
 /// The longest of these texts, without what it is: "went ↗".
-std::string deed_of(const tracking::Event& event);
+std::string activity_text(const tracking::Event& event);
 
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.
 std::vector<tracking::Stay> stationary_times(const tracking::Event& event);

@@ -233,7 +233,8 @@ namespace {
 
 /// Whether something compact in a layer belongs to no object: it fills a quarter of a block of the picture. Leaves,
 /// rain and noise are scattered.
-bool has_unowned_thing(const volume::Volume& volume, const volume::Layer& layer, const volume::Identify& identify) {
+bool has_unowned_thing(const volume::Volume& volume, const volume::Layer& layer,
+                       const volume::VoxelStyleLookup& identify) {
     constexpr int blocks_across = 24;  // along the longer side
     const Size size = volume.size();
     const int side = std::max(4, std::max(size.width, size.height) / blocks_across);
@@ -269,7 +270,7 @@ std::vector<Period> idle_periods(std::vector<Period> busy, double begin, double 
     return idle;
 }
 
-std::vector<Period> unexplained_periods(const volume::Volume& volume, const volume::Identify& identify) {
+std::vector<Period> unexplained_periods(const volume::Volume& volume, const volume::VoxelStyleLookup& identify) {
     std::vector<Period> periods;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         const volume::Layer& layer = volume.layer(i);

@@ -27,7 +27,7 @@ std::vector<Period> idle_periods(std::vector<Period> busy, double begin, double 
 
 /// The times at which somebody may have been there, although no object was: where something compact differs from the
 /// empty scene for as long as an event lasts at least, and where there are no frames.
-std::vector<Period> unexplained_periods(const volume::Volume& volume, const volume::Identify& identify);
+std::vector<Period> unexplained_periods(const volume::Volume& volume, const volume::VoxelStyleLookup& identify);
 
 /// An object's bar in the time strip.
 struct StripBar {

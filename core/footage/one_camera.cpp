@@ -113,14 +113,14 @@ std::string whole_path(const std::string& name) {
     return error ? name : whole.lexically_normal().string();
 }
 
-std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
+std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& schemes,
                         bool join) {
     Files paths;
     for (const Segment& segment : segments) paths.push_back(whole_path(segment.path));
     const std::size_t common = common_folders(paths);
     std::map<std::string, Files> cameras;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        const std::string camera = layouts.camera_of(paths[i], common);
+        const std::string camera = schemes.camera_of(paths[i], common);
         segments[i].camera = camera;
         cameras[camera].push_back(segments[i].path);
     }

@@ -17,7 +17,7 @@ std::string whole_path(const std::string& name);
 /// \param name name of the recording, for the message
 /// \param join whether to accept files of several cameras
 /// \throws Error usage if they are of several cameras; the message says how to choose one
-std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
+std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& schemes,
                         bool join);
 
 }  // namespace vvr::footage

@@ -44,18 +44,18 @@ std::unique_ptr<media::FrameSource> open_source(const std::string& name, const m
 }
 
 std::unique_ptr<media::FrameSource> open_sources(const std::vector<std::string>& names,
-                                                 const media::SourceOptions& options, const RecorderNames& layouts,
+                                                 const media::SourceOptions& options, const RecorderNames& schemes,
                                                  std::vector<std::string>& warnings) {
-    if (auto recording = find_recording(names, layouts, options.join, options.rate)) {
+    if (auto recording = find_recording(names, schemes, options.join, options.rate)) {
         if (options.rate != 0) check(setting::rate, options.rate);
         warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
         return std::make_unique<RecordingSource>(std::move(*recording), options);
     }
     media::SourceOptions one = options;
-    const Segment named = segment_from_name(names.front(), layouts);
+    const Segment named = segment_from_name(names.front(), schemes);
     one.begin = named.begin;
     if (named.no_clock) warnings.push_back(fmt::format("'{}': {}", names.front(), text_of_unset_clocks(1)));
-    if ((layouts.has_patterns() || options.track > 0 || options.aspect) && list_pictures(names.front())) {
+    if ((schemes.has_patterns() || options.track > 0 || options.aspect) && list_pictures(names.front())) {
         warnings.push_back(
             fmt::format("'{}' has pictures, on which names, track and aspect have no effect; --rate and "
                         "--start-time give their times",

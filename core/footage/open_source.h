@@ -19,11 +19,11 @@ namespace vvr::footage {
 std::unique_ptr<media::FrameSource> open_source(const std::string& name, const media::SourceOptions& options = {});
 
 /// Opens one or more inputs: a recording of several files (see `find_recording`), or a single input.
-/// \param layouts the naming schemes of file names
+/// \param schemes the naming schemes of file names
 /// \param warnings receives one sentence per warning
 /// \throws Error as `open_source` and `find_recording`
 std::unique_ptr<media::FrameSource> open_sources(const std::vector<std::string>& names,
-                                                 const media::SourceOptions& options, const RecorderNames& layouts,
+                                                 const media::SourceOptions& options, const RecorderNames& schemes,
                                                  std::vector<std::string>& warnings);
 
 }  // namespace vvr::footage

@@ -184,7 +184,7 @@ RecorderName RecorderNames::read_with(std::string_view whole_path, std::span<con
     for (std::size_t i = 0; i < first.size() + second.size(); ++i) {
         std::optional<RecorderName> read = read_as(i < first.size() ? first[i] : second[i - first.size()], whole_path);
         if (!read) continue;
-        if (name.layout.empty()) name.layout = std::move(read->layout);
+        if (name.scheme.empty()) name.scheme = std::move(read->scheme);
         if (name.camera.empty()) {
             name.camera = std::move(read->camera);
             name.below = read->below;

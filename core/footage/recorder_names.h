@@ -25,7 +25,7 @@ std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near = {}
 
 /// What a file name states.
 struct RecorderName {
-    std::string layout;                ///< the recorder's name, or "--names"; empty = unknown
+    std::string scheme;                ///< the recorder's name, or "--names"; empty = unknown
     std::string camera;                ///< empty = unknown
     bool below = false;                ///< the camera's folder is a part of its name
     std::string numbered{};            ///< "video1" before the time: the name of a camera, or a count of its files

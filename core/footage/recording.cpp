@@ -336,11 +336,11 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
     return {begin, false, begin < *end};
 }
 
-Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
-    RecorderName name = layouts.read(whole_path(path));
+Segment segment_from_name(const std::string& path, const RecorderNames& schemes) {
+    RecorderName name = schemes.read(whole_path(path));
     Segment segment{path};
     segment.camera = std::move(name.camera);
-    segment.layout = std::move(name.layout);
+    segment.scheme = std::move(name.scheme);
     segment.sub = name.sub;
     segment.no_clock = name.no_clock;
     if (name.begin) {
@@ -359,7 +359,7 @@ std::vector<std::string> files_of_inputs(std::span<const std::string> names) {
     return files;
 }
 
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join,
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& known, bool join,
                                         double rate) {
     if (names.size() == 1) {
         std::error_code none;
@@ -382,7 +382,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
         recording.warnings.push_back(fmt::format("'{}': {} given more than once; each is read once", recording.name,
                                                  repeats == 1 ? "1 file is" : fmt::format("{} files are", repeats)));
     }
-    RecorderNames schemes = layouts;
+    RecorderNames schemes = known;
     Files paths;
     for (const std::string& file : files) paths.push_back(whole_path(file));
     schemes.compare(paths);

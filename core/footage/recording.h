@@ -44,7 +44,7 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
 /// \param rate as SourceOptions::rate
 /// \throws Error io if an input can't be read, usage if an input can't be a part of a recording, or if the files are of
 ///         several cameras or unrelated
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts,
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& schemes,
                                         bool join = false, double rate = 0);
 
 /// The video files of a recording's inputs, each once, in natural order of their names. Inputs of other kinds have
@@ -54,6 +54,6 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
 std::vector<std::string> files_of_inputs(std::span<const std::string> names);
 
 /// The segment of a single file, by its name.
-Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
+Segment segment_from_name(const std::string& path, const RecorderNames& schemes);
 
 }  // namespace vvr::footage

@@ -207,7 +207,7 @@ void RecordingSource::close() {
                         segment_end_, info.duration));
     }
     for (std::string& problem : segment_->problems()) {
-        // What holds for many files, such as that the processor decodes, is told once.
+        // Report once what holds for many files, such as the fallback to software decoding.
         if (std::ranges::find(problems_, problem) == problems_.end()) problems_.push_back(std::move(problem));
     }
     segment_.reset();

@@ -89,7 +89,7 @@ AvFrame downloaded(AvFrame frame) {
     if (code == AVERROR(ENOMEM))
         throw Error(ErrorCode::out_of_memory, "out of memory for a decoded frame; give vvr more memory");
     throw Error(ErrorCode::hwaccel_unavailable,
-                fmt::format("hwaccel: the hardware does not give a frame that it has decoded (FFmpeg: {}); leave the "
+                fmt::format("hwaccel: cannot copy the decoded frame from the device (FFmpeg: {}); leave the "
                             "setting out to decode on the processor",
                             av_error_text(code)),
                 {"hwaccel"});

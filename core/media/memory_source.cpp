@@ -85,7 +85,7 @@ MemorySource::MemorySource(MemoryFrames frames, const SourceOptions& options)
     info_.frames = frames_.frames;
     info_.duration = frames_.rate > 0 ? static_cast<double>(frames_.frames) / frames_.rate : 0;
     field_size_ = field_size_for(size, options.field_size);
-    if (!next()) throw Error(ErrorCode::no_frame, fmt::format("{}: there is no frame", frames_.name));
+    if (!next()) throw Error(ErrorCode::no_frame, fmt::format("{}: the source delivered no frames", frames_.name));
     rewind();
 }
 

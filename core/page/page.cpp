@@ -84,7 +84,7 @@ std::string list_of(const PageContent& content) {
             "<li>{}. {}: {}{}</li>\n", content.number_of(k),
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
             event.identity ? fmt::format("{} ", event.identity->what->name) : "",
-            k < content.deeds.size() ? std::string_view(content.deeds[k]) : row_of(event.kind).words);
+            k < content.activities.size() ? std::string_view(content.activities[k]) : row_of(event.kind).words);
     }
     return list;
 }

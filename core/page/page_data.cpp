@@ -254,7 +254,8 @@ Json json_of_events(const PageContent& content) {
     for (std::size_t k = 0; k < std::min(content.numbers.size(), json.size()); ++k) {
         json[k]["number"] = content.numbers[k];
     }
-    for (std::size_t k = 0; k < std::min(content.deeds.size(), json.size()); ++k) json[k]["deed"] = content.deeds[k];
+    for (std::size_t k = 0; k < std::min(content.activities.size(), json.size()); ++k)
+        json[k]["deed"] = content.activities[k];
     return json;
 }
 

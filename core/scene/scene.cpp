@@ -74,7 +74,7 @@ FloorShadow floor_shadow(const volume::Volume& volume, const glm::vec4& colour) 
     return shadow;
 }
 
-FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::Identify& identify) {
+FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::VoxelStyleLookup& identify) {
     FloorShadow shadow = floor_shadow(volume, theme.shadow);
     const glm::vec3 untinted(theme.shadow);
     const std::vector<glm::vec4> palette = object_palette(theme);
@@ -99,7 +99,8 @@ FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const
         for (int i = 0; i < shadow.darkness.width(); ++i) {
             const std::uint16_t owner = columns[static_cast<std::size_t>(i)].owner;
             const bool has_owner = owner != 0 && identify;
-            const volume::Identity identity = has_owner ? identify(volume.track_of(owner), layer) : volume::Identity{};
+            const volume::VoxelStyle identity =
+                has_owner ? identify(volume.track_of(owner), layer) : volume::VoxelStyle{};
             if (identity.look != 0) {
                 const glm::vec3 colour(palette[identity.look]);
                 shadow.tint.at(i, row) = bgr_of(glm::mix(untinted, colour, colour_part));

@@ -57,7 +57,7 @@ struct Scene {
 FloorShadow floor_shadow(const volume::Volume& volume, const glm::vec4& colour);
 
 /// The shadow of a volume with owners, tinted by the objects' colours, so that a shadow can be matched to its object.
-FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::Identify& identify);
+FloorShadow floor_shadow(const volume::Volume& volume, const Theme& theme, const volume::VoxelStyleLookup& identify);
 
 /// The border of the volume's cross-section at time `t`, a t_C.
 std::vector<LineSegment> cross_section(const space::Layout& layout, double t, const glm::vec4& colour);

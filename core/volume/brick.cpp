@@ -204,7 +204,7 @@ class OwnersAround {
 
 }  // namespace
 
-BrickLayers::BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify)
+BrickLayers::BrickLayers(const Volume& volume, const Brick& brick, const VoxelStyleLookup& identify)
     : brick_(brick),
       size_(volume.size()),
       extra_channel_(extra_channel_in(volume)),
@@ -267,7 +267,7 @@ void BrickLayers::fill_identities(std::int64_t first, std::span<ColouredTexel> t
         owners.each([&](std::size_t voxel, std::uint16_t owner) {
             if (owner != known) {
                 known = owner;
-                const Identity identity = *identify_ ? (*identify_)(volume_->track_of(owner), layer) : Identity{};
+                const VoxelStyle identity = *identify_ ? (*identify_)(volume_->track_of(owner), layer) : VoxelStyle{};
                 texel = {identity.look, static_cast<std::uint8_t>(identity.number & 0xFFU),
                          static_cast<std::uint8_t>(identity.number >> 8U), 0};
             }

@@ -68,7 +68,7 @@ class BrickLayers {
   public:
     /// \param volume must outlive this object, unchanged
     /// \param identify must outlive this object; only for a volume that keeps owners
-    BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = no_identities);
+    BrickLayers(const Volume& volume, const Brick& brick, const VoxelStyleLookup& identify = no_styles);
 
     const Brick& brick() const { return brick_; }
     std::int64_t count() const { return brick_.count + 2; }                    ///< layers of the texture
@@ -98,7 +98,7 @@ class BrickLayers {
     Size size_;
     ExtraChannel extra_channel_;
     const Volume* volume_;
-    const Identify* identify_;
+    const VoxelStyleLookup* identify_;
     std::vector<const Layer*> layers_;
     PixelBox box_;
 };

@@ -14,19 +14,19 @@
 namespace vvr::volume {
 
 /// The identity of a voxel: its appearance and its event.
-struct Identity {
+struct VoxelStyle {
     std::uint8_t look = 0;     ///< index of its appearance; 0 = without owner
     std::uint16_t number = 0;  ///< number of its event; 0 = none
 
-    friend bool operator==(const Identity&, const Identity&) = default;
+    friend bool operator==(const VoxelStyle&, const VoxelStyle&) = default;
 };
 
 /// Returns the identity of a track's voxels in a layer. Called only when voxels are drawn, because tracks become events
 /// at the end of the clip.
-using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
+using VoxelStyleLookup = std::function<VoxelStyle(std::size_t track, const Layer& layer)>;
 
 /// No voxel has an owner.
-inline const Identify no_identities;
+inline const VoxelStyleLookup no_styles;
 
 /// Maps tracks to 16-bit numbers, which are stored as the owners of voxels. 0 means no owner.
 class Owners {

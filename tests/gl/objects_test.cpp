@@ -39,7 +39,7 @@ void add(volume::Volume& volume, std::int64_t index, std::span<const Owned> thin
 }
 
 /// Tracks 0 to 7 are the objects 1 to 8 with a colour each; all others are nobody's.
-volume::Identity as_they_come(std::size_t track, const volume::Layer&) {
+volume::VoxelStyle as_they_come(std::size_t track, const volume::Layer&) {
     if (track >= 8) return {};
     return {scene::palette_index(static_cast<int>(track), scene::ObjectState::moving),
             static_cast<std::uint16_t>(track + 1)};
@@ -61,7 +61,7 @@ class Objects : public testing::TestWithParam<std::string> {
         renderer.set_transfer(solid);
         renderer.set_palette(scene::object_palette(theme_));
         gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
-        const volume::Identify identify = as_they_come;
+        const volume::VoxelStyleLookup identify = as_they_come;
         window.show(volume, volume::cut_into(volume.layers(), bricks), 0, identify);
         picture_ = renderer.draw(window);
         data_ = renderer.draw_pixel_data(window, scene::TimeTable(volume));
@@ -252,13 +252,13 @@ volume::Layer layer_at(std::int64_t first, std::int64_t last) {
 
 TEST(LiveObjects, KeepWhatWasDecidedAndAreNobodysWhileTheyMayBeNothing) {
     app::LiveObjects live;
-    const volume::Identify identify = live.identify();
+    const volume::VoxelStyleLookup identify = live.identify();
     for (int i = 0; i < 100; ++i) {
         if (i < 95) live.see(labels_at(i, {0}));
         if (i >= 95) live.see(labels_at(i, {0, 1}));
     }
     live.decide(0);
-    const volume::Identity first = identify(0, layer_at(10, 10));
+    const volume::VoxelStyle first = identify(0, layer_at(10, 10));
     EXPECT_NE(first.look, 0);
     EXPECT_EQ(identify(1, layer_at(97, 97)).look, 0) << "it has been there for a fifth of a second";
     for (int i = 100; i < 200; ++i) live.see(labels_at(i, {0, 1}));

@@ -333,7 +333,7 @@ struct Deed {
     void (*make)();
 };
 
-constexpr std::array deeds{
+constexpr std::array activities{
     // What ends a worker that is shut in, there and then.
     Deed{"execve", [] { become(-1); }},
     Deed{"execveat", become_memory},
@@ -400,7 +400,7 @@ void take_over(std::string_view opened) {
     if (!out().empty()) return try_all();
     opened = opened.substr(opened.rfind('/') + 1);
     opened = opened.substr(0, opened.rfind('.'));
-    for (const Deed& deed : deeds) {
+    for (const Deed& deed : activities) {
         if (deed.clip == opened) deed.make();
     }
 }

@@ -107,7 +107,7 @@ volume::Volume changed_in(int first, int last, int each) {
 
 TEST(UnexplainedPeriods, AreThoseWithAThingThatIsNoObject) {
     const std::vector<annotation::Period> periods =
-        annotation::unexplained_periods(changed_in(30, 49, 1), volume::no_identities);
+        annotation::unexplained_periods(changed_in(30, 49, 1), volume::no_styles);
     ASSERT_EQ(periods.size(), 1U);
     EXPECT_NEAR(periods[0].begin, 3, 1e-9);
     EXPECT_NEAR(periods[0].end, 5, 1e-9);
@@ -117,15 +117,15 @@ TEST(UnexplainedPeriods, AreThoseWithoutFramesToo) {
     volume::Volume volume = changed_in(100, 100, 1);
     volume.add_gap(100, 30, 10, 0.1);
     volume.add({130, 13, Plane<std::uint8_t>(volume.size()), {}, {}});
-    const std::vector<annotation::Period> periods = annotation::unexplained_periods(volume, volume::no_identities);
+    const std::vector<annotation::Period> periods = annotation::unexplained_periods(volume, volume::no_styles);
     ASSERT_EQ(periods.size(), 1U);
     EXPECT_NEAR(periods[0].begin, 10, 1e-9);
     EXPECT_NEAR(periods[0].end, 13, 1e-9);
 }
 
 TEST(UnexplainedPeriods, DoNotCountNoiseAndFlashes) {
-    EXPECT_TRUE(annotation::unexplained_periods(changed_in(30, 49, 7), volume::no_identities).empty());
-    EXPECT_TRUE(annotation::unexplained_periods(changed_in(30, 34, 1), volume::no_identities).empty());
+    EXPECT_TRUE(annotation::unexplained_periods(changed_in(30, 49, 7), volume::no_styles).empty());
+    EXPECT_TRUE(annotation::unexplained_periods(changed_in(30, 34, 1), volume::no_styles).empty());
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
              Known{"hall-20261121080007", any_name, "hall", morning},
          }) {
         const footage::RecorderName name = names.read(known.path);
-        EXPECT_EQ(name.layout, known.layout) << known.path;
+        EXPECT_EQ(name.scheme, known.layout) << known.path;
         EXPECT_EQ(names.camera_of(known.path), known.camera) << known.path;
         ASSERT_TRUE(name.begin) << known.path;
         EXPECT_EQ(name.begin->clock, known.clock) << known.path;
@@ -142,8 +142,8 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
         const footage::RecorderName name = names.read(tree.path);
         EXPECT_EQ(names.camera_of(tree.path), tree.camera) << tree.path;
         ASSERT_TRUE(name.begin) << tree.path;
-        EXPECT_EQ(name.begin->clock, tree.clock) << tree.path << " by " << name.layout;
-        EXPECT_EQ(name.begin->ahead, tree.ahead) << tree.path << " by " << name.layout;
+        EXPECT_EQ(name.begin->clock, tree.clock) << tree.path << " by " << name.scheme;
+        EXPECT_EQ(name.begin->ahead, tree.ahead) << tree.path << " by " << name.scheme;
     }
 }
 
@@ -194,9 +194,9 @@ TEST(RecorderNames, OfTwelveHoursAndOfZonesAreRead) {
          }) {
         const footage::RecorderName name = names.read(each.path);
         EXPECT_EQ(names.camera_of(each.path), each.camera) << each.path;
-        ASSERT_TRUE(name.begin) << each.path << " by " << name.layout;
-        EXPECT_EQ(name.begin->clock, each.clock) << each.path << " by " << name.layout;
-        EXPECT_EQ(name.begin->ahead, each.ahead) << each.path << " by " << name.layout;
+        ASSERT_TRUE(name.begin) << each.path << " by " << name.scheme;
+        EXPECT_EQ(name.begin->clock, each.clock) << each.path << " by " << name.scheme;
+        EXPECT_EQ(name.begin->ahead, each.ahead) << each.path << " by " << name.scheme;
     }
     for (const char* path :
          {"gate_2026-11-21_08-00-07_EST.mp4", "2026-11-21 08.00.07 CEST.mp4", "gate/2026-11-21/08-00-07 MSK.mp4",
@@ -266,7 +266,7 @@ TEST(RecorderNames, AreNotGuessed) {
           "2026_11_21/20/20-05.mp4", "WhatsApp Video 2026-11-21 at 20.00.00.mp4", "12345678.mp4", "0912345678.mp4",
           "5912345678.mp4"}) {
         const footage::RecorderName name = names.read(path);
-        EXPECT_FALSE(name.begin) << path << " by " << name.layout;
+        EXPECT_FALSE(name.begin) << path << " by " << name.scheme;
     }
     EXPECT_EQ(names.camera_of("2026-11-21/backdoor/clip1.mp4"), "backdoor");
 }
@@ -289,7 +289,7 @@ TEST(RecorderNames, OfNobodyTellNothing) {
     const footage::RecorderNames names;
     for (const char* path : {"x.avi", "", "/", "....", "gate/clip 12.mp4", "2026-11-21/25/gate/00.07.mp4",
                              "gate/20260231080007.mp4", "gate/2026-13-21_08-00-07.mp4", "gate/123456789012345.mp4"}) {
-        EXPECT_EQ(names.read(path).layout, "") << path;
+        EXPECT_EQ(names.read(path).scheme, "") << path;
         EXPECT_FALSE(names.read(path).begin) << path;
     }
 }
@@ -298,7 +298,7 @@ TEST(RecorderNames, AreThoseOfTheUserFirst) {
     const footage::RecorderNames names(
         std::vector<std::string>{"%Y-%m-%d/%H/{camera}/%M.%S", "{camera} at %s", "cam {camera}"});
     const footage::RecorderName local = names.read("2026-11-21/08/gate/00.07.mp4");
-    EXPECT_EQ(local.layout, "--names");
+    EXPECT_EQ(local.scheme, "--names");
     EXPECT_EQ(local.begin, (footage::NamedTime{morning, {}})) << "not in UTC, unlike Frigate's";
     EXPECT_EQ(names.read("hall at 1795248007.mp4").begin, (footage::NamedTime{morning, 0}));
     EXPECT_EQ(names.camera_of("x/cam 7.mp4"), "7");

@@ -78,8 +78,8 @@ TEST(BrickLayers, GiveAnOwnerItsNeighboursInTimeToo) {
         if (i == 2) field.scalar.at(2, 2) = 200;
         volume.add(field, {}, i == 2 ? std::span<const fields::LabelRun>(run) : std::span<const fields::LabelRun>());
     }
-    const volume::Identify identify = [](std::size_t track, const volume::Layer&) {
-        return volume::Identity{static_cast<std::uint8_t>(track), 1};
+    const volume::VoxelStyleLookup identify = [](std::size_t track, const volume::Layer&) {
+        return volume::VoxelStyle{static_cast<std::uint8_t>(track), 1};
     };
     const volume::BrickLayers layers(volume, {0, 5}, identify);
     std::vector<bool> owned;
