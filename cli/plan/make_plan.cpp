@@ -279,11 +279,11 @@ PagePlan page_plan(const RenderJob& job, const media::VideoInfo& info, Purpose p
 }
 
 /// The areas that the settings leave out of the scene, and their share of it.
-void set_areas(const RenderJob& job, Plan& plan) {
+void set_areas(const fields::FieldOptions& options, Plan& plan) {
     const bool is_extracted = !plan.read.clip.extracted.empty();  // then files of areas are not at hand
     fields::FieldOptions areas;
-    areas.roi = job.fields.roi;
-    areas.mask = job.fields.mask;
+    areas.roi = options.roi;
+    areas.mask = options.mask;
     for (const auto& [name, area] : {std::pair(setting::roi.name, areas.roi), {setting::mask.name, areas.mask}}) {
         const std::string value = image::value_of(plan.output.settings, name);
         if (is_extracted ? value.empty() : area.empty()) continue;
@@ -375,10 +375,10 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     plan.read.clip = std::move(clip);
     if (plan.volume.series) plan.volume.window = sliding_window(job.bricks, job.look.keyframes, plan.read.clip);
     plan.volume.extent = extent_of(plan);
-    set_areas(job, plan);
     plan.read.input = std::move(job.input);
     plan.output.files = std::move(job.output);
     plan.output.settings = std::move(job.settings);
+    set_areas(job.fields, plan);
     return plan;
 }
 

@@ -23,4 +23,30 @@ inline volume::Volume even_volume(Size size, int frames, std::uint8_t value = 0,
     return volume;
 }
 
+/// 100 frames, of which some are missing.
+inline volume::Volume volume_with_gap(int begin, int end, std::int64_t capacity = 800) {
+    volume::Volume volume({32, 24}, {capacity});
+    for (int i = 0; i < 100; ++i) {
+        if (i < begin || i >= end) {
+            volume.add(field_of(i, {32, 24}, 200));
+        } else {
+            volume.add_missing(i, i / 25.0);
+        }
+    }
+    return volume;
+}
+
+/// Three minutes of motion, each after an hour of nothing, a frame per second.
+inline volume::Volume day_with_pauses(std::int64_t capacity) {
+    volume::Volume volume({32, 24}, {.capacity = capacity, .nonuniform = true});
+    for (int i = 0; i < 3 * 3780; ++i) {
+        fields::Field field{i, 1.0 * i, Plane<std::uint8_t>({32, 24}), {}, {}};
+        const bool moves = i % 3780 >= 3600;
+        if (moves) field.scalar.at(i % 32, i % 24) = 200;
+        volume.add(field, {}, {}, moves);
+    }
+    volume.settle();
+    return volume;
+}
+
 }  // namespace vvr::test

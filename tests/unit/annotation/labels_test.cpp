@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/compose/compose.h"
-#include "cli/plan/input.h"
-#include "cli/plan/make_plan.h"
 #include "core/annotation/lettering.h"
 #include "core/annotation/ruler.h"
 #include "core/annotation/sheet.h"
@@ -13,7 +10,6 @@
 #include "core/scene/scene.h"
 #include "core/volume/brick.h"
 #include "tests/support/fields.h"
-#include "tests/support/layouts.h"
 #include "tests/support/zone.h"
 
 namespace vvr {
@@ -113,43 +109,9 @@ volume::Volume clip_of(int frames) {
     return test::even_volume({32, 24}, frames);
 }
 
-/// 100 frames, of which some are missing.
-volume::Volume clip_with_gap(int begin, int end, std::int64_t capacity = 800) {
-    volume::Volume volume({32, 24}, {capacity});
-    for (int i = 0; i < 100; ++i) {
-        if (i < begin || i >= end) {
-            volume.add(test::field_of(i, {32, 24}, 200));
-        } else {
-            volume.add_missing(i, i / 25.0);
-        }
-    }
-    return volume;
-}
-
-/// What a picture of a volume shows.
-app::Composition composed_of(const app::RenderJob& job, const volume::Volume& volume) {
-    app::Observation seen{volume};
-    const volume::Layer& last = volume.layer(volume.layers() - 1);
-    seen.last = std::make_shared<const media::Frame>(media::Frame{last.last_frame, last.last_pts, {}, {}});
-    return app::compose(app::make_plan(job, {.field_size = volume.size()}), seen);
-}
-
-/// Three minutes of motion, each after an hour of nothing, a frame per second.
-volume::Volume day_with_pauses(std::int64_t capacity) {
-    volume::Volume volume({32, 24}, {.capacity = capacity, .nonuniform = true});
-    for (int i = 0; i < 3 * 3780; ++i) {
-        fields::Field field{i, 1.0 * i, Plane<std::uint8_t>({32, 24}), {}, {}};
-        const bool moves = i % 3780 >= 3600;
-        if (moves) field.scalar.at(i % 32, i % 24) = 200;
-        volume.add(field, {}, {}, moves);
-    }
-    volume.settle();
-    return volume;
-}
-
 TEST(BusyTime, LeavesLittleRoomToWhereNothingMoves) {
     for (const std::int64_t capacity : {6000, 800, 100}) {
-        const volume::Volume volume = day_with_pauses(capacity);
+        const volume::Volume volume = test::day_with_pauses(capacity);
         const std::vector<annotation::TimeBreak> breaks = annotation::time_breaks(volume, 9);
         ASSERT_EQ(breaks.size(), 3U) << capacity;
         for (const annotation::TimeBreak& gap : breaks) EXPECT_NEAR(gap.seconds, 3600, 40) << capacity;
@@ -174,7 +136,7 @@ TEST(BusyTime, LeavesLittleRoomToWhereNothingMoves) {
 }
 
 TEST(BusyTime, TicksStandWhereSomethingMoves) {
-    const volume::Volume volume = day_with_pauses(800);
+    const volume::Volume volume = test::day_with_pauses(800);
     const std::vector<annotation::TimeTick> ticks = annotation::spread_ticks(volume, 9, 0);
     EXPECT_GE(ticks.size(), 6U);
     EXPECT_LE(ticks.size(), 12U);
@@ -190,7 +152,7 @@ TEST(BusyTime, TicksStandWhereSomethingMoves) {
 }
 
 TEST(BusyTime, BricksAreCutByTheClock) {
-    const volume::Volume volume = day_with_pauses(800);
+    const volume::Volume volume = test::day_with_pauses(800);
     EXPECT_EQ(volume::cut_by_clock(volume, 3780, 0).size(), 3U);
     std::int64_t next = 0;
     for (const volume::Brick& brick : volume::cut_by_clock(volume, 3600, -90)) {
@@ -201,24 +163,8 @@ TEST(BusyTime, BricksAreCutByTheClock) {
     EXPECT_EQ(volume::cut_by_frames(volume, 3780).size(), 3U);
 }
 
-TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
-    const volume::Volume volume = day_with_pauses(800);
-    const app::RenderJob job;
-    const annotation::Lettering lettering = composed_of(job, volume).lettering;
-    const auto tells = [&](const std::string& text) {
-        return std::ranges::any_of(lettering.labels, [&](const annotation::Label& label) {
-            return label.text.find(text) != std::string::npos;
-        });
-    };
-    EXPECT_TRUE(tells("3:00 h without motion are shortened"));
-    EXPECT_TRUE(tells("60 min idle"));
-    EXPECT_TRUE(tells("with more room where something moves"));
-    EXPECT_TRUE(std::ranges::find(lettering.labels, "0:00", &annotation::Label::text) != lettering.labels.end())
-        << "a pause begins there, too";
-}
-
 TEST(BusyTime, IsUnevenOnlyWhereThatShows) {
-    EXPECT_TRUE(annotation::is_uneven(day_with_pauses(800)));
+    EXPECT_TRUE(annotation::is_uneven(test::day_with_pauses(800)));
     EXPECT_FALSE(annotation::is_uneven(clip_of(100)));
     volume::Volume busy({32, 24}, {.capacity = 100, .nonuniform = true});
     for (int i = 0; i < 100; ++i) busy.add({i, 0.1 * i, Plane<std::uint8_t>({32, 24}, 200), {}, {}}, {}, {}, true);
@@ -251,7 +197,7 @@ TEST(TimeTicks, LengthsAreRound) {
 }
 
 TEST(Gaps, AreWhereNoFrameCame) {
-    const volume::Volume volume = clip_with_gap(30, 60);
+    const volume::Volume volume = test::volume_with_gap(30, 60);
     EXPECT_EQ(volume.missing(), 30);
     const std::vector<annotation::TimeGap> gaps = annotation::time_gaps(volume);
     ASSERT_EQ(gaps.size(), 1U);
@@ -260,30 +206,13 @@ TEST(Gaps, AreWhereNoFrameCame) {
     EXPECT_TRUE(annotation::time_gaps(clip_of(100)).empty());
 
     // Layers that hold a frame are none of a gap.
-    volume::Volume joined = clip_with_gap(31, 61, 50);
+    volume::Volume joined = test::volume_with_gap(31, 61, 50);
     ASSERT_EQ(annotation::time_gaps(joined).size(), 1U);
     EXPECT_NEAR(annotation::time_gaps(joined)[0].t_begin, 0.32, 1e-12);
     EXPECT_NEAR(annotation::time_gaps(joined)[0].t_end, 0.6, 1e-12);
     EXPECT_EQ(joined.missing(), 30);
     joined.drop_front(25);
     EXPECT_EQ(joined.missing(), 11);
-}
-
-TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
-    const volume::Volume volume = clip_with_gap(30, 60);
-    app::RenderJob job;
-    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
-    const app::Composition composed = composed_of(job, volume);
-    EXPECT_EQ(std::ranges::count(composed.lettering.labels, "no signal", &annotation::Label::text), 1);
-    const auto strokes =
-        annotation::gap_marks(annotation::time_gaps(volume), *layout, composed.framing.edge, {1, 0, 0, 1});
-    EXPECT_GT(strokes.size(), 20U);
-    for (const scene::LineSegment& stroke : strokes) {
-        const double t = layout->c_from_p(stroke.from).z;
-        EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
-    }
-    job.look.show.remove(app::Part::ruler);
-    EXPECT_EQ(std::ranges::count(composed_of(job, volume).lettering.labels, "no signal", &annotation::Label::text), 0);
 }
 
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
@@ -296,93 +225,6 @@ TEST(Ruler, FindsMomentsBetweenTheLayers) {
     const volume::Volume joined = clip_of(2000);
     ASSERT_GT(joined.step(), 1);
     EXPECT_NEAR(joined.t_of_seconds(40), 0.5, 1e-3);
-}
-
-class OnASheet : public testing::TestWithParam<std::tuple<Size, std::string, std::pair<double, double>, int>> {};
-
-// Strings and places: nothing overlaps, nothing leaves the picture, and each label of the ruler stands at its mark.
-TEST_P(OnASheet, AllTextHasItsPlace) {
-    const auto& [size, layout_name, eye, frames] = GetParam();
-    const volume::Volume volume = clip_of(frames);
-    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
-    app::RenderJob job;
-    job.layout = layout_name;
-    job.picture.size = size;
-    job.picture.view.azimuth = eye.first;
-    job.picture.view.elevation = eye.second;
-    job.look.title = "a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
-    const app::Composition composed = composed_of(job, volume);
-    const app::Framing& framing = composed.framing;
-    const std::vector<annotation::TimeTick>& ticks = composed.ticks;
-    const annotation::Lettering& lettering = composed.lettering;
-
-    const PixelBox picture{0, 0, size.width, size.height};
-    std::vector<PixelBox> boxes;
-    for (const annotation::Label& label : lettering.labels) boxes.push_back(label.box);
-    for (const annotation::ColourBar& bar : lettering.bars) boxes.push_back(bar.box);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        EXPECT_TRUE(picture.contains(boxes[i])) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].intersects(boxes[j])) << i << " " << j;
-    }
-    ASSERT_FALSE(lettering.labels.empty());
-    EXPECT_TRUE(std::ranges::any_of(lettering.labels, [](const annotation::Label& label) {
-        return label.text.starts_with("a clip with \"quotes\"");
-    }));
-    EXPECT_EQ(lettering.bars.size(), 2U) << "what the colours mean";
-
-    int on_the_ruler = 0;
-    for (const annotation::TimeTick& tick : ticks) {
-        for (const annotation::Label& label : lettering.labels) {
-            // The strip of times has texts of its own.
-            if (label.text != tick.text || !framing.sheet.between.contains(label.box)) continue;
-            ++on_the_ruler;
-            const double t = volume.t_of_seconds(tick.seconds);
-            const glm::dvec2 mark = framing.camera.pixel(layout->p_from_c({framing.edge.x, framing.edge.y, t}), size);
-            const glm::dvec2 middle{(label.box.left + label.box.right) / 2.0, (label.box.top + label.box.bottom) / 2.0};
-            EXPECT_LT(glm::distance(mark, middle), label.box.width() / 2.0 + 4.5 * framing.sheet.text) << tick.text;
-        }
-    }
-    EXPECT_GE(on_the_ruler, 2);
-    if (eye.second == 46) {
-        EXPECT_EQ(on_the_ruler, static_cast<int>(ticks.size())) << "none is left out by default";
-    }
-
-    for (const glm::dvec3& corner : annotation::ruler_reach(*layout, framing.edge)) {
-        const glm::dvec2 at = framing.camera.pixel(corner, size);
-        EXPECT_TRUE(at.x >= 0 && at.x <= size.width && at.y >= 0 && at.y <= size.height);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Pictures, OnASheet,
-    testing::Combine(testing::Values(Size{640, 480}, Size{1280, 800}, Size{3840, 2160}, Size{600, 1000}),
-                     testing::ValuesIn(test::layout_names()),
-                     testing::Values(std::pair{0.0, 46.0}, std::pair{40.0, 20.0}, std::pair{-120.0, -15.0}),
-                     testing::Values(30, 2000)));
-
-TEST(Lettering, SaysThatNothingMoves) {
-    volume::Volume volume = clip_of(50);
-    const app::RenderJob job;
-    const auto says_it = [&] {
-        return std::ranges::count(composed_of(job, volume).lettering.labels, "nothing moves", &annotation::Label::text);
-    };
-    EXPECT_EQ(says_it(), 1);
-    volume.add(test::field_of(50, {32, 24}, 255));
-    EXPECT_EQ(says_it(), 0);
-}
-
-TEST(ShownName, TellsNeitherFoldersNorWhoMaySeeIt) {
-    EXPECT_EQ(app::shown_name("/srv/cctv/Tür 1.avi"), "Tür 1.avi");
-    EXPECT_EQ(app::shown_name("frames/%05d.png"), "%05d.png");
-    EXPECT_EQ(app::shown_name("folder/"), "folder");
-    EXPECT_EQ(app::shown_name("-"), "stdin");
-    EXPECT_EQ(app::shown_name("rtsp://admin:secret@camera"), "a clip");
-    EXPECT_EQ(app::shown_name("rtsp://admin:secret@camera/hall?token=abc"), "hall");
-
-    media::VideoInfo clip;
-    clip.name = "rtsp://admin:secret@camera/hall?token=abc";
-    EXPECT_EQ(app::title_of("", clip), "hall");
-    EXPECT_EQ(app::title_of("asked for", clip), "asked for");
 }
 
 TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
