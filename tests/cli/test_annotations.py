@@ -147,14 +147,6 @@ def test_parts_of_each_night(t):
         1, "--between", "'2026-11-20_22-00-00.avi'", "2 parts", "--start and --end", code="options-conflict")
 
 
-@pytest.mark.nightly
-def test_labels_can_be_switched_off(t):
-    t.clip()
-    check(labels_of(t, "clip.avi", "--show", "volume,arrows,outline,frames") == [], "labels that nobody asked for")
-    check(len(labels_of(t, "clip.avi", "--show", "volume,title")) == 2, "a title and its rest")
-    check(labels_of(t, "clip.avi", size="160x100") == [], "labels where there is no room")
-
-
 def test_labels_and_captions_need_a_font(t):
     t.clip()
     t.write("fonts.conf", NO_FONTS)

@@ -302,17 +302,6 @@ def test_archive_tries_again_with_a_higher_limit(t):
     check("limits" not in sidecar(t, "stay.avi"), f"{sidecar(t, 'stay.avi')}")
 
 
-def test_archive_tries_again_with_more_memory(t):
-    t.clip("in/a.mp4", seconds=1, codec=("-c:v", "libx264", "-pix_fmt", "yuv420p"))
-    t.age("in")
-    little = (*QUICK, "--size", "4000x4000", "--threads", "2", "--max-memory", "200M")
-    for _ in range(3):
-        t.vvr("archive", "in", "-o", "out", *little).expect(6, "a.mp4 failed, status ", "--max-memory")
-    check(sidecar(t, "a.mp4")["limits"]["memory"] == 200_000_000, f"{sidecar(t, 'a.mp4')}")
-    t.vvr("archive", "in", "-o", "out", *little).expect(0, "1 failed three times")
-    t.vvr("archive", "in", "-o", "out", *little[:-1], "4G").expect(0, "1 clip drawn")
-
-
 @pytest.mark.nightly
 def test_archive_takes_any_name(t):
     names = ["-o [a] %05d* ####{brick}.avi", "a b'\"<&>ä€😀.avi", "line\nbreak%41.avi", "-dir/cam:1/d.avi", "a.avi", "a.mp4"]

@@ -74,15 +74,6 @@ def test_cut_copies_an_event(t):
     check(t.path("found.mp4").read_bytes() == t.path("listed.mp4").read_bytes(), "a search leads to another piece than its report")
 
 
-@pytest.mark.nightly
-def test_cut_follows_the_ending(t):
-    clip = bag(t)
-    for name in ("piece.mkv", "piece.mov", "piece.m4v", "PIECE.MP4"):
-        t.vvr("cut", clip, "--start", "5s", "--end", "00:00:08", "-o", name).expect(0, f"'{name}': ")
-        check_copied(t, clip, name, 125, 199)
-    check("matroska" in t.probe("piece.mkv", "format=format_name"), "an ending of another format")
-
-
 def test_cut_of_groups_that_lean_on_the_one_before(t):
     """Frames that follow a key frame and are shown before it can't be decoded from there: they stay out, or it begins earlier."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=160x120:rate=25:duration=8", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-x264-params",

@@ -215,14 +215,6 @@ def test_index_filters_events_by_kind_and_time(t):
         check(page.count("#found a") == 401, "not all is printed")
         page.run("dispatchEvent(new Event('afterprint'))")
         check(page.count("#found a") == 300, "the list has no limit")
-        # Kinds mean events, not clips; the order counts.
-        page.run("document.querySelector('[value=left]').click()")
-        page.wait("one", "return document.getElementById('foundheading').textContent === '1 event'")
-        page.run("document.querySelector('[value=all]').click()")
-        page.set("order", "stood")
-        page.wait("stood first", "return document.querySelector('#found a .badge').textContent.startsWith('stood')")
-        page.set("order", "oldest")
-        page.wait("the first", "return document.querySelector('#found a .badge').textContent.startsWith('stood')")
         # The night, and back by the address.
         page.set("time", "2")
         page.wait("the night", "return document.getElementById('foundheading').textContent === '1 event'")

@@ -203,51 +203,6 @@ def test_index_card_turns_by_swipes(t):
         check(page.run("return location.hash") == wanted and wanted.startswith("#event="), f"it leads to {page.run('return location.hash')}")
 
 
-def test_index_asks_the_scene_over_all_days(t):
-    # Tenths of a second, and thousandths of the scene: to the right, to the left, above, and standing.
-    ways = ([0, 100, 500, 80, 900, 500], [0, 900, 500, 80, 100, 500], [0, 100, 100, 80, 900, 100], [5, 400, 600])
-    found = [["moved", number, 0, *way] for number, way in enumerate(ways, 1)]
-    for k in range(30):
-        known(t, f"{'gate' if k % 3 else 'hall'}/{k}.avi", NOW - k * 7 * HOUR, events=4, found=found)
-    write_index(t)
-
-    def expect_of_each_clip(*numbers):
-        page.wait("an answer", "return document.getElementById('foundheading').textContent.includes('event')")
-        answered = page.run("return answer.found.map(({event}) => [event.clip.path, event.number])")
-        wanted = [[f"gate/{k}.avi", number] for k in range(30) if k % 3 for number in numbers]
-        check(sorted(answered) == sorted(wanted), f"{answered}")
-
-    with opened(t) as page:
-        page.run("[...document.querySelectorAll('#cameras button')].find(b => b.textContent.startsWith('gate')).click()")
-        page.press("#views [value=scene]")
-        page.wait("all events", "return document.getElementById('foundheading').textContent === '80 events'")
-        expect_of_each_clip(1, 2, 3, 4)
-        loaded = {url.rsplit("/", 1)[1] for url in page.requests() if re.search(r"index\.[\d-]+\.js$", url)}
-        check(len(loaded) == page.run("return data.days.length") and loaded, f"loaded: {loaded}")
-        for begin, end, inside in (((0.3, 0.3), (0.5, 0.8), (1, 2, 4)), ((0.95, 0.2), (0.7, 0.05), (3,))):
-            page.press("#askbox")
-            page.drag("#stage", begin, end)
-            page.wait("a place", "return place !== null")
-            box = page.run("return [Math.min(place.from[0], place.to[0]), Math.min(place.from[1], place.to[1]),"
-                           "Math.max(place.from[0], place.to[0]), Math.max(place.from[1], place.to[1])]")
-            check(abs(box[0] - 1000 * min(begin[0], end[0])) < 10 and abs(box[3] - 1000 * max(begin[1], end[1])) < 10, f"{box}")
-            expect_of_each_clip(*inside)
-        page.press("#askline")
-        page.drag("#stage", (0.5, 0.3), (0.6, 0.9))
-        page.wait("a line", "return place.kind === 'line'")
-        expect_of_each_clip(1, 2)
-        words = page.texts("#found a .answer")
-        check(all(re.fullmatch(r"crossed .*[→↘↓↙←↖↑↗] \d\d:\d\d:\d\d.*", text) for text in words), f"{words}")
-        # A day alone, and nothing drawn.
-        page.press("#askall")
-        page.set("day", "2")
-        page.wait("a day", "return document.getElementById('foundheading').textContent !== '80 events'")
-        day = page.run("return data.days.at(-1)")
-        times = page.texts("#found a b + small")
-        check(times and all(text.endswith(day) for text in times), f"{times}")
-        check(page.run("return document.querySelector('#found a').href").split("#")[1].startswith("event="), "no link to the event")
-
-
 def test_index_answers_a_hundred_thousand_events_at_once(t):
     chance = random.Random(5)
     known(t, "gate/a.avi", NOW, events=1, found=[["moved", 1, 0, 0, 1, 1]])

@@ -28,39 +28,6 @@ def listed(page):
     return {number: text.split(" · ")[-1] for number, text in zip(numbers, page.run("return [...document.querySelectorAll('#events .row')].map(e => e.querySelector('small')?.textContent ?? '')"))}
 
 
-def test_page_lists_what_was_in_a_rectangle(t):
-    bag(t)
-    with Page(t, with_events(t, "ways.html", WAYS)) as page:
-        for begin, end in (((0.3, 0.3), (0.7, 0.7)), ((0.7, 0.3), (0.3, 0.7))):
-            page.press("#askbox")
-            page.drag("#screen", begin, (0.5, 0.6), end)
-            found = listed(page)
-            check(found.keys() == {0, 1, 3, 4} and found[3] == "came past here", f"{found}")
-            for number, seconds in ((0, 2), (1, 2), (4, 4)):
-                here = re.fullmatch(r"here ([\d.]+) s", found[number])
-                check(here and abs(float(here[1]) - seconds) < 0.2, f"{found}")
-            check(page.text("heading") == "4 of 5 events", page.text("heading"))
-            bars = page.run("return new Set([...document.querySelectorAll('#bars [data-event]')].map(b => b.dataset.event)).size")
-            check(bars == 4, f"{bars} bars of 4 events")
-        page.press("#askall")
-        check(page.text("heading") == "5 events" and page.hidden("copyroi"), page.text("heading"))
-
-
-def test_page_says_since_when_a_taken_thing_is_missing(t):
-    # The same ways twice: of somebody, and of something that went.
-    bag(t)
-    ways = [[[50, 0.5, 0.5], [375, 0.5, 0.5]], [[50, 0.49, 0.5], [375, 0.51, 0.5]], [[50, 0.49, 0.5], [375, 0.51, 0.5]]]
-    with Page(t, with_events(t, "taken.html", ways, lambda k: "moved" if k == 1 else "taken")) as page:
-        page.press("#askbox")
-        page.drag("#screen", (0.3, 0.3), (0.7, 0.7))
-        check(listed(page) == {0: "missing from 0:02", 1: "here 13.0 s", 2: "missing from 0:02"}, f"{listed(page)}")
-        lasts = page.texts("#events .lasts")
-        check(lasts == [" · missing 13 s", " · 13 s", " · missing 13 s"], f"{lasts}")
-        page.press("#askline")
-        page.drag("#screen", (0.5, 0.3), (0.5, 0.7))
-        check(listed(page).keys() == {1}, f"what is not there crosses a line: {listed(page)}")
-
-
 def test_page_lists_what_crossed_a_line(t):
     wanted = {0: "→ 0:0[12]", 1: "← 0:0[12]", 4: "→ 0:0[12], ← 0:0[56]"}
     bag(t)
@@ -71,6 +38,11 @@ def test_page_lists_what_crossed_a_line(t):
             found = listed(page)
             check(found.keys() == wanted.keys(), f"{found}")
             check(all(re.fullmatch(f"crossed {wanted[number]}", text) for number, text in found.items()), f"{found}")
+            check(page.text("heading") == "3 of 5 events", page.text("heading"))
+            bars = page.run("return new Set([...document.querySelectorAll('#bars [data-event]')].map(b => b.dataset.event)).size")
+            check(bars == 3, f"{bars} bars of 3 events")
+        page.press("#askall")
+        check(page.text("heading") == "5 events" and page.hidden("copyroi"), page.text("heading"))
 
 
 def copied(page, selector):

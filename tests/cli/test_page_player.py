@@ -154,20 +154,6 @@ def test_page_of_hundreds_of_events(t):
         check(64 <= high <= 72, f"a row is {high} pixels high")
 
 
-def test_page_has_one_clock(t):
-    """The time of the day first wherever it is known, and the clip's second."""
-    with Page(t, bag(t, "--start-time", "2026-11-21 07:12:00")) as page:
-        check(page.text("summary").startswith("2026-11-21, 07:12:00 to 07:12:15, 400 frames"), page.text("summary"))
-        page.run("show(100, false)")
-        clocks = [page.text("clock"), page.text("cliptime")]
-        check(clocks == ["07:12:04.0", "0:04.0 of the clip"], f"{clocks}")
-        rows = page.texts("#events .words > b")
-        check(len(rows) == 3 and all(re.fullmatch(r"\d 07:12:\d\d · \d+ s", row) for row in rows), f"{rows}")
-        ticks = page.texts("#ticks span")
-        check(len(ticks) > 4 and all(tick.startswith("07:12:") for tick in ticks), f"{ticks}")
-        check(page.run("return strip.getAttribute('aria-valuetext')") == "07:12:04.0 (0:04.0 of the clip)", "the slider's text")
-
-
 def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
     with Page(t, bag(t)) as page:
         left, top, right, bottom = page.run("return data.overlay.portraits[0].box")

@@ -103,20 +103,6 @@ def test_page_plays_the_events_without_the_rest(t):
         page.wait("the next one plays", "return chosen === 1 && isPlaying()", 5)
 
 
-def test_page_goes_through_the_events_as_the_list_has_them(t):
-    bag(t)
-    lengths = {20: 40, 110: 10, 200: 60, 310: 25}
-    with Page(t, with_events(t, "four.html", [[[first, 0.1, 0.5], [first + length, 0.9, 0.5]] for first, length in lengths.items()])) as page:
-        page.set("order", "longest")
-        page.run("choose(2); show(events[2].first, true)")
-        for place in (0, 3, 1):
-            page.key("\ue014")
-            page.wait("the next one plays", f"return chosen === {place} && isPlaying()", 5)
-        page.run("setPlaying(false)")
-        page.key("\ue012")
-        check(page.run("return [chosen, isPlaying()]") == [3, False], f"{page.run('return [chosen, isPlaying()]')}")
-
-
 def test_page_goes_to_a_typed_time(t):
     with Page(t, bag(t, "--start-time", "2026-11-21 07:12:00")) as page:
         for text, frame in (("0:08", 200), ("07:12:04", 100), ("6", 150)):

@@ -6,48 +6,11 @@ from harness import check, nightly_except
 NO_OPTIONS = ("font",)  # recorded beside the settings
 
 
-def values_of(t, name):
-    """The choices of an option of render."""
-    (option,) = [option for option in t.help()["render"]["options"] if option["name"] == name]
-    return [choice["name"] for choice in option["choices"]]
-
-
 def reported(t, clip, *options):
     """The settings of a report, and the options that they are."""
     t.vvr("render", clip, *options, "--report", "report.json").expect(0)
     settings = t.json("report.json")["settings"]
     return settings, {name: value for name, value in settings.items() if name not in NO_OPTIONS}
-
-
-def given_back(t, clip, *options):
-    """The settings of a report, once they are found to give the same settings."""
-    settings, given = reported(t, clip, *options)
-    again, _ = reported(t, clip, *[f"--{name}={value}" for name, value in given.items()])
-    check(again == settings, f"{settings}\nbecame\n{again}")
-    return settings
-
-
-@pytest.mark.nightly
-def test_settings_of_each_filter_can_be_given_back(t):
-    t.clip()
-    names = values_of(t, "filter")
-    check(len(names) >= 10, f"{names}")
-    for name in set(names) - {"given"}:  # it needs fields: test_research.py
-        settings = given_back(t, "clip.avi", "--filter", name)
-        check(settings["threshold"].isdigit(), f"{name}: {settings}")
-        check(settings["transfer"] in values_of(t, "transfer"), f"{name}: {settings}")
-
-
-@pytest.mark.nightly
-def test_settings_of_each_solver_can_be_given_back(t):
-    t.clip()
-    names = values_of(t, "solver")
-    check({"pyramid", "jacobi"} <= set(names), f"{names}")
-    seen = set()
-    for name in names:
-        settings = given_back(t, "clip.avi", "--solver", name)
-        seen.add((float(settings["alpha"]), float(settings["iterations"])))
-    check(len(seen) == len(names), f"each solver has its own numbers: {seen}")
 
 
 @pytest.mark.parametrize("options", nightly_except((

@@ -23,8 +23,6 @@ struct Products {
     bool keeps_moments = false;
     bool keeps_boxes = false;
     bool finds_objects = true;
-
-    friend bool operator==(const Products&, const Products&) = default;
 };
 
 struct ProductsCase {
