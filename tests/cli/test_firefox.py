@@ -6,7 +6,6 @@ import test_page
 import test_page_asking
 import test_page_heading
 import test_page_player
-import test_page_watching
 
 pytestmark = pytest.mark.browser
 
@@ -21,9 +20,6 @@ TESTS = (
     test_page_player.test_page_space_is_play_and_pause_whatever_was_clicked,
     test_page_player.test_page_keys_of_players,
     test_page_player.test_page_strip_scrubs_zooms_and_has_keys,
-    test_page_watching.test_page_always_lights_what_is_chosen,
-    test_page_watching.test_page_plays_the_events_without_the_rest,
-    test_page_watching.test_page_goes_to_a_typed_time,
     test_index_views.test_index_card_shows_each_event,
     test_index_views.test_index_leads_from_clip_to_clip,
 )

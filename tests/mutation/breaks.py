@@ -134,6 +134,10 @@ BREAKS = [
     Break("gl/brick_window.cpp", "return same_before && same_after ?", "return same_before || same_after ?",
           "MovingWindow.LooksOnlyAtTheEndsOfABrickThatIsThere"),
     # cli
+    Break("cli/plan/make_plan.cpp", "while (extent.frames > bricks.max_layers * extent.step) extent.step *= 2;", "",
+          "LayersOfAPlan.FollowFromHeaderAndSettings"),
+    Break("cli/compose/compose.cpp", "volume::cut_at(composed.bricks, layers)", "composed.bricks",
+          "ComposedPieces.EndAtBricksAndKeyFrames"),
     Break("cli/observe/window.cpp", "key.number -= plan_.volume.window.brick_frames();", "key.number += plan_.volume.window.brick_frames();",
           "cli/test_annotations.py::test_keyframes_of_a_series_stand_in_each_brick"),
     Break("cli/excerpt/footage.cpp", "part.span.start = std::max(0.0, from - file.begin);", "part.span.start = std::max(0.0, file.begin - from);",
