@@ -33,13 +33,6 @@ def test_labels_tell_clip_span_times_and_colours(t):
               and label["y"] + label["height"] <= 480, f"{label} leaves the picture")
 
 
-def test_labels_with_a_title_and_a_clock(t):
-    t.clip(seconds=12)
-    texts = texts_of(labels_of(t, "clip.avi", "--title", "Hall, north", "--start-time", "2026-11-21 23:59:55"))
-    check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06 (as given)"], str(texts))
-    check("00:00:00" in texts and "00:00:04" in texts, str(texts))
-
-
 def test_labels_with_the_clock_of_the_recording(t):
     t.clip("2026-11-21T07-30-00Z.mp4", seconds=12, codec=("-c:v", "mpeg4"))
     t.zone("Europe/Berlin")
@@ -202,12 +195,6 @@ def test_annotations_that_are_refused(t):
     ]:
         t.render("clip.avi", *options).expect(1, *texts, code=code)
     t.expect_files("clip.avi")
-
-
-def test_a_transparent_picture(t):
-    t.clip()
-    t.render("clip.avi", "--background", "none").expect(0)
-    check(t.probe("out.png", "stream=pix_fmt") == "rgba", f"{t.probe('out.png', 'stream=pix_fmt')} has no transparency")
 
 
 def test_events_that_are_not_chosen_were_found(t):

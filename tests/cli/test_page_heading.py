@@ -63,13 +63,6 @@ def test_page_heading_of_a_clip_whose_time_nobody_knows(t):
     check(file == "plain.avi" and summary.endswith("; times of day as given"), f"{file}; {summary}")
 
 
-def test_page_heading_of_a_camera_that_the_name_tells(t):
-    clips(t, "cam7_2026-11-17_07-15-00.avi")
-    t.vvr("render", "cam7_2026-11-17_07-15-00.avi", "-o", "out.html", *QUICK, "--names", "{camera}_%Y-%m-%d_%H-%M-%S").expect(0)
-    heading, file, _ = words_of(t, "out.html")
-    check((heading, file) == ("cam7 · Tue 17 Nov 2026, 07:15", "cam7_2026-11-17_07-15-00.avi"), f"{heading}; {file}")
-
-
 def test_page_heading_ends_with_the_picture(t):
     """Times of a clip are rounded in both, and are those of its frames: the last of 27 is at 2.6 s."""
     t.clip(seconds=3)
