@@ -43,8 +43,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
-
 namespace cut_rows {
 constexpr Setting output{"output", "FILE",
                          "the piece; the extension names the container; without one, or for a folder, vvr chooses it"};
@@ -138,7 +136,7 @@ std::optional<app::PieceFacts> write_piece(const app::PieceJob& piece, app::Obse
                                            const std::stop_token& stop) {
     constexpr std::size_t most = 5;
     const double begin = piece.parts.front().file.begin;
-    if (begin > piece.span.start + little) {
+    if (begin > piece.span.start + media::shortest_frame) {
         observer.warn(fmt::format("'{}' has no frames from {} to {}; the piece begins after that", piece.name,
                                   app::asked_text(piece, piece.span.start), app::asked_text(piece, begin)));
     }

@@ -29,8 +29,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
-
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
     throw Error(ErrorCode::input_unsuitable,
                 fmt::format("report '{}' {}; create a report with: vvr render CLIP --report report.json",
@@ -97,7 +95,7 @@ media::FrameSpan span_around(double first, double last, double margin) {
     // A span's end is exclusive, but the last frame is part of it.
     media::FrameSpan span;
     span.start = rounded(std::max(0.0, first - margin));
-    span.end = rounded(last + margin) + little;
+    span.end = rounded(last + margin) + media::shortest_frame;
     return span;
 }
 
@@ -162,8 +160,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double slack = 0.0005;  // seconds; times are rounded
-
 /// Refuses anything but a file with time stamps.
 void check_single(const std::string& name) {
     const auto refuse = [&](const std::string& what) {
@@ -186,7 +182,7 @@ void check_single(const std::string& name) {
 }
 
 bool lies_in(const media::SegmentPlace& file, double first, double last) {
-    return file.begin < last + slack && file.end > first + slack;
+    return file.begin < last + media::time_tolerance && file.end > first + media::time_tolerance;
 }
 
 /// The name of the given file with the same content as a file of the report.
@@ -288,10 +284,10 @@ std::vector<ExcerptFile> parts_in(const std::vector<media::SegmentPlace>& places
     double shown = 0;  // end of the previous files, in seconds of the recording
     for (const media::SegmentPlace& file : places) {
         const double from = std::max(span.start, shown);
-        const bool overlaps = shown > std::max(file.begin, span.start) + slack;
+        const bool overlaps = shown > std::max(file.begin, span.start) + media::time_tolerance;
         shown = std::max(shown, file.end);
-        if (file.end <= from + slack) continue;
-        if (span.end && file.begin >= *span.end - slack) break;
+        if (file.end <= from + media::time_tolerance) continue;
+        if (span.end && file.begin >= *span.end - media::time_tolerance) break;
         ExcerptFile part{file, span, overlaps};
         part.span.start = std::max(0.0, from - file.begin);
         // The end of the span, not of the file: the file goes on after file.end if a search ended there.

@@ -197,14 +197,13 @@ FullFrame frame_of(const PieceJob& job, double seconds) {
     options.colour = true;
     options.threads = job.threads;
     options.rate = job.input.rate;
-    constexpr double little = 0.0005;  // times are rounded
     const auto [file, offset] = footage::file_at(job.places, seconds);
     double from = offset;
     for (const auto& place : std::span(job.places).subspan(static_cast<std::size_t>(file - job.places.data()))) {
         const auto source = footage::open_source(place.path, options);
         source->seek(std::max(0.0, from - 1));
         auto frame = source->next();
-        while (frame && frame->pts < from - little) frame = source->next();
+        while (frame && frame->pts < from - media::time_tolerance) frame = source->next();
         if (frame) {
             media::Scaler scale(source->field_size(), true);
             return {place.begin + frame->pts, frame->index, scale(*frame).colour};

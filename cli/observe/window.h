@@ -22,6 +22,8 @@ class Window {
 
     /// \param ended called when an event has ended for good; may be empty
     Window(const ObservePlan& plan, const fields::FieldSource& source, FullSink full, EndedSink ended = {});
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
 
     /// What the window needs from the fields.
     const fields::FieldNeeds& needs() const { return needs_; }

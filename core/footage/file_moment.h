@@ -18,10 +18,9 @@ struct FileMoment {
 /// \param files in order
 /// \param seconds of the recording
 inline FileMoment file_at(std::span<const media::SegmentPlace> files, double seconds) {
-    constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
     if (files.empty()) return {};
-    const auto found =
-        std::ranges::find_if(files, [&](const media::SegmentPlace& file) { return seconds < file.end - little; });
+    const auto found = std::ranges::find_if(
+        files, [&](const media::SegmentPlace& file) { return seconds < file.end - media::shortest_frame; });
     const media::SegmentPlace& file = found == files.end() ? files.back() : *found;
     return {&file, std::max(0.0, seconds - file.begin)};
 }

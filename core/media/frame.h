@@ -12,6 +12,10 @@
 
 namespace vvr::media {
 
+// Seconds.
+inline constexpr double time_tolerance = 0.0005;  ///< containers round times to milliseconds
+inline constexpr double shortest_frame = 0.002;   ///< shorter than any frame, longer than the rounding of two times
+
 struct DecodedFrame;
 
 /// Refers to a frame's decoded picture in full size, for `crop_of`. The picture is there only while the sink of

@@ -97,7 +97,7 @@ struct ScannedFile {
     std::vector<ScannedPacket> shown;    ///< those of frames that are shown, in presentation order
 };
 
-/// Reads all packets. Empty if one has no timestamp or can't be read, or if two frames have the same.
+/// Reads all packets. Empty if one has no timestamp or can't be read, or if two frames have the time_tolerance.
 ScannedFile scan(const Input& input, double rate) {
     Demuxer demuxer(input, Demuxer::Kind::video, rate);
     const AVCodecParameters& stream = *demuxer.stream().codecpar;
@@ -199,7 +199,6 @@ void FrameSource::seek(double) {
 void FrameSource::read_again(std::span<const double> times,
                              const std::function<void(std::shared_ptr<DecodedFrame>)>& sink) {
     constexpr double close = 60;  // seconds: where seeking leads farther back, reading goes on instead
-    constexpr double same = 0.0005;
     std::shared_ptr<DecodedFrame> frame;
     bool seeks = true;
     for (const double time : times) {
@@ -208,8 +207,8 @@ void FrameSource::read_again(std::span<const double> times,
             frame = next();
             seeks = frame && frame->pts >= time - close;
         }
-        while (frame && frame->pts < time - same) frame = next();
-        if (frame && frame->pts <= time + same) sink(frame);
+        while (frame && frame->pts < time - time_tolerance) frame = next();
+        if (frame && frame->pts <= time + time_tolerance) sink(frame);
     }
 }
 

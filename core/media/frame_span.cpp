@@ -124,22 +124,21 @@ std::string day_times_of(const FrameSpan& span, const WallClock& clock, const Vi
 namespace {
 
 /// Seconds. A time typed with three decimals must match a frame whose exact time has more.
-constexpr double slack = 0.0005;
-
 }  // namespace
 
 bool is_before(const FrameSpan& span, std::int64_t index, double pts) {
-    return index < span.first || pts < span.start - slack;
+    return index < span.first || pts < span.start - time_tolerance;
 }
 
 bool is_past(const FrameSpan& span, std::int64_t index, double pts) {
-    return (span.stop && index >= *span.stop) || (span.end && pts >= *span.end - slack);
+    return (span.stop && index >= *span.stop) || (span.end && pts >= *span.end - time_tolerance);
 }
 
 bool is_between_parts(const FrameSpan& span, double pts) {
     if (span.parts.empty()) return false;
-    return std::ranges::none_of(
-        span.parts, [pts](const FrameSpan::Part& part) { return pts >= part.begin - slack && pts < part.end - slack; });
+    return std::ranges::none_of(span.parts, [pts](const FrameSpan::Part& part) {
+        return pts >= part.begin - time_tolerance && pts < part.end - time_tolerance;
+    });
 }
 
 std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files,

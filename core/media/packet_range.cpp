@@ -17,7 +17,6 @@ namespace vvr::media {
 namespace {
 
 constexpr std::size_t reordered = 16;  // packets; no codec reorders more
-constexpr double slack = 0.0005;       // seconds; tolerance for rounded times
 
 struct VideoPacket {
     std::int64_t stamp;
@@ -48,7 +47,7 @@ class Scan {
         const auto packet = av::make_packet();
         while (!is_done() && demuxer_.read(*packet)) add(*packet);
         for (std::size_t k = 0; k < packets_.size(); ++k) {
-            if (const double time = seconds(packets_[k].stamp); time >= -slack)
+            if (const double time = seconds(packets_[k].stamp); time >= -time_tolerance)
                 shown_.push_back({k, 0, time, packets_[k].damaged});
         }
         std::ranges::stable_sort(shown_, {}, [&](const auto& one) { return packets_[one.packet].stamp; });
@@ -60,7 +59,7 @@ class Scan {
     bool ends_early() const {
         if (packets_.empty() || is_done()) return packets_.empty();
         const bool before_stop = span_.stop && frames() < *span_.stop;
-        return before_stop || (span_.end && last_time() + demuxer_.frame_duration() + slack < *span_.end);
+        return before_stop || (span_.end && last_time() + demuxer_.frame_duration() + time_tolerance < *span_.end);
     }
 
     /// Time of the clip's last frame if it comes before the span.
