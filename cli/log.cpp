@@ -9,7 +9,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -102,7 +101,7 @@ class JsonLines : public spdlog::formatter {
     void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
         const auto time = std::chrono::floor<std::chrono::milliseconds>(message.time);
         const auto level = spdlog::level::to_string_view(message.level);
-        nlohmann::ordered_json line{
+        Json line{
             {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
             {"level", std::string(level.data(), level.size())},
             {"message", payload_of(message)}};

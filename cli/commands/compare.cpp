@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
@@ -42,26 +41,24 @@ std::string numbers_of(const image::Comparison& comparison) {
 }
 
 /// The numbers as JSON; null if not computed.
-nlohmann::ordered_json json_of(const image::Comparison& comparison) {
-    nlohmann::ordered_json json{{"same", comparison.verdict == image::Verdict::same},
-                                {"verdict", verdicts.at(static_cast<std::size_t>(comparison.verdict))},
-                                {"reason", comparison.reason}};
+Json json_of(const image::Comparison& comparison) {
     const auto number = [&](double value) {
-        return comparison.has_numbers() && std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+        return comparison.has_numbers() && std::isfinite(value) ? Json(value) : nullptr;
     };
-    json["mean"] = number(comparison.mean);
-    json["max"] = number(comparison.max);
-    json["rms"] = number(comparison.rms);
-    json["psnr_db"] = number(comparison.psnr);
-    json["pixels_off"] = comparison.has_numbers() ? nlohmann::ordered_json(comparison.off) : nullptr;
-    json["percent_off"] = number(comparison.percent);
-    json["patch"] = number(comparison.patch);
-    json["worst"] = nlohmann::ordered_json::array();
-    for (const image::PixelPair& pixel : comparison.worst) {
-        json["worst"].push_back(
-            {{"x", pixel.column}, {"y", pixel.row}, {"difference", pixel.difference}, {"a", pixel.a}, {"b", pixel.b}});
-    }
-    return json;
+    const auto pair = [](const image::PixelPair& of) {
+        return Json{{"x", of.column}, {"y", of.row}, {"difference", of.difference}, {"a", of.a}, {"b", of.b}};
+    };
+    return {{"same", comparison.verdict == image::Verdict::same},
+            {"verdict", verdicts.at(static_cast<std::size_t>(comparison.verdict))},
+            {"reason", comparison.reason},
+            {"mean", number(comparison.mean)},
+            {"max", number(comparison.max)},
+            {"rms", number(comparison.rms)},
+            {"psnr_db", number(comparison.psnr)},
+            {"pixels_off", comparison.has_numbers() ? Json(comparison.off) : Json()},
+            {"percent_off", number(comparison.percent)},
+            {"patch", number(comparison.patch)},
+            {"worst", list_of(comparison.worst, pair)}};
 }
 
 class Compare final : public Command {
@@ -99,7 +96,7 @@ class Compare final : public Command {
 
   private:
     std::string json_of_files(const image::Comparison& comparison) const {
-        nlohmann::ordered_json json{{"a", names_[0]}, {"b", names_[1]}};
+        Json json{{"a", names_[0]}, {"b", names_[1]}};
         json.update(json_of(comparison));
         return json_text(json, 2) + "\n";
     }

@@ -9,7 +9,6 @@
 
 #include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
 extern "C" {
@@ -58,21 +57,14 @@ std::string describe(const gl::BackendReport& report) {
     return text;
 }
 
-using Json = nlohmann::ordered_json;
-
-/// Null for an empty text.
-Json json_of(const std::string& text) {
-    return text.empty() ? Json() : Json(text);
-}
-
 Json json_of(const gl::BackendReport& report) {
     return {{"name", report.name},
             {"what", report.what},
             {"works", report.works},
-            {"renderer", json_of(report.renderer)},
-            {"version", json_of(report.version)},
-            {"reason", json_of(report.reason)},
-            {"fix_with", json_of(report.advice)},
+            {"renderer", or_null(report.renderer)},
+            {"version", or_null(report.version)},
+            {"reason", or_null(report.reason)},
+            {"fix_with", or_null(report.advice)},
             {"devices", report.devices}};
 }
 
@@ -109,7 +101,7 @@ Json json_of(const DetectorReport& report) {
     const bool works = !report.error;
     const auto side = [&](int pixels) { return works ? Json(pixels) : Json(); };
     return {{"model", report.model.string()},      {"works", works},
-            {"format", json_of(report.format)},    {"width", side(report.input.width)},
+            {"format", or_null(report.format)},    {"width", side(report.input.width)},
             {"height", side(report.input.height)}, {"reason", works ? Json() : Json(report.error->what())}};
 }
 
@@ -169,23 +161,18 @@ auto used_backend(const std::vector<gl::BackendReport>& reports) {
 
 std::string as_json(const std::vector<gl::BackendReport>& reports, const DetectorReport& detector,
                     const Surroundings& here) {
-    Json libraries = Json::object();
-    for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
-    Json backends = Json::array();
-    for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
-    Json decoders = Json::array();
-    for (const DecoderReport& report : here.decoders) decoders.push_back(json_of(report));
+    const auto json_of_each = [](const auto& report) { return json_of(report); };
     const auto drawn = used_backend(reports);
     return json_text({{"vvr", version()},
-                      {"libraries", libraries},
-                      {"font", json_of(here.font)},
-                      {"page_video", json_of(here.encoder)},
+                      {"libraries", object_of(library_versions())},
+                      {"font", or_null(here.font)},
+                      {"page_video", or_null(here.encoder)},
                       {"time_zone", here.zone},
                       {"sandbox", here.sandbox},
-                      {"hwaccel", decoders},
+                      {"hwaccel", list_of(here.decoders, json_of_each)},
                       {"draws_with", drawn == reports.end() ? Json() : Json(drawn->name)},
                       {"detector", json_of(detector)},
-                      {"backends", backends}},
+                      {"backends", list_of(reports, json_of_each)}},
                      2) +
            "\n";
 }

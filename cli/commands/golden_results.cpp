@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
 #include "core/base/text.h"
@@ -16,8 +15,6 @@
 namespace vvr::commands {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 5> verdict_names{"same", "blessed", "differs", "missing", "error"};
 

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
@@ -17,8 +16,6 @@
 namespace vvr::commands {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view summary = "surveillance video as one still picture";
 
@@ -49,24 +46,18 @@ std::string as_text() {
 }
 
 Json as_json() {
-    Json commands = Json::array();
-    for (const CommandRow& row : command_rows) commands.push_back(options::help_json(CommandAndLine(row).line.help()));
-    Json environment = Json::array();
-    for (const Variable& variable : variables)
-        environment.push_back({{"name", variable.name}, {"help", variable.help}});
-    Json statuses = Json::array();
-    for (const cli::StatusHelp& row : cli::exit_statuses()) {
-        statuses.push_back({{"status", row.status}, {"help", row.meaning}});
-    }
+    const auto command = [](const CommandRow& row) { return options::help_json(CommandAndLine(row).line.help()); };
+    const auto variable = [](const Variable& row) { return Json{{"name", row.name}, {"help", row.help}}; };
+    const auto status = [](const cli::StatusHelp& row) { return Json{{"status", row.status}, {"help", row.meaning}}; };
     return {{"help_format", 1},
             {"vvr", version()},
             {"summary", summary},
-            {"commands", std::move(commands)},
+            {"commands", list_of(command_rows, command)},
             {"groups", options::groups_json()},
             {"values", options::value_kinds_json()},
             {"presets", options::presets_json()},
-            {"environment", std::move(environment)},
-            {"exit_statuses", std::move(statuses)}};
+            {"environment", list_of(variables, variable)},
+            {"exit_statuses", list_of(cli::exit_statuses(), status)}};
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/app/render_time.h"
 #include "cli/commands/command.h"
@@ -122,25 +121,22 @@ std::string as_text(const Facts& facts) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const footage::Segment& clip) {
-    using Json = nlohmann::ordered_json;
+Json json_of(const footage::Segment& clip) {
     return {{"file", clip.path},
-            {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
+            {"camera", or_null(clip.camera)},
             {"begin", clip.begin ? Json(annotation::format_clock(*clip.begin)) : Json()},
             {"recorded_by", row_of(clip.begin_source).name},
-            {"layout", clip.scheme.empty() ? Json() : Json(clip.scheme)}};
+            {"layout", or_null(clip.scheme)}};
 }
 
 std::string as_json(const Facts& facts) {
     const auto& [source, extent, files, warnings, measured] = facts;
     const media::VideoInfo& info = source.info();
-    const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
+    const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
     const auto time = [](std::optional<std::int64_t> utc) {
-        return utc ? nlohmann::ordered_json(annotation::format_clock(*utc)) : nlohmann::ordered_json();
+        return utc ? Json(annotation::format_clock(*utc)) : Json();
     };
-    nlohmann::ordered_json listed = nlohmann::ordered_json::array();
-    for (const footage::Segment& clip : files) listed.push_back(json_of(clip));
-    const nlohmann::ordered_json json{
+    const Json json{
         {"name", info.name},
         {"container", info.container},
         {"codec", info.codec},
@@ -150,8 +146,7 @@ std::string as_json(const Facts& facts) {
         {"frames", known(info.frames)},
         {"seconds", known(info.duration)},
         {"recorded", recording_time_is_known(info) ? time(info.began) : time(std::nullopt)},
-        {"recorded_by", recording_time_is_known(info) ? nlohmann::ordered_json(row_of(info.began_source).name)
-                                                      : nlohmann::ordered_json()},
+        {"recorded_by", recording_time_is_known(info) ? Json(row_of(info.began_source).name) : Json()},
         {"written", time(info.created)},
         {"warnings", warnings},
         {"render",
@@ -162,9 +157,9 @@ std::string as_json(const Facts& facts) {
           {"layers", extent.layers},
           {"bricks", extent.bricks},
           {"memory_bytes", extent.bytes},
-          {"seconds", measured ? known(measured->seconds) : nlohmann::ordered_json()},
-          {"frames_per_second", measured ? known(measured->frames_per_second) : nlohmann::ordered_json()}}},
-        {"files", std::move(listed)},
+          {"seconds", measured ? known(measured->seconds) : Json()},
+          {"frames_per_second", measured ? known(measured->frames_per_second) : Json()}}},
+        {"files", list_of(files, json_of)},
     };
     return json_text(json, 2) + "\n";
 }

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/plan/input.h"
 #include "core/base/digest.h"
@@ -26,8 +25,6 @@
 namespace vvr::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
     throw Error(ErrorCode::input_unsuitable,

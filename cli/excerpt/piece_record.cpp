@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
 #include "core/base/digest.h"
@@ -22,36 +21,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Json = nlohmann::ordered_json;
-
 /// Increase it when readers of older records would misread a new one.
 constexpr int format_version = 1;
 
 Json json_of(const std::optional<PixelBox>& box) {
-    if (!box) return {};
-    return {{"x", box->left}, {"y", box->top}, {"width", box->width()}, {"height", box->height()}};
+    return box ? json_of_box(*box) : Json();
 }
 
 Json json_of(const PieceEvent& event, const MomentPlaces& places) {
-    return {{"number", event.number},
-            {"kind", event.kind},
-            {"class", event.what.empty() ? Json() : Json(event.what)},
-            {"first", places(event.first)},
-            {"last", places(event.last)},
-            {"box", json_of(event.box)}};
+    return {{"number", event.number},       {"kind", event.kind},         {"class", or_null(event.what)},
+            {"first", places(event.first)}, {"last", places(event.last)}, {"box", json_of(event.box)}};
 }
 
 Json json_of(const PieceRecord& record, const WrittenPiece& piece, const MomentPlaces& places) {
     const PieceFacts& facts = piece.facts;
-    Json parts = Json::array();
     std::int64_t present = 0;
-    for (const PieceFacts::Part& part : facts.parts) {
-        present += part.frames;
-        parts.push_back({{"file", part.file},
-                         {"first_frame", part.first_frame},
-                         {"last_frame", part.last_frame},
-                         {"frames", part.frames}});
-    }
+    for (const PieceFacts::Part& part : facts.parts) present += part.frames;
+    const auto json_of_part = [](const PieceFacts::Part& part) {
+        return Json{{"file", part.file},
+                    {"first_frame", part.first_frame},
+                    {"last_frame", part.last_frame},
+                    {"frames", part.frames}};
+    };
     std::int64_t expected = present;
     for (const media::FrameGap& gap : facts.gaps) expected += gap.frames;
     footage::Unseen unseen = record.unseen;
@@ -62,23 +53,21 @@ Json json_of(const PieceRecord& record, const WrittenPiece& piece, const MomentP
     Json json{{"first", places(facts.begin)},
               {"last", places(facts.end)},
               {"frames", {{"present", present}, {"expected", expected}}},
-              {"parts", parts},
+              {"parts", list_of(facts.parts, json_of_part)},
               {"unseen", json_of(unseen, places)},
               {"events", Json()}};
-    if (!piece.events) return json;
-    json["events"] = Json::array();
-    for (const PieceEvent& event : *piece.events) json["events"].push_back(json_of(event, places));
+    if (piece.events)
+        json["events"] = list_of(*piece.events, [&](const PieceEvent& event) { return json_of(event, places); });
     return json;
 }
 
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
     const ClockSourceRow& source = row_of(clock->source);
-    return {
-        {"source", source.name}, {"words", source.words}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
+    return {{"source", source.name}, {"words", source.words}, {"zone", or_null(clock->zone)}};
 }
 
-Json json_of(const HashedFile& file) {
+Json json_of_file(const HashedFile& file) {
     return {{"file", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}};
 }
 
@@ -101,19 +90,18 @@ void write_record(const fs::path& folder, const PieceRecord& record, Observer& o
     const auto add = [&](const std::string& name, Json more) {
         const HashedFile file = hashed(folder / name, name);
         sums += fmt::format("{}  {}\n", file.sha256, name);
-        Json json = json_of(file);
+        Json json = json_of_file(file);
         json.update(more);
         return json;
     };
     Json json{{"evidence", format_version},
               {"vvr", version()},
-              {"camera", record.camera.empty() ? Json() : Json(record.camera)},
+              {"camera", or_null(record.camera)},
               {"clock", json_of(record.clock)},
-              {"footage", Json::array()},
+              {"footage", list_of(record.footage, json_of_file)},
               {"pieces", Json::array()},
               {"stills", Json::array()},
-              {"settings", Json::object()}};
-    for (const HashedFile& file : record.footage) json["footage"].push_back(json_of(file));
+              {"settings", object_of(record.settings)}};
     const MomentPlaces places{record.places, record.clock};
     for (const WrittenPiece& piece : record.pieces)
         json["pieces"].push_back(add(piece.file, json_of(record, piece, places)));
@@ -123,7 +111,6 @@ void write_record(const fs::path& folder, const PieceRecord& record, Observer& o
         json["stills"].push_back(add(still->file, {{"at", at}, {"box", json_of(still->box)}}));
         if (still->box) json["stills"].push_back(add(still->marked, {{"marks", still->file}}));
     }
-    for (const auto& [name, value] : record.settings) json["settings"][name] = value;
     const std::string text = json_text(json, 2) + "\n";
     write(folder / footage::record_name, text, observer);
     sums += fmt::format("{}  {}\n", hex_sha256(text), footage::record_name);

@@ -2,20 +2,13 @@
 #include <cstdint>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/options/help.h"
 #include "cli/options/presets.h"
+#include "core/base/json_text.h"
 
 namespace vvr::options {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json or_null(const std::string& text) {
-    return text.empty() ? Json() : Json(text);
-}
 
 /// A whole number without a decimal point.
 Json json_of(double number) {
@@ -45,9 +38,7 @@ Json json_of(FileUse use) {
 /// Rows that have a name and a help.
 template <class Rows>
 Json named(const Rows& rows) {
-    Json all = Json::array();
-    for (const auto& row : rows) all.push_back({{"name", row.name}, {"help", row.help}});
-    return all;
+    return list_of(rows, [](const auto& row) { return Json{{"name", row.name}, {"help", row.help}}; });
 }
 
 Json json_of(const HelpOption& option) {
@@ -72,22 +63,17 @@ Json help_json(const CommandHelp& help) {
             if (option.group == group) options.push_back(json_of(option));
         }
     }
-    Json examples = Json::array();
-    for (const Example& example : help.examples) {
-        examples.push_back({{"command", example.command}, {"help", example.what}});
-    }
+    const auto example = [](const Example& of) { return Json{{"command", of.command}, {"help", of.what}}; };
     return {
         {"name", help.name},
         {"help", help.text},
         {"arguments", help.arguments.empty() ? Json() : Json{{"name", help.arguments}, {"help", help.arguments_text}}},
         {"options", std::move(options)},
-        {"examples", std::move(examples)}};
+        {"examples", list_of(help.examples, example)}};
 }
 
 Json groups_json() {
-    Json titles = Json::array();
-    for (const Group group : all_groups) titles.push_back(title_of(group));
-    return titles;
+    return list_of(all_groups, title_of);
 }
 
 Json value_kinds_json() {
@@ -96,12 +82,7 @@ Json value_kinds_json() {
 
 Json presets_json() {
     Json all = named(presets());
-    for (Json& preset : all) {
-        preset["options"] = Json::object();
-        for (const auto& [name, value] : settings_of_preset(preset["name"].get<std::string>())) {
-            preset["options"][std::string(name)] = value;
-        }
-    }
+    for (Json& preset : all) preset["options"] = object_of(settings_of_preset(preset["name"].get<std::string>()));
     return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include "cli/plan/settings.h"
 #include "core/base/error.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr::options {
 
@@ -76,21 +77,6 @@ std::optional<double> unit_seconds(std::string_view text) {
         if (text.empty()) return seconds <= longest_clip ? std::optional(seconds) : std::nullopt;
     }
     return std::nullopt;
-}
-
-/// `02:00`, `2:00` or `02:00:30`, in seconds since midnight.
-std::optional<std::int64_t> time_of_day(std::string_view text) {
-    const auto parts = split(text, ':');
-    if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
-    std::int64_t seconds = 0;
-    for (const std::string_view part : parts) {
-        const bool hours = part.data() == parts.front().data();
-        const bool sized = part.size() == 2 || (hours && part.size() == 1);
-        const auto value = sized ? number<int>(part) : std::nullopt;
-        if (!value || *value < 0 || *value > (hours ? 23 : 59)) return std::nullopt;
-        seconds = seconds * 60 + *value;
-    }
-    return parts.size() == 2 ? seconds * 60 : seconds;
 }
 
 std::optional<double> seconds_of(std::string_view text) {
@@ -210,27 +196,10 @@ app::Time parse_time(std::string_view text) {
     return {*seconds, app::Time::Unit::seconds};
 }
 
-std::optional<std::int64_t> parse_date_time(std::string_view text) {
-    constexpr std::size_t date = 10;  // length of 2026-11-22
-    if (text.size() <= date || (text[date] != ' ' && text[date] != 'T')) return std::nullopt;
-    const auto parts = split(text.substr(0, date), '-');
-    const auto clock = time_of_day(text.substr(date + 1));
-    if (parts.size() != 3 || parts[0].size() != 4 || parts[1].size() != 2 || !clock) return std::nullopt;
-    const auto year = number<int>(parts[0]);
-    const auto month = number<unsigned>(parts[1]);
-    const auto day = number<unsigned>(parts[2]);
-    if (!year || !month || !day) return std::nullopt;
-    const std::chrono::year_month_day calendar{std::chrono::year(*year), std::chrono::month(*month),
-                                               std::chrono::day(*day)};
-    if (!calendar.ok()) return std::nullopt;
-    const std::chrono::sys_seconds midnight = std::chrono::sys_days(calendar);
-    return midnight.time_since_epoch().count() + *clock;
-}
-
 std::variant<app::Time, media::RequestedTime> parse_place(std::string_view text) {
     constexpr std::string_view forms = "a date and time like 2026-11-22 02:00, or a time of day like @02:00";
     if (text.starts_with('@')) {
-        const auto clock = time_of_day(text.substr(1));
+        const auto clock = parse_time_of_day(text.substr(1));
         if (!clock) refuse(text, forms);
         return media::RequestedTime{*clock, false, std::string(text)};
     }
@@ -241,15 +210,15 @@ std::variant<app::Time, media::RequestedTime> parse_place(std::string_view text)
 }
 
 std::chrono::minutes parse_minute_of_day(std::string_view text) {
-    const auto seconds = time_of_day(text);
+    const auto seconds = parse_time_of_day(text);
     if (!seconds || *seconds % 60 != 0) refuse(text, "a time of day like 12:00");
     return std::chrono::minutes(*seconds / 60);
 }
 
 media::DayPart parse_day_part(std::string_view text) {
     const auto ends = split(text, '-');
-    const auto begin = time_of_day(ends.front());
-    const auto end = ends.size() == 2 ? time_of_day(ends.back()) : std::nullopt;
+    const auto begin = parse_time_of_day(ends.front());
+    const auto end = ends.size() == 2 ? parse_time_of_day(ends.back()) : std::nullopt;
     if (!begin || !end || *begin == *end) refuse(text, "a part of the day like 02:00-05:00");
     return {*begin, *end, std::string(text)};
 }

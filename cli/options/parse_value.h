@@ -45,10 +45,6 @@ std::pair<int, int> parse_share(std::string_view text);
 /// could be either.
 app::Time parse_time(std::string_view text);
 
-/// Parses `2026-11-21 08:00:00` or `2026-11-21T08:00` to seconds since 1970, local wall-clock time. Returns nothing for
-/// any other text.
-std::optional<std::int64_t> parse_date_time(std::string_view text);
-
 /// A time in a clip as above, or a wall-clock time: `2026-11-22 02:00`, or `@02:00` for the next time that the clock
 /// shows it. `seconds_of` (core/media/frame_span.h) converts the latter to seconds of the clip. Without the @, 02:00 is
 /// two minutes from the beginning.

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/console.h"
 #include "cli/log.h"
@@ -34,9 +33,8 @@ namespace fs = std::filesystem;
 
 /// What a line of a log in JSON says of a clip besides.
 std::string members_of(const ArchiveJob& job, const std::string& clip) {
-    const std::string camera = archive::text_of_path(job.camera_of(clip));
-    return json_text({{"camera", camera.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(camera)},
-                      {"clip", archive::text_of_path(clip)}});
+    return json_text(
+        {{"camera", or_null(archive::text_of_path(job.camera_of(clip)))}, {"clip", archive::text_of_path(clip)}});
 }
 
 /// Counts the clips of a run and logs what happened to each.

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/workers/confine.h"
 #include "core/base/json_text.h"
@@ -18,8 +17,6 @@
 namespace vvr::workers {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_line = 600;
 static_assert((most_warnings + 2) * longest_line * 4 < longest_message, "four: each byte may need U+FFFD in its place");

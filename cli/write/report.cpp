@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/excerpt/footage.h"
 #include "cli/plan/settings.h"
@@ -23,8 +22,6 @@ namespace vvr::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Increase it when readers of older reports would misread a new one.
 constexpr int format_version = 1;
 
@@ -39,14 +36,10 @@ Json json_of(const Moment& moment, const MomentPlaces& places) {
     return json;
 }
 
-Json json_of(const std::vector<volume::CompressedIdle>& compressed) {
-    Json json = Json::array();
-    for (const volume::CompressedIdle& stretch : compressed) {
-        json.push_back({{"first", rounded(stretch.begin)},
-                        {"seconds", rounded(stretch.seconds)},
-                        {"room", rounded(stretch.t_end - stretch.t_begin)}});
-    }
-    return json;
+Json json_of(const volume::CompressedIdle& stretch) {
+    return {{"first", rounded(stretch.begin)},
+            {"seconds", rounded(stretch.seconds)},
+            {"room", rounded(stretch.t_end - stretch.t_begin)}};
 }
 
 /// Adds the digest, which identifies the file under any name.
@@ -65,10 +58,6 @@ Json json_of(const media::SegmentPlace& segment) {
     return json;
 }
 
-Json json_of(const PixelBox& box) {
-    return {{"x", box.left}, {"y", box.top}, {"width", box.width()}, {"height", box.height()}};
-}
-
 Json json_of(const glm::dvec2& place) {
     return {{"x", rounded(place.x)}, {"y", rounded(place.y)}};
 }
@@ -79,15 +68,15 @@ Json json_of(const tracking::Stay& stay, const VideoScale& scale) {
             {"seconds", rounded(stay.last.seconds - stay.first.seconds)},
             {"place", json_of(scale(stay.place))},
             {"field_place", json_of(stay.place)},
-            {"box", json_of(scale(stay.box))},
-            {"field_box", json_of(stay.box)}};
+            {"box", json_of_box(scale(stay.box))},
+            {"field_box", json_of_box(stay.box)}};
 }
 
 Json json_of(const std::optional<tracking::Portrait>& portrait, const VideoScale& scale) {
     if (!portrait) return {};
     Json json = json_of(portrait->at);
-    json["box"] = json_of(scale(portrait->box));
-    json["field_box"] = json_of(portrait->box);
+    json["box"] = json_of_box(scale(portrait->box));
+    json["field_box"] = json_of_box(portrait->box);
     return json;
 }
 
@@ -111,8 +100,8 @@ Json json_of(const tracking::Evidence& evidence) {
 Json json_of(const tracking::Change& change, const VideoScale& scale) {
     return {{"first", json_of(change.first)},
             {"last", json_of(change.last)},
-            {"box", json_of(scale(change.box))},
-            {"field_box", json_of(change.box)},
+            {"box", json_of_box(scale(change.box))},
+            {"field_box", json_of_box(change.box)},
             {"evidence", json_of(change.evidence)}};
 }
 
@@ -137,9 +126,9 @@ Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scal
               {"alone_since", event.alone_since ? json_of(*event.alone_since) : Json()},
               {"evidence", event.evidence ? json_of(*event.evidence) : Json()},
               {"portrait", json_of(event.portrait, scale)},
-              {"box", json_of(scale(event.box))},
-              {"field_box", json_of(event.box)},
-              {"direction", Json()},
+              {"box", json_of_box(scale(event.box))},
+              {"field_box", json_of_box(event.box)},
+              {"direction", or_null(tracking::direction_of(event))},
               {"path_length", rounded(scale.length(event.path))},
               {"field_path_length", rounded(event.path_length)}};
     if (const auto& identity = event.identity) {
@@ -148,17 +137,13 @@ Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scal
         json["score"] = rounded(identity->score);
         json["looks"] = identity->looks;
     }
-    if (const std::string_view direction = tracking::direction_of(event); !direction.empty())
-        json["direction"] = direction;
-    json["path"] = Json::array();
-    for (const tracking::PathPoint& point : event.path) {
+    json["path"] = list_of(event.path, [&](const tracking::PathPoint& point) {
         Json there = json_of(point.at);
         there["place"] = json_of(scale(point.place));
         there["field_place"] = json_of(point.place);
-        json["path"].push_back(std::move(there));
-    }
-    json["stays"] = Json::array();
-    for (const tracking::Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
+        return there;
+    });
+    json["stays"] = list_of(event.stays, [&](const tracking::Stay& stay) { return json_of(stay, scale); });
     return json;
 }
 
@@ -171,7 +156,7 @@ Json json_of(const DetectorUse& use) {
 }
 
 Json json_of(const annotation::Label& label) {
-    Json json = json_of(label.box);
+    Json json = json_of_box(label.box);
     json["text"] = label.text;
     return json;
 }
@@ -215,7 +200,7 @@ Json json_of_clip(const media::VideoInfo& info, const WallClock& clock, const st
     const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
     const auto [recorded, recorded_by] = recorded_at(info, clock);
     Json json{{"name", info.name},
-              {"camera", camera.empty() ? Json() : Json(camera)},
+              {"camera", or_null(camera)},
               {"container", info.container},
               {"codec", info.codec},
               {"width", info.size.width},
@@ -232,7 +217,7 @@ Json json_of(const WallClock& clock, double first, double last) {
     if (!clock) return {};
     return {{"first", clock->iso(first)},
             {"last", clock->iso(last)},
-            {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
+            {"zone", or_null(clock->zone)},
             {"source", row_of(clock->source).name}};
 }
 
@@ -245,6 +230,7 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     const double first = seen.begin.seconds;
     const double last = seen.end().seconds;
     const Size field = plan.read.clip.field_size;
+    const auto json_of_each = [](const auto& each) { return json_of(each); };
     Json json{
         {"report", format_version},
         {"vvr", version()},
@@ -262,14 +248,10 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
           {"bricks", composed.bricks.size()},
           {"arrows", composed.scene.arrows.size()},
           {"still", run.nothing_moves},
-          {"compressed", json_of(composed.compressed_idle)}}},
+          {"compressed", list_of(composed.compressed_idle, json_of_each)}}},
     };
     json["clock"] = json_of(plan.read.clock, first, last);
-    json["segments"] = Json();
-    if (!info.segments.empty()) {
-        json["segments"] = Json::array();
-        for (const media::SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
-    }
+    json["segments"] = info.segments.empty() ? Json() : list_of(info.segments, json_of_each);
     json["problems"] = plan.read.clip.warnings;
     for (const std::string& problem : seen.summary.problems) json["problems"].push_back(problem);
     json["left_out"] = {
@@ -280,13 +262,11 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
         moment.update(places(at));
         return moment;
     });
-    json["settings"] = Json::object();
-    for (const auto& [name, value] : settings_and_font(context)) json["settings"][name] = value;
+    json["settings"] = object_of(settings_and_font(context));
     json["renderer"] = run.renderer.empty()
                            ? Json()
                            : Json{{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
-    json["labels"] = Json::array();
-    for (const annotation::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
+    json["labels"] = list_of(composed.lettering.labels, json_of_each);
     json["seconds"] = Json::object();
     for (const auto& [stage, took] : run.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
@@ -295,12 +275,12 @@ std::string format_report(const RunContext& context, const std::vector<std::stri
     json["detector"] = seen.detector ? json_of(*seen.detector) : Json();
     for (const char* key : {"events", "changes", "overlays"}) json[key] = Json();
     if (seen.events) {
-        for (const char* key : {"events", "changes", "overlays"}) json[key] = Json::array();
         const VideoScale scale(field, info.size);
-        for (const tracking::Change& change : seen.findings.changes) json["changes"].push_back(json_of(change, scale));
-        for (const PixelBox& box : seen.findings.overlays) {
-            json["overlays"].push_back({{"box", json_of(scale(box))}, {"field_box", json_of(box)}});
-        }
+        json["events"] = Json::array();
+        json["changes"] = list_of(seen.findings.changes, [&](const auto& change) { return json_of(change, scale); });
+        json["overlays"] = list_of(seen.findings.overlays, [&](const PixelBox& box) {
+            return Json{{"box", json_of_box(scale(box))}, {"field_box", json_of_box(box)}};
+        });
         for (std::size_t k = 0; k < seen.events->events.size(); ++k)
             json["events"].push_back(json_of(*seen.events, k, scale, places));
     }

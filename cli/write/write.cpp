@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/write/event_tables.h"
 #include "cli/write/golden.h"
@@ -39,8 +38,8 @@ void write_text(const std::filesystem::path& file, const std::string& text, Obse
 }
 
 /// The text of an `--events-csv` file.
-std::string table_of(const nlohmann::ordered_json& report) {
-    const nlohmann::ordered_json& input = report.at("input");
+std::string table_of(const Json& report) {
+    const Json& input = report.at("input");
     const auto& camera = input.at("camera");
     std::string text = tracking::events_table_heading();
     if (report.at("events").is_null()) return text;

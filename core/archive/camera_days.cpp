@@ -58,11 +58,6 @@ std::string date_of(std::int64_t utc, const DayRule& rule) {
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(date)));
 }
 
-bool is_date_text(std::string_view text) {
-    constexpr std::string_view date = "dddd-dd-dd";
-    return std::ranges::equal(text, date, [](char c, char form) { return form == 'd' ? is_digit(c) : c == form; });
-}
-
 std::string words_of_day(const std::string& date, const DayRule& rule) {
     return rule.is_night() ? "night of " + date : date;
 }

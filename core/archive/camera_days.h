@@ -33,9 +33,6 @@ struct DayRule {
 /// \param utc seconds since 1970
 std::string date_of(std::int64_t utc, const DayRule& rule = {});
 
-/// Whether a text has the form of a date, "2026-11-21".
-bool is_date_text(std::string_view text);
-
 /// For people: "2026-11-21", "night of 2026-11-21".
 std::string words_of_day(const std::string& date, const DayRule& rule);
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
@@ -22,8 +21,6 @@ namespace vvr::archive {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 /// A worker wrote the report, and a malicious clip may have taken it over: everything is checked.
 Json parsed(const fs::path& report) {
     return parse_json(read_own(report, "{", largest_report).text.value_or(""));

@@ -6,15 +6,13 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 
 namespace vvr::archive {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t before_path = 3;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -13,7 +12,6 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
@@ -31,29 +29,11 @@ namespace vvr::archive {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Parses "2026-11-21 08:00:07", UTC; nothing for another format or an impossible time.
-std::optional<std::int64_t> seconds_of(std::string_view text) {
-    constexpr std::string_view form = "dddd-dd-dd dd:dd:dd";
-    const auto fits = [](char c, char place) { return place == 'd' ? is_digit(c) : c == place; };
-    if (!std::ranges::equal(text, form, fits)) return {};
-    const auto part = [&](std::size_t at, std::size_t digits) {
-        int number = 0;
-        for (const char c : text.substr(at, digits)) number = 10 * number + (c - '0');
-        return number;
-    };
-    const std::chrono::year_month_day date{std::chrono::year(part(0, 4)),
-                                           std::chrono::month(static_cast<unsigned>(part(5, 2))),
-                                           std::chrono::day(static_cast<unsigned>(part(8, 2)))};
-    const int hour = part(11, 2);
-    const int minute = part(14, 2);
-    const int second = part(17, 2);
-    if (!date.ok() || hour > 23 || minute > 59 || second > 60) return {};
-    const std::chrono::sys_seconds time = std::chrono::sys_days(date) + std::chrono::hours(hour) +
-                                          std::chrono::minutes(minute) + std::chrono::seconds(second);
-    const std::int64_t seconds = time.time_since_epoch().count();
-    return can_be_time(seconds) ? std::optional(seconds) : std::nullopt;
+std::optional<std::int64_t> seconds_of(const std::string& text) {
+    constexpr std::string_view form = "2026-11-21 08:00:07";
+    const auto seconds = text.size() == form.size() && text[10] == ' ' ? parse_date_time(text) : std::nullopt;
+    return seconds && can_be_time(*seconds) ? seconds : std::nullopt;
 }
 
 int files_of(const Sidecar& sidecar) {
@@ -98,9 +78,7 @@ Json tally_of(const tracking::EventKindRow& row, const std::vector<FoundEvent>& 
 /// The tallies of all kinds, the most important first; null if unknown.
 Json tallies_of(const Sidecar& sidecar) {
     if (sidecar.found.empty()) return {};
-    Json tallies = Json::array();
-    for (const tracking::EventKindRow& row : tracking::ranked_kinds()) tallies.push_back(tally_of(row, sidecar.found));
-    return tallies;
+    return list_of(tracking::ranked_kinds(), [&](const auto& row) { return tally_of(row, sidecar.found); });
 }
 
 /// The classes of a clip's objects; null if none is known.
@@ -162,7 +140,7 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              page::url_of_path(sidecar.clip.path),
              place.begin.utc,
              std::round(sidecar.seconds * 10) / 10,
-             sidecar.events ? Json(*sidecar.events) : Json(),
+             or_null(sidecar.events),
              files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
                  (place.begin.source == ClockSource::container ? container_bit : 0) |
                  (place.begin.source == ClockSource::modified ? modified_bit : 0),
@@ -259,10 +237,8 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const footage::Rec
     std::map<std::string, Json> days;
     for (const Sidecar& sidecar : sidecars) {
         if (sidecar.found.empty() || repeats(sidecar)) continue;
-        Json events = Json::array();
-        for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
         Json& day = days[listed_date_of(sidecar, names)];
-        day.push_back({page::url_of_path(sidecar.clip.path), std::move(events)});
+        day.push_back({page::url_of_path(sidecar.clip.path), list_of(sidecar.found, json_of)});
         if (!sidecar.stills.empty()) day.back().push_back(sidecar.stills);
     }
     DayFiles files;
@@ -286,14 +262,13 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const footage::Reco
     std::set<std::string> found;
     for (const Place& place : places) found.insert(place.camera);
     const std::vector<std::string> cameras(found.begin(), found.end());
-    Json json{{"cameras", Json::array()},
+    Json json{{"cameras", list_of(cameras, text_of_path)},
               {"zone", zone_of(places)},
               {"kinds", page::json_of_kinds()},
               {"classes", classes_by_group(sidecars)},
               {"sheet_columns", page::ContactSheet::columns},
-              {"clips", Json::array()}};
-    for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
-    json["recordings"] = Json::array();
+              {"clips", Json::array()},
+              {"recordings", Json::array()}};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Json row = row_of(sidecars[i], places[i], cameras, gone.contains(sidecars[i].clip.path));
         if (const auto& day = sidecars[i].day) {

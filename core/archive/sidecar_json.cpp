@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/archive/found_events.h"
 #include "core/archive/output_files.h"
@@ -22,7 +20,6 @@ namespace vvr::archive {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 /// Increased when older versions would misread a sidecar; they then treat the clip as new.
@@ -60,11 +57,6 @@ constexpr int highest_status = 255;
 constexpr double longest_try = 1e9;
 
 template <class Value>
-Json json_of(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json();
-}
-
-template <class Value>
 std::optional<Value> optional_of(const Json& json) {
     return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
 }
@@ -81,15 +73,9 @@ std::string text_of_begin(const DayRule& rule) {
 /// \param begins null = midnight
 DayRule rule_of(const Json& begins) {
     if (begins.is_null()) return {};
-    const auto text = begins.get<std::string>();
-    int hour = 0;
-    int minute = 0;
-    const char* const end = text.data() + text.size();
-    const auto read_hour = std::from_chars(text.data(), end, hour);
-    if (read_hour.ptr == end || *read_hour.ptr != ':' || hour < 0 || hour > 23) throw InvalidSidecar();
-    const auto read_minute = std::from_chars(read_hour.ptr + 1, end, minute);
-    if (read_minute.ptr != end || minute < 0 || minute > 59) throw InvalidSidecar();
-    return {std::chrono::hours(hour) + std::chrono::minutes(minute)};
+    const auto seconds = parse_time_of_day(begins.get<std::string>());
+    if (!seconds || *seconds % 60 != 0) throw InvalidSidecar();
+    return {std::chrono::minutes(*seconds / 60)};
 }
 
 /// Files by folder, {"gate/2026-11-21": ["08.00.mp4", …]}, because most files of a day share one.
@@ -235,7 +221,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
               {"tries", sidecar.tries},
               {"status", sidecar.status},
               {"code", sidecar.code ? Json(row_of(*sidecar.code).name) : Json()},
-              {"reason", sidecar.reason.empty() ? Json() : Json(sidecar.reason)},
+              {"reason", or_null(sidecar.reason)},
               {"took_seconds", sidecar.took}};
     if (sidecar.limits) json["limits"] = {{"seconds", sidecar.limits->seconds}, {"memory", sidecar.limits->memory}};
     if (sidecar.day) {
@@ -256,11 +242,10 @@ std::string format_sidecar(const Sidecar& sidecar) {
         json["frames"] = sidecar.frames;
         json["damaged"] = sidecar.damaged;
         json["seconds"] = sidecar.seconds;
-        json["events"] = json_of(sidecar.events);
-        json["recorded"] = json_of(sidecar.recorded);
+        json["events"] = or_null(sidecar.events);
+        json["recorded"] = or_null(sidecar.recorded);
         json["recorded_by"] = sidecar.recorded ? Json(row_of(sidecar.recorded_by).name) : Json();
-        json["found"] = Json::array();
-        for (const FoundEvent& event : sidecar.found) json["found"].push_back(json_of(event));
+        json["found"] = list_of(sidecar.found, json_of);
         if (!sidecar.stills.empty()) json["stills"] = sidecar.stills;
     }
     json["files"] = Json::object();

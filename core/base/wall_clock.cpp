@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -38,6 +40,55 @@ std::string offset_text(std::int64_t seconds) {
 }
 
 }  // namespace
+
+namespace {
+
+/// \param form d = a digit; any other character stands for itself
+bool has_form(std::string_view text, std::string_view form) {
+    return std::ranges::equal(text, form, [](char c, char place) { return place == 'd' ? is_digit(c) : c == place; });
+}
+
+int number_in(std::string_view digits) {
+    int number = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return number;
+}
+
+constexpr std::size_t date_length = 10;  // of "2026-11-21"
+
+}  // namespace
+
+bool is_date_text(std::string_view text) {
+    return has_form(text, "dddd-dd-dd");
+}
+
+std::optional<std::int64_t> seconds_of_date(std::int64_t year, std::int64_t month, std::int64_t day) {
+    const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(year)),
+                                           std::chrono::month(static_cast<unsigned>(month)),
+                                           std::chrono::day(static_cast<unsigned>(day))};
+    if (!date.ok()) return std::nullopt;
+    return std::chrono::sys_seconds(std::chrono::sys_days(date)).time_since_epoch().count();
+}
+
+std::optional<std::int64_t> parse_time_of_day(std::string_view text) {
+    const std::string clock = fmt::format("{}{}", text.find(':') == 1 ? "0" : "", text);
+    if (!has_form(clock, "dd:dd") && !has_form(clock, "dd:dd:dd")) return std::nullopt;
+    const int hour = number_in(clock.substr(0, 2));
+    const int minute = number_in(clock.substr(3, 2));
+    const int second = clock.size() > 5 ? number_in(clock.substr(6)) : 0;
+    if (hour > 23 || minute > 59 || second > 59) return std::nullopt;
+    return (hour * 60 + minute) * 60 + second;
+}
+
+std::optional<std::int64_t> parse_date_time(std::string_view text) {
+    const std::string_view date = text.substr(0, date_length);
+    if (!is_date_text(date) || text.size() == date_length) return std::nullopt;
+    if (text[date_length] != ' ' && text[date_length] != 'T') return std::nullopt;
+    const auto midnight =
+        seconds_of_date(number_in(date.substr(0, 4)), number_in(date.substr(5, 2)), number_in(date.substr(8)));
+    const auto clock = parse_time_of_day(text.substr(date_length + 1));
+    return midnight && clock ? std::optional(*midnight + *clock) : std::nullopt;
+}
 
 std::int64_t local_offset(std::int64_t utc) {
     return local(utc).tm_gmtoff;

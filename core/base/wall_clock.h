@@ -56,6 +56,23 @@ inline constexpr bool is_recording_time(ClockSource source) {
 
 }  // namespace vvr
 
+// Dates and times as text. Their seconds count from 1970-01-01 00:00 of whatever zone they are in.
+namespace vvr {
+
+/// Whether a text has the form of a date, "2026-11-21".
+bool is_date_text(std::string_view text);
+
+/// The midnight at which a date begins; nothing for a date that the calendar lacks.
+std::optional<std::int64_t> seconds_of_date(std::int64_t year, std::int64_t month, std::int64_t day);
+
+/// Parses `02:00`, `2:00` or `02:00:30` to seconds since midnight; nothing for any other text.
+std::optional<std::int64_t> parse_time_of_day(std::string_view text);
+
+/// Parses `2026-11-21 08:00:00` or `2026-11-21T08:00`; nothing for any other text.
+std::optional<std::int64_t> parse_date_time(std::string_view text);
+
+}  // namespace vvr
+
 // Wall clocks of this machine's time zone: that of TZ, or the system's.
 namespace vvr {
 

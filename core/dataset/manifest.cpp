@@ -5,7 +5,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -16,8 +15,6 @@
 
 namespace vvr::dataset {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "vvr-extract";
 constexpr int format_version = 1;
@@ -182,8 +179,6 @@ std::filesystem::path seed_file(std::int64_t index) {
 }  // namespace stored
 
 std::string format_manifest(const Manifest& manifest) {
-    Json settings = Json::object();
-    for (const auto& [name, value] : manifest.settings) settings[name] = value;
     const Json head{{"format", format_name},
                     {"format_version", format_version},
                     {"complete", true},
@@ -197,7 +192,7 @@ std::string format_manifest(const Manifest& manifest) {
                     {stored::colour, manifest.colour},
                     {"reference", manifest.reference},
                     {"infrared", manifest.infrared},
-                    {"settings", settings}};
+                    {"settings", object_of(manifest.settings)}};
     std::string text = json_text(head, 2);
     text.erase(text.rfind('\n'));  // the closing brace
     text += ",\n  \"frames\": [";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr::footage {
 
@@ -126,14 +126,11 @@ std::optional<NamedTime> time_of(const NameFields& fields, bool utc) {
     if (const auto name = fields.find("b"); name != fields.end()) {
         month = static_cast<std::int64_t>(month_names.find(lower_case(name->second)) / 4) + 1;
     }
-    const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(year)),
-                                           std::chrono::month(static_cast<unsigned>(month)),
-                                           std::chrono::day(static_cast<unsigned>(number_of(fields, "d").value_or(0)))};
-    if (!date.ok()) return std::nullopt;
-    const std::chrono::sys_seconds midnight = std::chrono::sys_days(date);
-    NamedTime time{midnight.time_since_epoch().count() + *hour * 3600 + number_of(fields, "M").value_or(0) * 60 +
-                       number_of(fields, "S").value_or(0),
-                   {}};
+    const auto midnight = seconds_of_date(year, month, number_of(fields, "d").value_or(0));
+    if (!midnight) return std::nullopt;
+    const std::int64_t clock =
+        *hour * 3600 + number_of(fields, "M").value_or(0) * 60 + number_of(fields, "S").value_or(0);
+    NamedTime time{*midnight + clock, {}};
     if (const auto zone = fields.find("z"); zone != fields.end()) time.ahead = zone_in(zone->second);
     if (!time.ahead && utc) time.ahead = 0;
     return time;

@@ -3,13 +3,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 
 namespace vvr::footage {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<std::string> words_of(const Unseen& unseen) {
     constexpr double little = 1;  // seconds; less is lost in any network
@@ -28,26 +26,24 @@ std::vector<std::string> words_of(const Unseen& unseen) {
 }
 
 Json json_of(const Unseen& unseen, const std::function<Json(double)>& moment) {
-    Json json{{"masked", unseen.masked ? Json(rounded(*unseen.masked)) : Json()},
-              {"areas", Json::array()},
-              {"gaps", Json::array()},
-              {"damage", Json::array()},
-              {"damaged", unseen.damaged},
-              {"dropped", unseen.dropped}};
-    for (const Unseen::Area& area : unseen.areas)
-        json["areas"].push_back({{"option", area.option},
-                                 {"value", area.value},
-                                 {"sha256", area.sha256.empty() ? Json() : Json(area.sha256)}});
-    for (const media::FrameGap& gap : unseen.gaps) {
-        json["gaps"].push_back({{"begin", moment(gap.begin)},
-                                {"end", moment(gap.end)},
-                                {"seconds", rounded(gap.end - gap.begin)},
-                                {"frames", gap.frames}});
-    }
-    for (const media::Damage& damage : unseen.damage)
-        json["damage"].push_back(
-            {{"begin", moment(damage.begin)}, {"end", moment(damage.end)}, {"packets", damage.packets}});
-    return json;
+    const auto area = [](const Unseen::Area& of) {
+        return Json{{"option", of.option}, {"value", of.value}, {"sha256", or_null(of.sha256)}};
+    };
+    const auto gap = [&](const media::FrameGap& of) {
+        return Json{{"begin", moment(of.begin)},
+                    {"end", moment(of.end)},
+                    {"seconds", rounded(of.end - of.begin)},
+                    {"frames", of.frames}};
+    };
+    const auto damage = [&](const media::Damage& of) {
+        return Json{{"begin", moment(of.begin)}, {"end", moment(of.end)}, {"packets", of.packets}};
+    };
+    return {{"masked", unseen.masked ? Json(rounded(*unseen.masked)) : Json()},
+            {"areas", list_of(unseen.areas, area)},
+            {"gaps", list_of(unseen.gaps, gap)},
+            {"damage", list_of(unseen.damage, damage)},
+            {"damaged", unseen.damaged},
+            {"dropped", unseen.dropped}};
 }
 
 Unseen unseen_areas_from(const Json& json) {

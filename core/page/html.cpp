@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/base/digest.h"
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/tracking/event_kind.h"
 
@@ -139,8 +139,6 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The name of an emphasis, which is also a CSS class.
 std::string_view name_of(tracking::Emphasis emphasis) {
     switch (emphasis) {
@@ -171,18 +169,16 @@ std::string_view name_of(tracking::Tally tally) {
 }  // namespace
 
 Json json_of_kinds() {
-    Json kinds = Json::array();
-    for (const tracking::EventKindRow& row : tracking::ranked_kinds()) {
-        kinds.push_back({{"name", row.name},
-                         {"words", row.words},
-                         {"by", row.by},
-                         {"isThing", row.is_thing},
-                         {"isOfScene", row.is_of_scene},
-                         {"emphasis", name_of(row.emphasis)},
-                         {"tally", name_of(row.tally)},
-                         {"choice", row.choice != nullptr ? Json(row.choice->name) : Json()}});
-    }
-    return kinds;
+    return list_of(tracking::ranked_kinds(), [](const tracking::EventKindRow& row) {
+        return Json{{"name", row.name},
+                    {"words", row.words},
+                    {"by", row.by},
+                    {"isThing", row.is_thing},
+                    {"isOfScene", row.is_of_scene},
+                    {"emphasis", name_of(row.emphasis)},
+                    {"tally", name_of(row.tally)},
+                    {"choice", row.choice != nullptr ? Json(row.choice->name) : Json()}};
+    });
 }
 
 }  // namespace vvr::page

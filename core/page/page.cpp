@@ -65,8 +65,6 @@ std::string heading_of(const std::string& name, const WallClock& clock, double b
     return last.time == first.time ? heading : fmt::format("{}–{}", heading, last.time);
 }
 
-using Json = nlohmann::ordered_json;
-
 /// A time in the format of the page's script: "1:15.2", truncated to tenths.
 std::string moment_text(double seconds, const WallClock& clock) {
     const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
@@ -187,10 +185,9 @@ std::string with_state(std::string page, const std::string& state) {
 std::string make_region_editor(const RegionEditorContent& content) {
     constexpr int quality = 88;
     const bool masks = content.roi.empty() && !content.mask.empty();
-    const nlohmann::ordered_json data{{"option", masks ? "mask" : "roi"},
-                                      {"regions", masks ? content.mask : content.roi}};
+    const Json data{{"option", masks ? "mask" : "roi"}, {"regions", masks ? content.mask : content.roi}};
     // Replaces bytes that are not UTF-8 by U+FFFD.
-    const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
+    const std::string name = Json::parse(json_text(content.name));
     const std::string style = std::string(web::theme_css) + std::string(web::region_editor_css);
     const std::string script(web::region_editor_js);
     return fill(web::region_editor_html,

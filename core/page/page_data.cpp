@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/image/picture_file.h"
 #include "core/page/html.h"
@@ -15,8 +16,6 @@
 namespace vvr::page {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 66;
 constexpr int inline_still_side = 240;
@@ -87,41 +86,28 @@ Json json_of(const PixelBox& box) {
 }
 
 Json json_of(const Overlay& overlay) {
-    Json json{{"sections", Json::array()},    {"notes", Json::array()},     {"portraits", Json::array()},
-              {"captions", overlay.captions}, {"numbers", overlay.numbers}, {"map", Json()}};
-    for (const Overlay::Section& section : overlay.sections) {
-        Json values{to_six_decimals(section.seconds)};
-        for (const glm::dvec2& corner : section.corners) {
-            values.push_back(tenths(corner.x));
-            values.push_back(tenths(corner.y));
-        }
-        json["sections"].push_back(values);
-    }
-    for (const auto& [text, at, out] : overlay.notes) {
-        json["notes"].push_back(
-            {{"text", text}, {"at", {tenths(at.x), tenths(at.y)}}, {"out", {rounded(out.x), rounded(out.y)}}});
-    }
-    for (const auto& [event, still, to] : overlay.portraits) {
-        json["portraits"].push_back({{"event", event}, {"box", json_of(still)}, {"to", {tenths(to.x), tenths(to.y)}}});
-    }
+    const auto section = [](const Overlay::Section& of) {
+        Json values{to_six_decimals(of.seconds)};
+        for (const glm::dvec2& corner : of.corners) values.insert(values.end(), {tenths(corner.x), tenths(corner.y)});
+        return values;
+    };
+    const auto place = [](const glm::dvec2& at) { return Json{tenths(at.x), tenths(at.y)}; };
+    const auto note = [&](const auto& of) {
+        return Json{{"text", of.text}, {"at", place(of.at)}, {"out", {rounded(of.out.x), rounded(of.out.y)}}};
+    };
+    const auto portrait = [&](const auto& of) {
+        return Json{{"event", of.event}, {"box", json_of(of.still)}, {"to", place(of.to)}};
+    };
+    Json json{{"sections", list_of(overlay.sections, section)},
+              {"notes", list_of(overlay.notes, note)},
+              {"portraits", list_of(overlay.portraits, portrait)},
+              {"captions", overlay.captions},
+              {"numbers", overlay.numbers},
+              {"map", Json()}};
     if (!overlay.map.empty() && !overlay.scene.empty()) {
         json["map"] = {{"box", json_of(overlay.map)},
                        {"src", data_url("image/jpeg", image::encode_picture("map.jpg", overlay.scene, still_quality))}};
     }
-    return json;
-}
-
-/// The settings of the picture.
-Json json_of(const image::Metadata& settings) {
-    Json json = Json::object();
-    for (const auto& [name, value] : settings) json[name] = value;
-    return json;
-}
-
-/// The times at which an object stood still, in frames.
-Json json_of(const std::vector<tracking::Stay>& stays) {
-    Json json = Json::array();
-    for (const tracking::Stay& stay : stays) json.push_back({stay.first.frame, stay.last.frame});
     return json;
 }
 
@@ -133,11 +119,10 @@ Json json_of(const PageContent::Segment& segment) {
 /// its source.
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
-    Json leaps = Json::array();
-    for (const Clock::ClockChange& leap : clock->changes) leaps.push_back({leap.seconds, leap.by});
+    const auto leap = [](const Clock::ClockChange& change) { return Json{change.seconds, change.by}; };
     return {{"begin", clock->begin},
-            {"leaps", leaps},
-            {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
+            {"leaps", list_of(clock->changes, leap)},
+            {"zone", or_null(clock->zone)},
             {"by", row_of(clock->source).words}};
 }
 
@@ -146,12 +131,8 @@ std::string css_of(const glm::vec3& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
 }
 
-Json json_of(const std::vector<ConstantRateFrames>& times) {
-    Json json = Json::array();
-    for (const ConstantRateFrames& steady : times) {
-        json.push_back({steady.first, steady.count, to_six_decimals(steady.begin), steady.step});
-    }
-    return json;
+Json json_of(const ConstantRateFrames& steady) {
+    return {steady.first, steady.count, to_six_decimals(steady.begin), steady.step};
 }
 
 /// The reason for each gap: where the numbers of frames skip.
@@ -169,18 +150,12 @@ Json json_of_gaps(const std::vector<ConstantRateFrames>& times, const PageConten
     return json;
 }
 
-Json number_of(const std::optional<std::size_t>& place) {
-    return place ? Json(*place) : Json();
-}
-
 /// An object's path in fractions of the picture's width and height, so the page needs no field size.
 Json json_of(const std::vector<tracking::PathPoint>& path, Size field) {
     const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
-    Json json = Json::array();
-    for (const tracking::PathPoint& point : path) {
-        json.push_back({point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)});
-    }
-    return json;
+    return list_of(path, [&](const tracking::PathPoint& point) {
+        return Json{point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)};
+    });
 }
 
 /// A box in fractions of the picture's width and height.
@@ -199,14 +174,13 @@ Json way_of(const std::vector<tracking::PathPoint>& path, Size field, Size shown
         way.push_back(tracking::waypoint(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
     }
     Json json = Json::array();
-    for (const tracking::Waypoint& point : tracking::simplified(way)) {
-        for (const int value : {point.time, point.x, point.y}) json.push_back(value);
-    }
+    for (const auto& [time, x, y] : tracking::simplified(way)) json.insert(json.end(), {time, x, y});
     return json;
 }
 
 Json json_of(const tracking::Event& event, Size field, Size shown) {
     const auto& identity = event.identity;
+    const auto frames_of = [](const tracking::Stay& stay) { return Json{stay.first.frame, stay.last.frame}; };
     return {{"kind", tracking::name_of(event.kind)},
             {"class", identity ? Json(identity->what->name) : Json()},
             {"group", identity ? Json(detector::name_of(identity->what->group)) : Json()},
@@ -217,10 +191,10 @@ Json json_of(const tracking::Event& event, Size field, Size shown) {
             {"begin", to_six_decimals(event.first.seconds)},
             {"end", to_six_decimals(event.last.seconds)},
             {"still", to_six_decimals(tracking::stationary_seconds(event))},
-            {"stays", json_of(event.stays)},
-            {"from", number_of(event.from)},
-            {"into", number_of(event.into)},
-            {"by", number_of(event.by)},
+            {"stays", list_of(event.stays, frames_of)},
+            {"from", or_null(event.from)},
+            {"into", or_null(event.into)},
+            {"by", or_null(event.by)},
             {"path", json_of(event.path, field)},
             {"way", way_of(event.path, field, shown)}};
 }
@@ -246,8 +220,8 @@ Json json_of(const EncodedVideo& film) {
 
 Json json_of_events(const PageContent& content) {
     if (!content.events) return {};
-    Json json = Json::array();
-    for (const tracking::Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
+    Json json =
+        list_of(*content.events, [&](const auto& event) { return json_of(event, content.field, content.shown); });
     for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
         json[k]["colour"] = css_of(content.colours[k]);
     }
@@ -263,17 +237,21 @@ Json json_of_events(const PageContent& content) {
 
 Json page_data(const PageContent& content) {
     const Moments& moments = content.moments;
+    const auto json_of_each = [](const auto& each) { return json_of(each); };
+    const auto span_of = [](const media::Damage& damage) {
+        return Json{to_six_decimals(damage.begin), to_six_decimals(damage.end)};
+    };
     Json json{{"name", content.name},
-              {"camera", content.camera.empty() ? Json() : Json(content.camera)},
-              {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
-              {"segments", Json::array()},
-              {"pieces", Json::array()},
+              {"camera", or_null(content.camera)},
+              {"clip", or_null(content.clip_url)},
+              {"segments", list_of(content.segments, json_of_each)},
+              {"pieces", list_of(content.pieces, json_of_each)},
               {"cut", {{"ending", content.piece_extension}, {"names", content.names}}},
               {"size", {content.shown.width, content.shown.height}},
-              {"times", json_of(moments.times)},
+              {"times", list_of(moments.times, json_of_each)},
               {"gaps", json_of_gaps(moments.times, content)},
               {"unseen", words_of(content.unseen)},
-              {"damage", Json::array()},
+              {"damage", list_of(content.unseen.damage, span_of)},
               {"clock", json_of(content.clock)},
               {"told", row_of(content.clock_source()).words},
               {"kinds", json_of_kinds()},
@@ -282,7 +260,7 @@ Json page_data(const PageContent& content) {
               {"unchosen", content.not_chosen},
               {"events", json_of_events(content)},
               {"overlay", json_of(content.overlay)},
-              {"settings", json_of(content.settings)}};
+              {"settings", object_of(content.settings)}};
     if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};
     if (const auto& live = content.live) {
         json["live"] = {{"state", live->text},
@@ -290,10 +268,6 @@ Json page_data(const PageContent& content) {
                         {"ended", false},
                         {"brick", std::ceil(live->brick_seconds)}};
     }
-    for (const auto& [begin, end, packets] : content.unseen.damage)
-        json["damage"].push_back({to_six_decimals(begin), to_six_decimals(end)});
-    for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
-    for (const PageContent::Segment& piece : content.pieces) json["pieces"].push_back(json_of(piece));
     return json;
 }
 
@@ -303,11 +277,9 @@ Json pixel_data(const PageContent& content) {
 }
 
 Json still_data(const PageContent& content) {
-    Json json{{"stills", Json::array()}, {"portraits", Json::array()}};
     const int side = content.moments.preview ? small_inline_still_side : inline_still_side;
-    for (const Still& still : content.moments.stills) json["stills"].push_back(json_of(still, side));
-    for (const Plane<Bgr>& portrait : content.portraits) json["portraits"].push_back(json_of_portrait(portrait));
-    return json;
+    return {{"stills", list_of(content.moments.stills, [&](const Still& still) { return json_of(still, side); })},
+            {"portraits", list_of(content.portraits, json_of_portrait)}};
 }
 
 Json preview_data(const PageContent& content) {

@@ -4,13 +4,12 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "core/base/json_text.h"
 
 namespace vvr::tracking {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A column, and where its value is in a report's event.
 struct TableColumn {
