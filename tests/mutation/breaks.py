@@ -36,7 +36,7 @@ BREAKS = [
     # core/media
     Break("core/media/frame_sampler.cpp", "if (i->is_key && first >= i->stamp)", "if (i->is_key)",
           "Sample.HasTheFramesThatThePassHas"),
-    Break("core/media/frame_span.cpp", "pts >= *span.end - slack", "pts >= *span.end + slack",
+    Break("core/media/frame_span.cpp", "pts >= *span.end - time_tolerance", "pts >= *span.end + time_tolerance",
           "FrameSpan.ToleratesTimesThatWereRounded"),
     Break("core/media/frame_span.cpp", "day_at(clock, begin) - 1; date", "day_at(clock, begin); date",
           "Between.IsAPartOfEachDay"),

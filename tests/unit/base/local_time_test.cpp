@@ -43,5 +43,21 @@ TEST(LocalTime, OfAnHourThatComesTwiceIsTheFirstOrTheNearer) {
     EXPECT_EQ(utc_of_local(half_past_two, summer_ends + 7200), summer_ends + 1800);
 }
 
+TEST(DateText, IsReadByOneParser) {
+    EXPECT_EQ(parse_time_of_day("2:00"), 7200);
+    EXPECT_EQ(parse_time_of_day("02:00:30"), 7230);
+    for (const char* text : {"", "2", "24:00", "2:60", "02:00:60", "2:0", "02:00x", "-1:00", "2 :00"})
+        EXPECT_FALSE(parse_time_of_day(text)) << text;
+    EXPECT_EQ(parse_date_time("1970-01-02 08:00:00"), 86'400 + 8 * 3600);
+    EXPECT_EQ(parse_date_time("2024-02-29T08:00"), parse_date_time("2024-02-29 08:00:00"));
+    for (const char* text :
+         {"", "2026-11-21", "2026-02-30 08:00", "2026-13-01 08:00", "2026-11-21 24:00", "2026-11-21 08:00 x"})
+        EXPECT_FALSE(parse_date_time(text)) << text;
+    EXPECT_EQ(seconds_of_date(1970, 1, 1), 0);
+    EXPECT_FALSE(seconds_of_date(2025, 2, 29));
+    EXPECT_TRUE(is_date_text("2026-11-21"));
+    EXPECT_FALSE(is_date_text("2026-1-21"));
+}
+
 }  // namespace
 }  // namespace vvr
