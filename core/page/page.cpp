@@ -73,7 +73,7 @@ std::string moment_text(double seconds, const WallClock& clock) {
 }
 
 /// A list of the events for browsers without scripts.
-std::string list_of(const PageContent& content) {
+std::string event_list(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
     for (std::size_t k = 0; k < content.events->size(); ++k) {
@@ -151,7 +151,7 @@ std::string make_page(const PageContent& content) {
                                     counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
             {"unseen", unseen_text(content)},
             {"way", content.time_direction},
-            {"list", list_of(content)},
+            {"list", event_list(content)},
             {"first kind", std::string(tracking::ranked_kinds().front().words)},
             {"style", style},
             {"script", script},
