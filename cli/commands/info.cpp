@@ -121,7 +121,7 @@ std::string as_text(const Facts& facts) {
     return text;
 }
 
-Json json_of(const footage::Segment& clip) {
+Json json_of_file(const footage::Segment& clip) {
     return {{"file", clip.path},
             {"camera", or_null(clip.camera)},
             {"begin", clip.begin ? Json(annotation::format_clock(*clip.begin)) : Json()},
@@ -159,7 +159,7 @@ std::string as_json(const Facts& facts) {
           {"memory_bytes", extent.bytes},
           {"seconds", measured ? known(measured->seconds) : Json()},
           {"frames_per_second", measured ? known(measured->frames_per_second) : Json()}}},
-        {"files", list_of(files, json_of)},
+        {"files", list_of(files, json_of_file)},
     };
     return json_text(json, 2) + "\n";
 }
