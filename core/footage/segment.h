@@ -14,7 +14,7 @@ struct Segment {
     std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the previous segment
     ClockSource begin_source = ClockSource::none;  ///< source of `begin`
     std::string camera{};                          ///< empty = unknown
-    std::string scheme{};                          ///< as RecorderName::layout
+    std::string scheme{};                          ///< as RecorderName::scheme
     bool sub = false;                              ///< as RecorderName::sub
     bool no_clock = false;                         ///< as RecorderName::no_clock
 };
