@@ -181,13 +181,13 @@ RenderSummary render(const RenderJob& job, Observer& observer, const PictureCall
         }
         writer.write(std::move(picture), std::move(beside));
     };
-    const Outcome done = plan.volume.series ? render_series(plan, *fields.source, observer, write, {}, watch)
-                                            : render_clip(plan, *fields.source, observer, write, watch);
+    Outcome done = plan.volume.series ? render_series(plan, *fields.source, observer, write, {}, watch)
+                                      : render_clip(plan, *fields.source, observer, write, watch);
     require_frames(done.seen.summary.frames, done.seen.info);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     writer.finish({plan, done.seen, done.composed, done.run}, took.count(), kept);
     return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged,
-            done.seen.events.value_or(ShownEvents{}), plan.read.clip.field_size};
+            std::move(done.seen.events).value_or(ShownEvents{}), plan.read.clip.field_size};
 }
 
 }  // namespace vvr::app

@@ -102,7 +102,7 @@ std::vector<annotation::LegendEntry> legend_of_colour(const ComposePlan& plan) {
             {gradient(plan.look.theme.slow, plan.look.theme.fast), "how fast it moves: slow to fast", "slow to fast"}};
     }
     const scene::TransferFunction& transfer = plan.volume.second_transfer;
-    const fields::FilterRow& second = *plan.field.second;
+    const fields::FilterRow& second = *plan.volume.colour->filter;
     if (second.traits.values == fields::Values::band) return legend_of_bands(transfer);
     std::vector<image::Rgba> colours;
     for (int value = second.traits.values == fields::Values::sign ? 1 : 0; value < 256; ++value) {

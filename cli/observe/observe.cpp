@@ -181,7 +181,7 @@ constexpr float moving = 0.6F;
 }  // namespace
 
 VoxelColours::VoxelColours(const ObservePlan& plan) : plan_(plan) {
-    if (plan.field.second == nullptr) return;
+    if (plan.volume.colour->filter == nullptr) return;
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
         of_value_[value] = scene::bgr_of(glm::vec3(plan.volume.second_transfer.at(static_cast<double>(value))));
     }
@@ -205,7 +205,7 @@ const Plane<Bgr>& VoxelColours::operator()(const media::Frame& frame, const fiel
     if (plan_.volume.colour->needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
     const auto into = painted_.pixels().begin();
-    if (plan_.field.second != nullptr) {
+    if (plan_.volume.colour->filter != nullptr) {
         std::ranges::transform(field.second.pixels(), into, [this](std::uint8_t value) { return of_value_[value]; });
     } else if (field.flow.u.empty()) {
         std::ranges::fill(painted_.pixels(), colour_of_flow(0, 0));

@@ -320,7 +320,6 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
 
     Plan plan;
     plan.field.filter = &filter;
-    plan.field.second = colour.filter;
     plan.field.reference = job.fields.reference.row();
     plan.field.detector = std::move(detector);
     plan.field.flow = job.look.show.any(&PartRow::needs_flow);

@@ -47,7 +47,6 @@ struct ReadPlan {
 /// What becomes of each frame, and what is looked for in it.
 struct FieldPlan {
     const fields::FilterRow* filter = nullptr;
-    const fields::FilterRow* second = nullptr;        ///< the filter whose values are coloured; null = none
     const fields::ReferenceRow* reference = nullptr;  ///< null if the reference is a picture file
     bool flow = false;                                ///< of whole frames
     bool seeds = false;
@@ -131,7 +130,7 @@ struct LookPlan {
     Size field{};  ///< size of the fields
     scene::GlyphOptions glyphs{};
     scene::TraceOptions traces{};
-    gl::RenderOptions picture{};  ///< with the camera's direction, but without the camera
+    gl::RenderOptions picture{};  ///< framing() makes its camera
     std::string title{};
     BackendOptions backend{};
 

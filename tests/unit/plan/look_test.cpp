@@ -56,7 +56,6 @@ TEST_P(ColourOfAPlan, FollowsFromFilterAndParts) {
     EXPECT_EQ(image::value_of(plan.output.settings, "color"), row.colour);
     EXPECT_EQ(image::value_of(plan.output.settings, "transfer"), row.recorded);
     EXPECT_EQ(plan.look.picture.colour, plan.volume.colour->drawn);
-    EXPECT_EQ(plan.field.second, plan.volume.colour->filter);
     EXPECT_EQ(plan.field.finds_objects, row.finds_objects);
 }
 
