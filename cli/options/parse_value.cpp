@@ -100,6 +100,22 @@ double parse_number(std::string_view text, Range range) {
     return *value;
 }
 
+double parse_rate(std::string_view text, Range range) {
+    const auto slash = text.find('/');
+    if (slash == std::string_view::npos) return parse_number(text, range);
+    const auto frames = number_within(text.substr(0, slash), {0, longest_clip});
+    const std::string_view rest = text.substr(slash + 1);
+    const auto alone = number_within(rest, {0, longest_clip});
+    const auto seconds = alone ? alone : seconds_of(rest);
+    if (!frames || !seconds || *seconds <= 0) refuse(text, "a rate like 10, 30000/1001 or 1/24s, a frame every 24 s");
+    const double rate = *frames / *seconds;
+    if (rate < range.low || rate > range.high) {
+        refuse(text, fmt::format("a rate from {} to {} frames per second", range.low, range.high),
+               ErrorCode::option_value_out_of_range);
+    }
+    return rate;
+}
+
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high) {
     const auto value = number<std::int64_t>(text);
     if (!value || *value < low || *value > high) {

@@ -21,6 +21,9 @@ namespace vvr::options {
 std::vector<std::string> split_list(const std::string& text);
 
 double parse_number(std::string_view text, Range range);
+
+/// A number, or a fraction whose second part may be a duration: `29.97`, `30000/1001`, `1/24s`.
+double parse_rate(std::string_view text, Range range);
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high);
 
 /// `1280x800`; each side from 1 to 16384 pixels.

@@ -38,6 +38,7 @@ Number parse_as(const Setting& setting, const std::string& text) {
         return static_cast<Number>(
             parse_integer(text, static_cast<std::int64_t>(low), static_cast<std::int64_t>(high)));
     } else {
+        if (setting.unit == "FPS") return parse_rate(text, setting.range);
         if (setting.unit != "TIME") return parse_number(text, setting.range);
         return low < high ? parse_duration(text, setting.range) : parse_duration(text);
     }

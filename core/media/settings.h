@@ -9,8 +9,10 @@ inline constexpr Setting field_size{"field-size", "WxH",
                                     "size of the fields, or 'source' for the video's own size; default: long side 384"};
 inline constexpr Setting rate{.name = "rate",
                               .unit = "FPS",
-                              .help = "frames per second, in place of those that the file states",
-                              .range = {0.001, 100'000},
+                              .help =
+                                  "frames per second, in place of those that the file states; 1/24s is a frame every "
+                                  "24 s, as in a time-lapse",
+                              .range = {0.0001, 100'000},
                               .default_text = "as stated, or 25"};
 inline constexpr Setting track{.name = "track",
                                .unit = "NUMBER",

@@ -104,6 +104,20 @@ TEST(ParseShare, CountsFromOne) {
         EXPECT_THROW(options::parse_share(text), Error) << text;
 }
 
+TEST(ParseRate, TakesFractionsAndDurations) {
+    const Range range{0.00001, 1000};
+    EXPECT_EQ(options::parse_rate("29.97", range), 29.97);
+    EXPECT_EQ(options::parse_rate("30000/1001", range), 30000.0 / 1001);
+    EXPECT_EQ(options::parse_rate("1/24s", range), 1.0 / 24);
+    EXPECT_EQ(options::parse_rate("1/24", range), 1.0 / 24);
+    EXPECT_EQ(options::parse_rate("4/1h", range), 4.0 / 3600);
+    for (const char* text : {"", "/", "1/", "/24", "1/0", "1/24x", "-1/24", "1/2/3", "24s"})
+        EXPECT_THROW(options::parse_rate(text, range), Error) << text;
+    test::expect_error(ErrorCode::option_value, [&] { options::parse_rate("1/x", range); }, {"'1/x'", "1/24s"});
+    test::expect_error(ErrorCode::option_value_out_of_range, [&] { options::parse_rate("1/2d", range); },
+                       {"'1/2d'", "frames per second"});
+}
+
 TEST(ParseSize, TakesWhatATextureCanHold) {
     EXPECT_EQ(options::parse_size("1280x800"), (Size{1280, 800}));
     EXPECT_EQ(options::parse_size("1x16384"), (Size{1, 16384}));
