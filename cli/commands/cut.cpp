@@ -113,7 +113,7 @@ void check_output(const CutJob& job, const fs::path& path, const app::Footage& f
 /// Sets the clock of the footage from the first file of the piece.
 void set_clock(const CutJob& job, const app::Footage& footage, const media::SegmentPlace& first, app::PieceJob& piece) {
     const auto file = std::ranges::find(footage.recording.segments, first.path, &footage::Segment::path);
-    const media::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
+    const media::VideoInfo info = info_of(footage, *file, first.begin);
     const app::StartTime& start = job.search.look.start_time;
     piece.clock = app::clock_of(start, info);
     if (start.from != app::StartTime::From::none) piece.created = info.created;
@@ -243,6 +243,7 @@ bool cut(const CutJob& asked, app::Observer& observer, const std::stop_token& st
     piece.span = selection.span;
     piece.parts = app::parts_in(selection.places, selection.span);
     piece.input = job.search.input;
+    piece.input.rate = footage.recording.rate;
     piece.threads = job.search.fields.threads;
     piece.warns_of_early_end = !job.event;
     set_clock(job, footage, selection.places.front(), piece);

@@ -66,7 +66,7 @@ Selection find_event(const CutJob& job, const app::Footage& footage, app::Observ
     // A search that ended early does not know the files after that, which the margin may reach into.
     std::vector<media::SegmentPlace> places = fields.source->info().segments;
     if (places.empty() || places.back().path != footage.recording.segments.back().path) {
-        places = app::place_by_packets(footage, job.search.input.rate, span.end, observer);
+        places = app::place_by_packets(footage, span.end, observer);
     }
     return {span, std::move(places), event, events, plan.output.settings, {}, app::unseen_of(plan, seen)};
 }
@@ -122,14 +122,14 @@ media::FrameSpan span_between(const CutJob& job, const app::Footage& footage) {
 
 Selection select_between(const CutJob& job, const app::Footage& footage, app::Observer& observer) {
     const media::FrameSpan span = span_between(job, footage);
-    return {span, app::place_by_packets(footage, job.search.input.rate, span.end, observer)};
+    return {span, app::place_by_packets(footage, span.end, observer)};
 }
 
 }  // namespace
 
-media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin, double rate) {
-    const media::ClipHeader header =
-        media::header_of(media::Demuxer(media::open_input(file.path), media::Demuxer::Kind::video, rate));
+media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin) {
+    const media::ClipHeader header = media::header_of(
+        media::Demuxer(media::open_input(file.path), media::Demuxer::Kind::video, footage.recording.rate));
     const std::int64_t before = std::llround(begin);
     media::VideoInfo info;
     info.name = footage.recording.name;
@@ -143,7 +143,7 @@ media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& fi
 CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer) {
     media::FrameSpan& span = job.search.fields.span;
     if (job.event || (!span.asked.start && !span.asked.end)) return job;
-    media::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    media::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0);
     info.duration = 0;  // it is that of the first file
     const WallClock known = app::clock_of(job.search.look.start_time, info);
     const std::optional<media::RequestedTime> start = span.asked.start;

@@ -41,7 +41,7 @@ struct Selection {
 /// Properties of the recording that say when its second 0 was.
 /// \param file of the footage
 /// \param begin of the file, in seconds of the recording
-media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin, double rate);
+media::VideoInfo info_of(const app::Footage& footage, const footage::Segment& file, double begin);
 
 /// The job, in which the wall-clock limits of the span are seconds of the recording.
 CutJob in_seconds(CutJob job, const app::Footage& footage, app::Observer& observer);

@@ -35,7 +35,7 @@ std::vector<footage::Segment> list_clips(const app::InputOptions& options) {
     const footage::RecorderNames layouts(options.name_patterns);
     std::vector<footage::Segment> clips;
     std::error_code none;
-    if (auto recording = footage::find_recording(options.names, layouts, options.join)) {
+    if (auto recording = footage::find_recording(options.names, layouts, options.join, options.rate)) {
         clips = std::move(recording->segments);
     } else if (std::filesystem::is_regular_file(options.names.front(), none)) {
         clips = {footage::segment_from_name(options.names.front(), layouts)};

@@ -130,6 +130,7 @@ page::PageContent page_content(const ComposePlan& plan, const Observation& seen,
             {page::relative_url(page.path, segment.path), segment.begin, segment.end - segment.begin});
     }
     if (page.plays_file) content.clip_url = page::relative_url(page.path, plan.read.input.names.front());
+    content.stretch = seen.info.stretch;
     content.piece_extension = page.file_ending;
     content.names = plan.read.input.name_patterns;
     content.shown = seen.info.size;

@@ -222,10 +222,10 @@ Footage find_footage(const InputOptions& options) {
     const std::string& name = options.names.front();
     check_single(name);
     const footage::Segment file = footage::segment_from_name(name, layouts);
-    return {{name, file.camera, {file}}, true};
+    return {{name, file.camera, {file}, {}, options.rate}, true};
 }
 
-std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
+std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, std::optional<double> until,
                                                   Observer& observer) {
     const std::vector<footage::Segment>& files = footage.recording.segments;
     if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
@@ -241,7 +241,8 @@ std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, double
                 places.push_back({file.path, begin, begin, 0});
                 break;
             }
-            end = std::max(end.value_or(0), begin + media::length_of(media::open_input(file.path), rate));
+            end = std::max(end.value_or(0),
+                           begin + media::length_of(media::open_input(file.path), footage.recording.rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {
             // A render of the recording skips files that are not video, so skip their times too. But a file that can't

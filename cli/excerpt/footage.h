@@ -86,7 +86,7 @@ struct ExcerptFile {
 
 /// The times of each file in the recording, from its packets: the same as in a render of the recording. The last is the
 /// first file that begins after `until`, if there is one. That file is not read, so only its begin is known.
-std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
+std::vector<media::SegmentPlace> place_by_packets(const Footage& footage, std::optional<double> until,
                                                   Observer& observer);
 
 /// The times as in a report, for the files that contain the event, and for the available files that the margin reaches

@@ -59,6 +59,7 @@ PieceJob job_for(const Plan& plan, const Observation& seen) {
     job.places = files_of(plan, seen);
     if (plan.read.wants_clock) job.created = seen.info.created;
     job.input = plan.read.input;
+    job.input.rate = seen.info.read_at;
     job.threads = plan.read.threads;
     job.warns_of_early_end = false;
     return job;

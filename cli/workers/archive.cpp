@@ -238,6 +238,7 @@ ArchivePlan plan_run(const ArchiveOptions& options, const archive::ClipNames& cl
         }
         scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
         run.waiting = grouped.waiting;
+        run.clips = wanted.size() + run.waiting;
         warn_of_undated(job, log);
     } else {
         wanted = std::move(scan.clips);
@@ -280,7 +281,7 @@ bool succeeds(spdlog::logger& log, const std::function<bool()>& step) {
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
     ArchiveJob job = job_of(options, footage::RecorderNames(options.pictures.names, options.in));
-    const archive::ClipNames clips(options.match, options.exclude);
+    const archive::ClipNames clips(options.match, options.exclude, options.grouping().days);
     if (!options.draws()) {
         make_folder(options.out);
         write_index(job, clips, environment);
@@ -294,7 +295,8 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     const ArchivePlan found = plan_run(options, clips, job, environment.log);
     if (found.clips == 0) {
         // Not a warning: a monitor that reads what --quiet prints must learn of a disk that is not mounted.
-        environment.log.error("no clips found below '{}'; searched for {}", job.in.string(), clips.wanted());
+        environment.log.error("no clips found below '{}'; searched for {}{}", job.in.string(), clips.wanted(),
+                              options.grouping().days ? "" : "; --per day draws pictures of a camera too");
     }
     if (options.dry_run) {
         print_plan(found.planned, job);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "core/base/text.h"
 #include "core/base/wall_clock.h"
 #include "core/footage/creation_time.h"
+#include "core/footage/input_files.h"
 
 namespace vvr::archive {
 
@@ -70,13 +72,17 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const footage::RecorderN
     std::set<std::string> paths;
     std::set<std::string> refused;
     for (const Clip& clip : clips) paths.insert(clip.path);
-    for (const Clip& clip : clips) {
+    std::vector<Clip> ordered = clips;
+    const auto is_picture = [](const Clip& clip) { return footage::is_picture_name(clip.path); };
+    std::stable_partition(ordered.begin(), ordered.end(), std::not_fn(is_picture));
+    for (const Clip& clip : ordered) {
         if (settling.waits_for(clip)) {
             ++grouped.waiting;
             continue;
         }
         const std::string camera = names.camera_of(clip.path);
         const std::optional<std::int64_t> begin = begin_of_clip(clip, names, rule, in);
+        if (is_picture(clip) && !begin) continue;
         const std::string date = date_of(begin.value_or(written_at(clip)), rule);
         const std::string path = path_of_day(camera, date, rule);
         if (!can_be_folder(path) || paths.contains(path)) {
@@ -91,6 +97,7 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const footage::RecorderN
             continue;
         }
         CameraDay& day = days[path];
+        if (is_picture(clip) && !day.files.empty() && !footage::is_picture_name(day.files.front())) continue;
         day.camera = camera;
         day.date = date;
         day.rule = rule;

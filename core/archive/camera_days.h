@@ -59,6 +59,7 @@ std::optional<std::int64_t> begin_of_clip(const Clip& clip, const footage::Recor
                                           const std::filesystem::path& in);
 
 /// Groups clips by camera and day. A clip without a known beginning belongs to the day on which it was last written.
+/// Pictures need a time in their names, and count only on days without videos.
 /// \param in the folder of the clips
 CameraDays group_by_day(const std::vector<Clip>& clips, const footage::RecorderNames& names, const Settling& settling,
                         const DayRule& rule = {}, const std::filesystem::path& in = {});

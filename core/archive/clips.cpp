@@ -48,12 +48,13 @@ bool fits(const std::string& pattern, const std::string& clip) {
 bool ClipNames::matches(const std::string& clip) const {
     const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
     if (std::ranges::any_of(excluded_, fits_clip)) return false;
-    if (videos_ && footage::is_video_name(std::string(file_name(clip)))) return true;
+    const std::string name(file_name(clip));
+    if (videos_ && (footage::is_video_name(name) || (pictures_ && footage::is_picture_name(name)))) return true;
     return std::ranges::any_of(patterns_, fits_clip);
 }
 
 ClipNames ClipNames::with_all() const {
-    ClipNames all(patterns_);
+    ClipNames all(patterns_, {}, pictures_);
     all.videos_ = true;
     return all;
 }
@@ -61,6 +62,7 @@ ClipNames ClipNames::with_all() const {
 std::string ClipNames::wanted() const {
     std::string names;
     if (videos_) names = fmt::format("{}", fmt::join(footage::video_extensions(), " "));
+    if (videos_ && pictures_) names += ", and for pictures with a time in their names";
     return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
 }
 

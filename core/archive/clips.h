@@ -19,8 +19,10 @@ class ClipNames {
     /// \param patterns for `fnmatch`. One with a `/` matches the path below the archive's folder, others match the
     ///        file's name. None = the extensions of video files
     /// \param excluded patterns of files that are not clips, even if they match
-    explicit ClipNames(std::vector<std::string> patterns = {}, std::vector<std::string> excluded = {})
-        : patterns_(std::move(patterns)), excluded_(std::move(excluded)) {}
+    /// \param pictures whether snapshots of cameras are clips too
+    explicit ClipNames(std::vector<std::string> patterns = {}, std::vector<std::string> excluded = {},
+                       bool pictures = false)
+        : patterns_(std::move(patterns)), excluded_(std::move(excluded)), pictures_(pictures) {}
 
     bool matches(const std::string& clip) const;
 
@@ -33,6 +35,7 @@ class ClipNames {
   private:
     std::vector<std::string> patterns_;
     std::vector<std::string> excluded_;
+    bool pictures_;
     bool videos_ = patterns_.empty();  ///< files with the extensions of video files are clips too
 };
 

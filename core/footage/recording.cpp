@@ -20,6 +20,7 @@
 #include "core/base/text.h"
 #include "core/footage/input_files.h"
 #include "core/footage/one_camera.h"
+#include "core/footage/steady_rate.h"
 #include "core/media/container.h"
 #include "core/media/demuxer.h"
 #include "core/media/input.h"
@@ -325,14 +326,29 @@ std::string name_of(std::span<const std::string> names, const std::vector<std::s
     return common.empty() || !common.has_filename() ? files.front() : common.string();
 }
 
+/// If the files state more frames per second than the camera sends, they are read at the rate at which they fill their
+/// time.
+void set_steady_rate(Recording& recording) {
+    constexpr double slack = 0.05;  // of the time of a file
+    const auto steady = find_steady_rate(recording.segments);
+    if (!steady) return;
+    recording.rate = steady->rate;
+    for (Segment& segment : recording.segments) segment.slack += slack * steady->pace;
+    recording.warnings.push_back(fmt::format(
+        "'{}': each file has {:.0f} s of the {:.0f} s until the next begins. The camera seems to send {:.3g} frames "
+        "per "
+        "second, not the {:.3g} that its files state, so vvr reads them at this rate; --rate {:.3g} keeps the times of "
+        "the files, with gaps",
+        recording.name, steady->length, steady->pace, steady->rate, steady->stated, steady->stated));
+}
+
 }  // namespace
 
 SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end) {
-    constexpr double tolerance = 1;
     if (!end) return {};
     if (!segment.begin || !origin) return {*end, true, false};
     const double begin = static_cast<double>(*segment.begin - *origin);
-    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
+    if (std::abs(begin - *end) <= segment.slack) return {*end, true, false};
     return {begin, false, begin < *end};
 }
 
@@ -395,6 +411,8 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     if (!join) require_related(recording, headers);
     set_times_of_containers(recording, headers);
     sort_by_time(recording.segments);
+    recording.rate = rate;
+    if (rate == 0) set_steady_rate(recording);
     return recording;
 }
 

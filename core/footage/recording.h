@@ -18,6 +18,7 @@ struct Recording {
     std::string camera{};
     std::vector<Segment> segments;
     std::vector<std::string> warnings{};  ///< one sentence each
+    double rate = 0;  ///< frames per second in place of those that the files state; 0 = as they state
 };
 
 /// The start of a file in a recording.
@@ -27,8 +28,8 @@ struct SegmentBegin {
     bool overlaps = false;  ///< overlaps the previous file
 };
 
-/// Places a file in a recording. A file that begins within a second of the previous file's end follows it, because
-/// names have whole seconds and recorders begin files at key frames.
+/// Places a file in a recording. A file that begins within a second (its slack) of the previous file's end follows it,
+/// because names have whole seconds and recorders begin files at key frames.
 /// \param origin start of the recording, seconds since 1970 (UTC); none = unknown
 /// \param end end of the previous file, seconds of the recording; none = this is the first file
 SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end);

@@ -17,6 +17,7 @@ struct Segment {
     std::string scheme{};                          ///< as RecorderName::scheme
     bool sub = false;                              ///< as RecorderName::sub
     bool no_clock = false;                         ///< as RecorderName::no_clock
+    double slack = 1;  ///< seconds; a file that begins so near to the end of the one before follows it
 };
 
 }  // namespace vvr::footage

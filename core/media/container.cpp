@@ -98,12 +98,31 @@ ClipHeader header_of(const Demuxer& demuxer) {
     ClipHeader header;
     header.picture = {stream.codecpar->width, stream.codecpar->height};
     header.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) / demuxer.stretch() : 0;
-    header.length = stated_duration(demuxer.format(), stream) * demuxer.stretch();
+    if (demuxer.lacking() > 0) header.rate = 1 / demuxer.frame_duration();
+    header.length = stated_duration(demuxer.format(), stream) * demuxer.stretch() + demuxer.lacking();
     if (header.length > longest_clip) header.implausible_length = std::exchange(header.length, 0);
     header.frames = stream.nb_frames;
     header.created = creation_time(demuxer.format());
     if (header.frames <= 0) header.frames = std::llround(header.length * header.rate);
     return header;
+}
+
+double share_of_sound(const Demuxer& demuxer) {
+    constexpr double together = 3;  // seconds
+    const AVFormatContext& format = demuxer.format();
+    const auto begin_of = [](const AVStream& stream) {
+        return stream.start_time == AV_NOPTS_VALUE ? 0
+                                                   : static_cast<double>(stream.start_time) * av_q2d(stream.time_base);
+    };
+    const double length = header_of(demuxer).length;
+    double sound = 0;
+    for (unsigned i = 0; i < format.nb_streams; ++i) {
+        const AVStream& stream = *format.streams[i];
+        if (stream.codecpar->codec_type != AVMEDIA_TYPE_AUDIO || stream.duration <= 0) continue;
+        const double end = begin_of(stream) + static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+        sound = std::max(sound, end - begin_of(demuxer.stream()));
+    }
+    return length <= 0 || sound <= 0 || std::abs(sound - length) < together ? 1 : sound / length;
 }
 
 namespace {

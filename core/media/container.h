@@ -35,6 +35,10 @@ struct ClipHeader {
 
 ClipHeader header_of(const Demuxer& demuxer);
 
+/// The length of the sound as a share of the video's, both from the video's first frame on. 1 if there is no sound or
+/// its length is unknown, and also if the two end within seconds.
+double share_of_sound(const Demuxer& demuxer);
+
 /// The orientation in the container: the nearest quarter turn, with or without a flip.
 Orientation orientation_of(const AVStream& stream);
 

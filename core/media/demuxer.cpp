@@ -264,6 +264,33 @@ void set_live(av::Dictionary& options) {
     options.set("overrun_nonfatal", "1");
 }
 
+/// Of a container that lists its frames, such as MP4: the seconds that its duration lacks, because many frames in a row
+/// lie a tick apart. For others it is 0, as only reading them tells.
+double seconds_lacking(AVStream& stream) {
+    const int frames = avformat_index_get_entries_count(&stream);
+    if (stream.duration <= 0 || frames != stream.nb_frames) return 0;
+    const auto stamp = [&](int frame) { return avformat_index_get_entry(&stream, frame)->timestamp; };
+    const double tick = av_q2d(stream.time_base);
+    const double average = static_cast<double>(stream.duration) * tick / frames;
+    int run = 0;
+    int mended = 0;
+    double spanned = 0;  // seconds of the mended frames, with the gap before them
+    for (int i = 1; i <= frames; ++i) {
+        if (i < frames && is_tick(static_cast<double>(stamp(i) - stamp(i - 1)) * tick, average)) {
+            ++run;
+            continue;
+        }
+        const int first = i - 1 - run;
+        if (run >= lasting_ticks && first > 0) {
+            mended += run + 1;
+            spanned += static_cast<double>(stamp(i - 1) - stamp(first - 1)) * tick;
+        }
+        run = 0;
+    }
+    const double usual = (static_cast<double>(stream.duration) * tick - spanned) / std::max(1, frames - mended);
+    return std::max(0.0, mended * usual - spanned);
+}
+
 }  // namespace
 
 Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.watchdog) {
@@ -276,7 +303,10 @@ Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.w
     if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
     if (code < 0) throw_unreadable(input, log_, code);
     choose_stream(input, kind);
-    if (rate > 0 && !watchdog_ && kind == Kind::video) stretch_ = 1 / (frame_duration() * rate);
+    if (watchdog_ || kind == Kind::picture) return;
+    lacking_ = seconds_lacking(*stream_);
+    mender_.emplace(stream_->index, tick(), frame_duration() / tick());
+    if (rate > 0) stretch_ = 1 / (frame_duration() * rate);
 }
 
 int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
@@ -355,6 +385,17 @@ bool Demuxer::read(AVPacket& packet) {
 }
 
 bool Demuxer::read_any(AVPacket& packet) {
+    if (!mender_) return read_unmended(packet);
+    return mender_->read(packet, [this](AVPacket& next) { return read_unmended(next); });
+}
+
+MendedFrames Demuxer::mended() const {
+    MendedFrames mended = mender_ ? mender_->mended() : MendedFrames();
+    mended.from *= stretch_;
+    return mended;
+}
+
+bool Demuxer::read_unmended(AVPacket& packet) {
     if (watchdog_) watchdog_->feed();
     const std::int64_t before = damaged_;
     for (int errors = 0; errors < max_read_errors;) {
@@ -387,6 +428,10 @@ int Demuxer::track() const {
 }
 
 double Demuxer::frame_duration() const {
+    if (lacking_ > 0) {
+        const double stated = static_cast<double>(stream_->duration) * av_q2d(stream_->time_base);
+        return stretch_ * (stated + lacking_) / static_cast<double>(stream_->nb_frames);
+    }
     for (const AVRational rate : {stream_->avg_frame_rate, stream_->r_frame_rate}) {
         if (rate.num > 0 && rate.den > 0) return stretch_ / av_q2d(rate);
     }

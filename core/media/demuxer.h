@@ -8,6 +8,7 @@
 
 #include "core/media/av.h"
 #include "core/media/input.h"
+#include "core/media/stamp_mender.h"
 
 // Playlists (such as HLS) name other files, so they are read only from servers. For local files, a folder, a glob or a
 // list of vvr's own does the same, and stays within its folder.
@@ -51,8 +52,11 @@ class Demuxer {
     /// Makes `read_any` return the packets of all streams, not only the video stream.
     void select_all_streams();
 
-    /// Reads the next packet of any selected stream, skipping errors. False at the end.
+    /// Reads the next packet of any selected stream, skipping errors. False at the end. Timestamps of files are mended.
     bool read_any(AVPacket& packet);
+
+    /// The frames so far whose timestamps were mended.
+    MendedFrames mended() const;
 
     AVFormatContext& format() const { return *format_; }
     AVStream& stream() const { return *stream_; }
@@ -64,7 +68,7 @@ class Demuxer {
     /// Converts a timestamp to seconds on the container's clock. Empty if the timestamp is missing.
     std::optional<double> seconds(std::int64_t stamp) const;
 
-    /// Average seconds per frame according to the container, or 1/25 if unknown.
+    /// Average seconds per frame according to the container without frames a tick apart, or 1/25 if unknown.
     double frame_duration() const;
 
     /// One unit of the timestamps, seconds.
@@ -73,6 +77,9 @@ class Demuxer {
     /// Seconds per second of the container's clock: other than 1 if the user gives a rate.
     double stretch() const { return stretch_; }
 
+    /// Seconds that the container's duration lacks, because it has frames a tick apart.
+    double lacking() const { return lacking_ * stretch_; }
+
     /// How many video tracks there are, and which of them is read, from 1.
     int tracks() const { return static_cast<int>(tracks_.size()); }
     int track() const;
@@ -80,6 +87,7 @@ class Demuxer {
   private:
     int open(const Input& input, double rate, const std::string& rtsp_flags);
     void choose_stream(const Input& input, Kind kind);
+    bool read_unmended(AVPacket& packet);
 
     av::Log log_;
     std::unique_ptr<FileReader> reader_;
@@ -88,6 +96,8 @@ class Demuxer {
     av::Ptr<AVFormatContext> format_;
     std::vector<AVStream*> tracks_;  ///< of video, without cover pictures
     double stretch_ = 1;
+    double lacking_ = 0;  ///< seconds on the container's clock
+    std::optional<StampMender> mender_;
     AVStream* stream_ = nullptr;
     std::int64_t damaged_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/media/container.h"
 #include "core/media/frame_sampler.h"
 #include "core/media/scaler.h"
@@ -80,10 +81,13 @@ FileSource::FileSource(Input input, const SourceOptions& options)
                         "gives another rate)",
                         1 / demuxer.frame_duration()));
     }
+    if (options.rate == 0) doubt_times(demuxer);
     if (options.track == 0 && demuxer.tracks() > 1) {
         notes_.push_back(fmt::format("there are {} video tracks; vvr draws track {} (--track chooses another)",
                                      demuxer.tracks(), demuxer.track()));
     }
+    info_.read_at = options.rate;
+    info_.stretch = demuxer.stretch();
     if (!reader_.fell_back()) info_.hwaccel = options.hwaccel;
     implausible_length_ = header_of(demuxer).implausible_length;
     if (options.begin) {
@@ -112,12 +116,36 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         DecodedFrame{numbers_(first.time), first.time, orientation_, std::move(first.image)});
 }
 
+/// Notes if the times of all frames can hardly be true.
+void FileSource::doubt_times(const Demuxer& demuxer) {
+    constexpr double near = 1.2;
+    constexpr double fastest = 300;  // frames per second of a camera
+    const double share = share_of_sound(demuxer);
+    if (share > near || share < 1 / near) {
+        notes_.push_back(
+            fmt::format("the sound is {:.3g} times as long as the video, whose timestamps may be wrong: --rate {:.3g} "
+                        "instead of its {:.4g} frames per second makes both as long",
+                        share, info_.rate / share, info_.rate));
+    } else if (info_.rate > fastest) {
+        notes_.push_back(
+            fmt::format("the video states {:.4g} frames per second, more than cameras have; if its "
+                        "timestamps are wrong, --rate gives the true rate",
+                        info_.rate));
+    }
+}
+
 std::vector<std::string> FileSource::problems() const {
     std::vector<std::string> problems = notes_;
     const auto years = [](double seconds) { return seconds / (365.25 * 86'400); };
     if (implausible_length_ > 0) {
         problems.push_back(fmt::format("'{}' has a duration of {:.0f} years in its header; vvr uses that of its frames",
                                        info_.name, years(implausible_length_)));
+    }
+    if (const MendedFrames mended = reader_.mended(); mended.frames > 0) {
+        problems.push_back(
+            fmt::format("'{}': {} from {:.1f} s on have almost the same time: the camera's clock may have gone back. "
+                        "vvr shows them at the rate of the others, so times after them may be wrong",
+                        info_.name, counted(mended.frames, "frame"), mended.from));
     }
     if (jump_ > 0) {
         problems.push_back(

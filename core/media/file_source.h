@@ -35,6 +35,7 @@ class FileSource final : public FrameSource {
     double last_in_file() const { return last_in_file_; }
 
   private:
+    void doubt_times(const Demuxer& demuxer);
     std::unique_ptr<DecodedFrame> record_jump(std::unique_ptr<DecodedFrame> frame);
 
     SourceOptions options_;

@@ -54,6 +54,8 @@ struct VideoInfo {
     Choice<FrameChoiceRow> decodes{frame_choices().front()};
     double decoded_share = 1;                        ///< of all frames
     Choice<HwaccelRow> hwaccel{hwaccels().front()};  ///< what decoded the first frame
+    double read_at = 0;  ///< frames per second in place of those that the files state; 0 = as they state
+    double stretch = 1;  ///< seconds per second of the files' own clocks; other than 1 if `read_at` is given
 };
 
 /// Whether the time at which the clip was recorded is known, not only that of a copy.

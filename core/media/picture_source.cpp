@@ -46,8 +46,14 @@ AvFrame try_decode_picture(const std::string& path) {
 }
 
 /// Index of the first file at or after `time`, with a tolerance for rounded decimals.
-std::size_t file_at(double time, double rate, std::size_t files) {
+std::size_t picture_at(double time, double rate, std::size_t files) {
     return static_cast<std::size_t>(std::clamp(std::ceil(time * rate - 1e-6), 0.0, static_cast<double>(files)));
+}
+
+std::vector<std::string> paths_of(const std::vector<SegmentPlace>& places) {
+    std::vector<std::string> paths;
+    for (const SegmentPlace& place : places) paths.push_back(place.path);
+    return paths;
 }
 
 }  // namespace
@@ -78,10 +84,27 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
             ErrorCode::no_frame,
             fmt::format("cannot decode any of the {} pictures of '{}'; the first error: {}", files_.size(), name, why));
     }
+    info_.read_at = options.rate;
     field_size_ = field_size_for(info_.size, options.field_size);
 }
 
+PictureSource::PictureSource(const std::string& name, const std::string& title, std::vector<SegmentPlace> places,
+                             const SourceOptions& options)
+    : PictureSource(name, paths_of(places), options) {
+    places_ = std::move(places);
+    info_.title = title;
+    info_.began = options.begin;
+    info_.began_source = ClockSource::file_name;
+    info_.duration = places_.back().end;
+    info_.frames = places_.back().first_frame + 1;
+    info_.segments = places_;
+}
+
 std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame image) const {
+    if (!places_.empty()) {
+        const SegmentPlace& place = places_[file];
+        return std::make_unique<DecodedFrame>(DecodedFrame{place.first_frame, place.begin, {}, std::move(image)});
+    }
     return std::make_unique<DecodedFrame>(
         DecodedFrame{static_cast<std::int64_t>(file), static_cast<double>(file) / options_.rate, {}, std::move(image)});
 }
@@ -109,7 +132,11 @@ void PictureSource::rewind() {
 
 void PictureSource::seek(double seconds) {
     ahead_.clear();
-    next_ = file_at(seconds, options_.rate, files_.size());
+    next_ = picture_at(seconds, options_.rate, files_.size());
+    if (!places_.empty()) {
+        const auto place = std::ranges::lower_bound(places_, seconds - time_tolerance, {}, &SegmentPlace::begin);
+        next_ = static_cast<std::size_t>(place - places_.begin());
+    }
     damaged_ = 0;
 }
 

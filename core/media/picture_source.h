@@ -16,6 +16,10 @@ class PictureSource final : public FrameSource {
   public:
     PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options);
 
+    /// Pictures of known times, from `options.begin` on; `options.rate` is the usual one.
+    PictureSource(const std::string& name, const std::string& title, std::vector<SegmentPlace> places,
+                  const SourceOptions& options);
+
     const VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field_size_; }
     bool colour() const override { return options_.colour; }
@@ -29,6 +33,7 @@ class PictureSource final : public FrameSource {
     std::unique_ptr<DecodedFrame> frame(std::size_t file, AvFrame image) const;
 
     std::vector<std::string> files_;
+    std::vector<SegmentPlace> places_;  ///< of all files; empty = one after the other, at the rate
     SourceOptions options_;
     VideoInfo info_;
     Size field_size_;

@@ -66,8 +66,16 @@ void VideoReader::open(const SeekPoint& start) {
 void VideoReader::close() {
     if (decoder_) damaged_ = decoder_->damaged();
     fell_back_ = fell_back();
+    if (demuxer_ && demuxer_->mended().frames > mended_.frames) mended_ = demuxer_->mended();
     decoder_.reset();
     demuxer_.reset();
+}
+
+MendedFrames VideoReader::mended() const {
+    MendedFrames mended = mended_;
+    if (demuxer_ && demuxer_->mended().frames > mended.frames) mended = demuxer_->mended();
+    mended.from -= origin();
+    return mended;
 }
 
 void VideoReader::choose(const FrameChoiceRow& choice) {

@@ -101,6 +101,9 @@ class VideoReader {
     /// Whether the processor has ever decoded frames that hardware was to decode.
     bool fell_back() const { return fell_back_ || (decoder_ && decoder_->fell_back()); }
 
+    /// The frames whose timestamps were mended, of the longest read so far; seconds from the clip's first frame.
+    MendedFrames mended() const;
+
     Demuxer& demuxer() const { return *demuxer_; }  ///< not after `close`
     const Input& input() const { return input_; }
 
@@ -122,6 +125,7 @@ class VideoReader {
     std::optional<double> origin_;
     std::int64_t damaged_ = 0;  ///< count of the closed decoder
     bool fell_back_ = false;    ///< whether a closed decoder has
+    MendedFrames mended_;       ///< by closed demuxers
 
     SeekPoint start_;
     std::int64_t given_ = 0;  ///< frames returned since the last rewind

@@ -227,4 +227,4 @@ def test_rate_aspect_and_track_hold_or_say_why_not(t):
     t.vvr("render", "two.mkv", "--track", "3", *LOOK).expect(3, "track 3", "2 video tracks", code="no-video-stream")
     # Pictures.
     t.ffmpeg("-i", "half.avi", "pictures/%d.png")
-    t.vvr("render", "pictures", "--names", "{camera}_%s", *LOOK).expect(0, "names, track and aspect have no effect")
+    t.vvr("render", "pictures", "--aspect", "16:9", *LOOK).expect(0, "track and aspect have no effect", "25 frames per second")

@@ -22,6 +22,7 @@ import {isGone, whyNot} from './unplayable.js';
  * @property {import('./data.js').Segment} segment the file of these that is open
  * @property {boolean} [isPieces] there is nothing between the files
  * @property {boolean} [isPreview]
+ * @property {number} stretch seconds of the picture per second of its own clock
  * @property {number} [offset] where its own clock is at its first frame
  * @property {string} [src] the address that is open
  */
@@ -47,7 +48,7 @@ function filmsOf() {
     const {data, time, now} = state;
     const {preview} = state.parts;
     const ofFiles = (/** @type {import('./data.js').Segment[]} */ files, /** @type {string} */ says) =>
-        ({says, files, segment: fileAt(files, time.secondsOf(now))});
+        ({says, files, segment: fileAt(files, time.secondsOf(now)), stretch: data.stretch ?? 1});
     const films = [];
     const footage = footageOf(data);
     if (footage.length) films.push(() => ofFiles(footage, data.clip ? 'the original clip' : 'the original recording'));
@@ -55,7 +56,7 @@ function filmsOf() {
     if (pieces.length) films.push(() => ({...ofFiles(pieces, 'a clip per event'), isPieces: true}));
     if (preview) {
         const every = preview.step > 1 ? ', one frame in ' + preview.step : '';
-        films.push(() => ({...ofFiles([[previewUrl(), preview.begin, Infinity]], `a small preview${every}`), isPreview: true}));
+        films.push(() => ({...ofFiles([[previewUrl(), preview.begin, Infinity]], `a small preview${every}`), isPreview: true, stretch: 1}));
     }
     return films;
 }
@@ -81,7 +82,7 @@ function isTheClip(candidate) {
     if (!Number.isFinite(video.duration)) return true;
     const [, begin, length] = candidate.segment;
     const wanted = Number.isFinite(length) ? length : state.time.secondsOf(state.time.lastFrame) - begin;
-    return video.duration + 1 > wanted;
+    return video.duration * candidate.stretch + 1 > wanted;
 }
 
 /** Whether the player can go to any moment. With a server that sends files only from their beginning it would play that. */
@@ -154,7 +155,7 @@ export function goToFrame(player, frame) {
     const {film, time} = state;
     if (!film) return;
     const segment = fileAt(film.files, time.secondsOf(frame));
-    const inside = Math.max(0, time.timeWithin(frame) - segment[1] + (film.offset ?? 0));
+    const inside = Math.max(0, (time.timeWithin(frame) - segment[1]) / film.stretch + (film.offset ?? 0));
     if (player === video) film.segment = segment;
     const address = new URL(segment[0], location.href).href;
     if (player.src === address) {
@@ -311,7 +312,7 @@ export function followPlayer() {
     lastLook = performance.now();
     if (film && state.moved && !video.seeking && video.readyState > 1 && (!video.paused || hasFrame(state.now))) {
         const [, begin, length] = film.segment;
-        const seconds = video.currentTime - (film.offset ?? 0) + begin;
+        const seconds = (video.currentTime - (film.offset ?? 0)) * film.stretch + begin;
         const now = time.frameAt(seconds);
         isOver = seconds > Math.min(time.secondsOf(now) + time.lengthOf(now), begin + length) + 0.05;
         set({now});
