@@ -41,6 +41,7 @@ double usual_distance(const std::vector<double>& times) {
 std::optional<Snapshots> find_snapshots(const std::string& name, const std::vector<std::string>& files,
                                         const RecorderNames& known, bool join) {
     constexpr double wide = 3;  // usual distances
+    constexpr double far = 5;   // seconds; within them, people leave the place where they were
     RecorderNames schemes = known;
     std::vector<std::string> paths;
     for (const std::string& file : files) paths.push_back(whole_path(file));
@@ -68,6 +69,12 @@ std::optional<Snapshots> find_snapshots(const std::string& name, const std::vect
         const bool gap = apart > wide * found.usual;
         found.places.push_back({segments[i].path, times[i], times[i] + (gap ? found.usual : apart), number});
         number += gap ? std::llround(apart / found.usual) : 1;
+    }
+    if (found.usual > far) {
+        found.warnings.push_back(
+            fmt::format("'{}': its pictures are {:.0f} s apart. What happened between two of them is not known, and so "
+                        "its events are guesses",
+                        name, found.usual));
     }
     if (!undated.empty()) {
         found.warnings.push_back(fmt::format("'{}': {} whose name has no time left out, such as '{}'", name,
