@@ -1,7 +1,6 @@
 #include "gl/program.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 
@@ -84,8 +83,8 @@ GLint Program::at(std::string_view uniform) const {
 
 namespace {
 
-ProgramSource source(std::string name, std::initializer_list<std::string_view> vertex,
-                     std::initializer_list<std::string_view> fragment) {
+ProgramSource source(std::string name, const std::vector<std::string_view>& vertex,
+                     const std::vector<std::string_view>& fragment) {
     ProgramSource source{std::move(name), {}, {}};
     std::ranges::transform(vertex, std::back_inserter(source.vertex), shader_chunk);
     std::ranges::transform(fragment, std::back_inserter(source.fragment), shader_chunk);
@@ -129,13 +128,16 @@ ProgramSource resolve_program() {
 ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, VolumeShading shading,
                              Channels channels) {
     const std::string_view map = layout.shader();
-    const std::string_view optical = row_of(colour).shader;
+    std::vector<std::string_view> fragment{"volume_in.glsl", map, "volume_sample.glsl"};
+    if (colour == VolumeColour::object) fragment.emplace_back("voxel_identity.glsl");
+    fragment.push_back(row_of(colour).shader);
     if (channels == Channels::pixel_data) {
-        return source("the volume's pixel data", {map, "volume.vert"},
-                      {map, "volume_sample.glsl", optical, "pixel_data_over.glsl", "pixel_data_volume.frag"});
+        fragment.insert(fragment.end(), {"pixel_data_over.glsl", "pixel_data_volume.frag"});
+        return source("the volume's pixel data", {map, "volume.vert"}, fragment);
     }
-    const std::string_view shaded = std::ranges::find(volume_shadings, shading, &VolumeShadingRow::shading)->shader;
-    return source("the volume", {map, "volume.vert"}, {map, "volume_sample.glsl", optical, shaded, "volume.frag"});
+    fragment.push_back(std::ranges::find(volume_shadings, shading, &VolumeShadingRow::shading)->shader);
+    fragment.emplace_back("volume.frag");
+    return source("the volume", {map, "volume.vert"}, fragment);
 }
 
 void set_layout(const Program& program, const space::Layout& layout) {

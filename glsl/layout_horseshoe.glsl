@@ -20,3 +20,9 @@ vec3 c_from_local(vec3 local, float t_reference) {
     float angle = slope * (1.0 - square * (1.0 / 3.0 - 0.2 * square));
     return vec3((r - layout_r_min) / layout_depth, local.y / layout_height, t_reference + angle / pi);
 }
+
+// The map for a position anywhere; t from -1/2 to 3/2.
+vec3 c_from_p(vec3 p) {
+    float t = atan(p.z, -p.x) / pi;
+    return vec3((length(p.xz) - layout_r_min) / layout_depth, p.y / layout_height, t < -0.5 ? t + 2.0 : t);
+}

@@ -1,23 +1,9 @@
 uniform sampler2D transfer;  // a texel each quarter of a value: colour, and extinction per unit length times log2(e)
-uniform sampler2D palette;     // a texel for each: colour, and a factor on the extinction
 
-float scalar_of(vec4 voxel) { return voxel.a; }
-
-// The voxel's identity is not interpolated: it is a palette index and the low and high byte of the event number.
-vec3 identity_at(vec3 at) {
-    ivec3 size = textureSize(brick, 0);
-    return texelFetch(brick, clamp(ivec3(at * vec3(size)), ivec3(0), size - 1), 0).rgb * 255.0;
-}
-
-// Colour of the object; extinction from the transfer function of the scalar.
+// Colour of the object; extinction from the transfer function of the scalar. Follows a chunk that has scalar_of and look_at.
 vec4 optical_at(vec3 at) {
-    float extinction = texelFetch(transfer, ivec2(texture(brick, at).a * 1020.0 + 0.5, 0), 0).a;
+    float extinction = texelFetch(transfer, ivec2(scalar_of(texture(brick, at)) * 1020.0 + 0.5, 0), 0).a;
     if (extinction == 0.0) return vec4(0.0);
-    vec4 look = texelFetch(palette, ivec2(identity_at(at).r + 0.5, 0), 0);
+    vec4 look = look_at(at);
     return vec4(look.rgb, extinction * look.a);
-}
-
-float number_at(vec3 at) {
-    vec3 identity = identity_at(at);
-    return floor(identity.g + 0.5) + 256.0 * floor(identity.b + 0.5);
 }

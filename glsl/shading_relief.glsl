@@ -1,6 +1,3 @@
-in vec3 light;  // directions to the light and along the ray, in the coordinates of `local`
-in vec3 view;
-
 float scalar_at(vec3 at) { return scalar_of(texture(brick, texture_from_c(c_from_local(at, t_near)))); }
 
 // Treats the scalar's gradient as a surface normal: lit by the light, and dark where the ray grazes the surface, so

@@ -1,4 +1,5 @@
 // A fragment of a slice of the volume. Follows these chunks:
+//   volume_in.glsl      what the vertices give
 //   layout_NAME.glsl    c_from_local: interpolated position to C-space
 //   volume_sample.glsl  brick, texture_position, opacity_of: position in the brick's texture
 //   optical_NAME.glsl   optical_at, scalar_of: colour and extinction at a position, scalar of a texel

@@ -1,7 +1,3 @@
-in vec3 local;
-in float t_near;
-in vec3 ray;
-
 uniform sampler3D brick;
 uniform vec3 brick_scale;   // C-space to texture coordinates
 uniform vec3 brick_offset;
