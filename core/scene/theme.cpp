@@ -130,6 +130,10 @@ std::uint8_t palette_index(int colour, ObjectState state) {
     return static_cast<std::uint8_t>(1 + colour * static_cast<int>(states.size()) + static_cast<int>(state));
 }
 
+ObjectState state_of(std::uint8_t index) {
+    return static_cast<ObjectState>(index == 0 ? 0 : (index - 1) % static_cast<int>(states.size()));
+}
+
 std::vector<glm::vec4> object_palette(const Theme& theme) {
     std::vector<glm::vec4> palette{{theme.unowned, unowned_extinction}};
     for (const glm::vec3& colour : theme.objects) {

@@ -59,6 +59,9 @@ enum class ObjectState {
 /// \param colour as returned by `colours_of`
 std::uint8_t palette_index(int colour, ObjectState state);
 
+/// The state of which `palette_index` made an index. An index without an object counts as moving.
+ObjectState state_of(std::uint8_t index);
+
 /// The palette of objects: colour, and a factor on the extinction. The first entry is for motion without an object.
 std::vector<glm::vec4> object_palette(const Theme& theme);
 
