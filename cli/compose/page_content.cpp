@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/compose/turning_volume.h"
 #include "core/annotation/portraits.h"
 #include "core/annotation/ruler.h"
 #include "core/annotation/scene_map.h"
@@ -56,7 +57,7 @@ std::vector<page::Overlay::Note> notes_of(const ComposePlan& plan, const Observa
     const auto add = [&](const std::string& text, double t) {
         const annotation::MarkInPicture mark =
             annotation::mark_in_picture(*plan.look.layout, framing.edge, t, framing.camera, plan.look.picture.size);
-        notes.push_back({text, mark.end, mark.out});
+        notes.push_back({text, t, mark.end, mark.out});
     };
     for (const annotation::TimeGap& gap : explained_gaps(plan, seen)) add(gap.reason, (gap.t_begin + gap.t_end) / 2);
     const std::vector<annotation::TimeTick>& ticks = composed.ticks;
@@ -151,6 +152,7 @@ page::PageContent page_content(const ComposePlan& plan, const Observation& seen,
     content.unseen = unseen_of(plan, seen);
     if (!page.index.empty()) content.index = index_of(page.path, page.index);
     content.overlay = overlay_of(plan, seen, composed);
+    content.turning = turning_volume(plan, seen, composed);
     return content;
 }
 

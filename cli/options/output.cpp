@@ -29,6 +29,7 @@ namespace {
 namespace rows {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
+constexpr Setting flat_page{"flat-page", "", "a page whose picture cannot be turned, smaller by up to 350 kB"};
 constexpr Setting still{"still", "FILE", "the most informative frame of the clip: .jpg .png"};
 constexpr Setting report{
     "report", "FILE",
@@ -165,6 +166,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
     add(setting::slide, options.slide,
         {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_extensions(), " "))});
     add(rows::page, options.page, {.use = FileUse::written});
+    add(rows::flat_page, options.flat_page);
     add(rows::still, options.still, {.use = FileUse::written});
     add(rows::report, options.report, {.standard_output = true, .use = FileUse::written});
     add(rows::events_csv, options.events_csv, {.use = FileUse::written});

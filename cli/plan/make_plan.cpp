@@ -273,6 +273,7 @@ PagePlan page_plan(const RenderJob& job, const media::VideoInfo& info, Purpose p
     if (purpose == Purpose::stream) return page;
     std::error_code none;
     const std::string& input = job.input.names.front();
+    page.turns = !output.flat_page;
     page.plays_file = info.segments.empty() && std::filesystem::is_regular_file(input, none);
     page.file_ending = cut_ending(info.segments.empty() ? input : info.segments.front().path, job.input.rate);
     return page;

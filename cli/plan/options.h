@@ -74,6 +74,7 @@ struct OutputOptions {
     std::string page_heading;          ///< at the top of the page, before the time; empty = the camera, or the name
     std::filesystem::path page_index;  ///< of the archive that has the page; empty = none
     std::filesystem::path page_place;  ///< final path of the page, for links; empty = where it is written
+    bool flat_page = false;            ///< the page's picture does not turn
     std::filesystem::path thumbnail;   ///< empty = none
     std::filesystem::path still;       ///< for a frame of the clip; empty = none
     std::filesystem::path stills;      ///< for the contact sheet of the events; empty = none

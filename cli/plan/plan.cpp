@@ -40,7 +40,7 @@ Framing LookPlan::framing() const {
     std::vector<glm::dvec3> points =
         show.any(&PartRow::around_volume) ? scene::corners(scene::layout_bounds(*layout)) : outline;
     space::View view = picture.view;
-    if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet already leaves a margin
+    if (framing.sheet.text > 0) view.margin = sheet_margin;
     space::Camera camera = space::fit_camera(view, points, part.size());
     framing.edge = annotation::outer_edge(*layout, camera, part.size());
     if (shows(Part::ruler)) {

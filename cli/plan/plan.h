@@ -109,6 +109,9 @@ struct VolumePlan {
     int textures(int pieces) const;
 };
 
+/// Around the volume, in the part of a picture that a sheet leaves to it: the sheet already has a margin.
+inline constexpr double sheet_margin = 0.01;
+
 /// The positions of the volume and of the text around it in a picture.
 struct Framing {
     annotation::Sheet sheet;
@@ -152,6 +155,7 @@ struct PagePlan {
     std::string file{};              ///< display name of the input: a file name, or how many files there are
     bool is_titled = false;          ///< by the user
     bool plays_file = false;         ///< the input is one file
+    bool turns = false;              ///< the page has the volume, so that its picture turns
     std::string file_ending{};       ///< for pieces cut from the clip; empty = unknown
 };
 

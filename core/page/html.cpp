@@ -5,9 +5,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <zlib.h>
+
 #include <fmt/format.h>
 
 #include "core/base/digest.h"
+#include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/tracking/event_kind.h"
@@ -92,6 +95,15 @@ std::string base64(std::span<const std::byte> bytes) {
         text += room.data();
     }
     return text;
+}
+
+std::string deflated_base64(std::span<const std::uint8_t> bytes) {
+    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+    std::vector<std::uint8_t> packed(size);
+    constexpr int level = 6;
+    if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) != Z_OK)
+        throw Error(ErrorCode::out_of_memory, "there is no memory to pack the volume of the page");
+    return base64(std::as_bytes(std::span(packed).first(size)));
 }
 
 std::string data_url(const std::string& type, std::span<const std::byte> bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -20,6 +21,10 @@ std::string html_text(std::string_view text);
 std::string script_json(const std::string& json);
 
 std::string base64(std::span<const std::byte> bytes);
+
+/// Bytes, deflated (zlib), in base64.
+/// \throws Error out_of_memory
+std::string deflated_base64(std::span<const std::uint8_t> bytes);
 
 /// A `data:` URL that contains the bytes.
 std::string data_url(const std::string& type, std::span<const std::byte> bytes);

@@ -163,6 +163,7 @@ std::string make_page(const PageContent& content) {
             {"data", json_text_of(page_data(content))},
             {"pixel data", json_text_of(pixel_data(content))},
             {"stills", json_text_of(still_data(content))},
+            {"volume", json_text_of(Json{{"volume", content.turning}})},
             {"preview", json_text_of(preview_data(content))},
         });
 }

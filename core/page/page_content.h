@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json_text.h"
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
 #include "core/footage/unseen.h"
@@ -43,6 +44,7 @@ struct Overlay {
     /// A text beside the time axis.
     struct Note {
         std::string text;
+        double t = 0;  ///< t_C
         glm::dvec2 at{};
         glm::dvec2 out{};  ///< unit vector away from the volume: the text is on that side
     };
@@ -99,6 +101,7 @@ struct PageContent {
     std::optional<LiveState> live;  ///< of a stream
     footage::Unseen unseen{};
     Overlay overlay;
+    Json turning{};  ///< the volume that turns, as the page's script reads it; null = the picture stays as it is
 
     /// The number that people see of the event at an index.
     std::size_t number_of(std::size_t k) const { return k < numbers.size() ? numbers[k] : k + 1; }

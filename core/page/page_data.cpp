@@ -93,7 +93,10 @@ Json json_of(const Overlay& overlay) {
     };
     const auto place = [](const glm::dvec2& at) { return Json{tenths(at.x), tenths(at.y)}; };
     const auto note = [&](const auto& of) {
-        return Json{{"text", of.text}, {"at", place(of.at)}, {"out", {rounded(of.out.x), rounded(of.out.y)}}};
+        return Json{{"text", of.text},
+                    {"t", std::round(of.t * 1e4) / 1e4},
+                    {"at", place(of.at)},
+                    {"out", {rounded(of.out.x), rounded(of.out.y)}}};
     };
     const auto portrait = [&](const auto& of) {
         return Json{{"event", of.event}, {"box", json_of(of.still)}, {"to", place(of.to)}};

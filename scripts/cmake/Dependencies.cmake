@@ -39,6 +39,7 @@ set_target_properties(onnx::proto PROPERTIES
   INTERFACE_COMPILE_DEFINITIONS "ONNX_ML=1;ONNX_NAMESPACE=onnx"
   INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${ONNX_INCLUDE})
 
+find_package(ZLIB REQUIRED)
 find_package(Fontconfig REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(TBB REQUIRED)

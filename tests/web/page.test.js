@@ -288,7 +288,7 @@ test('keys of the strip of time', () => {
 });
 
 test('addresses', () => {
-    const nothing = {number: null, seconds: null, plays: false, place: null, search: '', nth: null, of: null, ended: null, all: false};
+    const nothing = {number: null, seconds: null, plays: false, place: null, search: '', nth: null, of: null, ended: null, all: false, view: null};
     assert.deepEqual(readAddress('#event=4'), {...nothing, number: 4});
     assert.deepEqual(readAddress('#t=12.9'), {...nothing, seconds: 12.9});
     assert.deepEqual(readAddress('#t=nonsense&event=x&place=line.1.2'), nothing);
@@ -300,7 +300,7 @@ test('addresses', () => {
 test('the address of a hit', () => {
     const place = {kind: 'line', from: [500, 0], to: [500, 1000]};
     const search = 'view=scene&camera=a+%26+b&place=line.500.0.500.1000';
-    const hit = {number: 4, seconds: 12.5, place, search, nth: 2, of: 7};
+    const hit = {number: 4, seconds: 12.5, place, search, nth: 2, of: 7, view: null};
     assert.deepEqual(readAddress(addressOfHit(hit)), {...hit, plays: true, ended: null, all: false});
     assert.deepEqual(readAddress(addressOfHit(hit, {all: true})), {...hit, plays: true, ended: null, all: true});
     assert.deepEqual(readAddress(addressOfHit(hit, {ended: -1})), {...hit, plays: false, ended: -1, all: false});

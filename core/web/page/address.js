@@ -15,6 +15,31 @@ import {shapeOfText, shapeText} from '../shared/shapes.js';
  * @property {number} of how many there are
  */
 
+/** @typedef {{angle: number[], unbent: boolean}} Turned azimuth and elevation, and whether the volume is straight */
+
+/**
+ * @param {string | null} text "-30,12", or "-30,12,unbent"
+ * @returns {Turned | null}
+ */
+function viewOfText(text) {
+    const [azimuth, elevation, layout] = (text ?? '').split(',');
+    const angle = [azimuth, elevation].map(word => word?.trim() ? Number(word) : NaN);
+    return angle.every(Number.isFinite) ? {angle, unbent: layout === 'unbent'} : null;
+}
+
+/**
+ * The address with another angle; null = that of the picture.
+ * @param {string} hash
+ * @param {Turned | null} view
+ */
+export function addressWithView(hash, view) {
+    const parts = new URLSearchParams(hash.replace(/^#/, ''));
+    parts.delete('view');
+    if (view) parts.set('view', view.angle.join(',') + (view.unbent ? ',unbent' : ''));
+    const text = String(parts).replaceAll('%2C', ',');
+    return text && '#' + text;
+}
+
 /** @param {string} hash */
 export function readAddress(hash) {
     const parts = new URLSearchParams(hash.replace(/^#/, ''));
@@ -33,6 +58,7 @@ export function readAddress(hash) {
         /** The way in which the index found nothing more: 1 = after this, -1 = before; null = it was not asked. */
         ended: numberIn('ended'),
         all: parts.has('all'),
+        view: viewOfText(parts.get('view')),
     };
 }
 
@@ -68,7 +94,7 @@ export function addressWith(hash, number) {
     const before = new URLSearchParams(hash.replace(/^#/, ''));
     const parts = new URLSearchParams(number === null ? {} : {event: String(number)});
     const isHit = before.has('nth') && before.get('event') === String(number);
-    for (const name of isHit ? ['t', 'place', 'all', 'search', 'nth', 'of'] : ['search']) {
+    for (const name of isHit ? ['t', 'place', 'all', 'search', 'nth', 'of', 'view'] : ['search', 'view']) {
         const value = before.get(name);
         if (value !== null) parts.set(name, value);
     }

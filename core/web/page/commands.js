@@ -95,6 +95,21 @@ export function stillCommand(data, time, frame, gone = false) {
     return `ffmpeg -ss ${seconds.toFixed(3)} -i ${input} -frames:v 1 ${quoted(stillName(data, time, frame, '.png'))}`;
 }
 
+/**
+ * The command that draws the picture from an angle; null = no file.
+ * @param {PageData} data
+ * @param {Timeline} time
+ * @param {{angle: number[], unbent: boolean, density: number, piece: [number, number] | null, bends: boolean}} turned
+ * @param {boolean} [gone] whether only the pieces are left
+ */
+export function renderCommand(data, time, {angle, unbent, density, piece, bends}, gone = false) {
+    const files = filesOf(data, time, {first: time.firstFrame, last: time.lastFrame}, gone);
+    if (!files) return null;
+    const part = piece && bends ? [`--start ${piece[0].toFixed(3)}s`, `--end ${piece[1].toFixed(3)}s`] : [];
+    return ['vvr render', ...files.map(([path]) => quoted(path)), ...data.cut.names.map(names => `--names ${quoted(names)}`), `--camera ${angle.join(',')}`,
+            ...unbent ? ['--layout box'] : [], ...density === 1 ? [] : [`--opacity ${density.toFixed(2)}`], ...part, '-o turned.png'].join(' ');
+}
+
 /** @param {number[]} sides left, top, right, bottom in pixels */
 const polygonOf = ([left, top, right, bottom]) => `'${left},${top} ${right},${top} ${right},${bottom} ${left},${bottom}'`;
 

@@ -35,8 +35,8 @@
  * What lies over the picture, in its pixels; an event is meant by its place.
  * @typedef {object} Overlay
  * @property {number[][]} sections see arc.js
- * @property {{text: string, at: number[], out: number[]}[]} notes along the time axis, the most important first
- * @property {{event: number, box: number[], to: number[]}[]} portraits
+ * @property {{text: string, t: number, at: number[], out: number[], place?: number[]}[]} notes along the time axis, the most important first; t, and in the volume that turns place, are in C-space
+ * @property {{event: number, box: number[], to: number[], place?: number[]}[]} portraits
  * @property {number} captions height of the space above the portraits
  * @property {boolean} numbers whether trails have numbers
  * @property {{box: number[], src: string} | null} map
@@ -70,7 +70,33 @@
  * @property {PixelData | null} objects
  * @property {Still[]} stills
  * @property {(string | null)[]} portraits
+ * @property {TurningVolume | null} volume
  * @property {{type: string, begin: number, step: number, base64: string} | null} preview
+ *
+ * The volume that turns: TurningVolume of core/page/turning_volume.h.
+ * @typedef {object} TurningVolume
+ * @property {number[]} size in voxels: x, y and time
+ * @property {number[]} scale from C-space to shares of the voxels
+ * @property {number[]} values the scalar of each level
+ * @property {string} levels deflated, in base64
+ * @property {string} owners the same: low bytes, then high bytes
+ * @property {number[]} extinction of each scalar
+ * @property {boolean} relief
+ * @property {import('./layouts.js').LayoutName} layout
+ * @property {import('./layouts.js').Shape} shape
+ * @property {import('./camera.js').View} view
+ * @property {number[]} part of the picture, in which the camera fits the volume: left, top, right, bottom
+ * @property {{outline: boolean, ribs: boolean, ruler: boolean}} shows
+ * @property {number[]} ticks t of each
+ * @property {number} end t at the end of the last layer
+ * @property {number[]} frames the first of each layer of voxels, and the last one
+ * @property {number[]} colours of the events: the place in a palette of 8
+ * @property {{palette: number[][], lines: number[], arrows: number[]}[]} schemes light, dark
+ * @property {{vertices: string, indices: number[]}} arrow
+ * @property {number} thickness
+ * @property {number[][]} arrows tail and tip of each, in C-space
+ * @property {string[]} ends URLs of the frames at the beginning and at the end
+ * @property {number} opacity of these
  */
 
 export {};

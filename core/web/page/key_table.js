@@ -47,6 +47,17 @@ const shiftedKeys = {
 };
 
 /**
+ * With Alt.
+ * @type {Record<string, Action>}
+ */
+const turningKeys = {
+    ArrowLeft: ['turn', 6, 0],
+    ArrowRight: ['turn', -6, 0],
+    ArrowUp: ['turn', 0, 4],
+    ArrowDown: ['turn', 0, -4],
+};
+
+/**
  * On the strip of time.
  * @type {Record<string, Action>}
  */
@@ -73,6 +84,7 @@ const isForBrowser = ({ctrlKey, altKey, metaKey}) => Boolean(ctrlKey || altKey |
  * @returns {Action | null}
  */
 export function pageAction(key) {
+    if (key.altKey && !key.ctrlKey && !key.metaKey && Object.hasOwn(turningKeys, key.key)) return turningKeys[key.key];
     if (isForBrowser(key)) return null;
     const name = key.key.length === 1 ? key.key.toLowerCase() : key.key;
     const table = key.shiftKey && Object.hasOwn(shiftedKeys, name) ? shiftedKeys : pageKeys;

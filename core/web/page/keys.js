@@ -7,6 +7,7 @@ import {askTime, changeSpeed, goBy, stepFrame, togglePlaying, toggleTour} from '
 import {endFilling, swapPlaces, toggleFullScreen} from './layout.js';
 import {at} from '../shared/dom.js';
 import {state} from './state.js';
+import {turn, turnBack} from './turning.js';
 import {pan, showWhole, zoom} from './view.js';
 import {endWhich} from './which.js';
 
@@ -21,7 +22,7 @@ function leave() {
 }
 
 /** @type {Record<string, (...values: number[]) => void>} */
-const actions = {zoom: factor => zoom(factor), showWhole, togglePlaying, goBy, stepFrame, leave, step, pan,
+const actions = {zoom: factor => zoom(factor), showWhole: () => { showWhole(); turnBack(); }, turn, togglePlaying, goBy, stepFrame, leave, step, pan,
     changeSpeed, toggleTour, askTime, toggleFullScreen, swapPlaces, searchByArea: () => askByKeys('box'), searchByLine: () => askByKeys('line'),
     showHelp: () => at('help').toggleAttribute('open')};
 

@@ -9,6 +9,8 @@ import {entriesOf} from './legend.js';
 import {litEvents} from './picture.js';
 import {pictureSize, state} from './state.js';
 import {ofEvent} from './looks.js';
+import {overlayNow, pathOf, pixelAt, showsFrame} from './turned.js';
+import {hiddenOf} from './volume_view.js';
 
 const letters = at('letters');
 const [width, height] = pictureSize;
@@ -20,7 +22,7 @@ const lit = at('lit', SVGSVGElement);
 const mostLit = 24;  // more paths at a time tell nothing
 const smallest = 56;  // pixels: below, a portrait has no room for text
 
-/** @param {[number, number][]} points */
+/** @param {number[][]} points */
 const pointsText = points => points.map(point => point.map(value => value.toFixed(1)).join(',')).join(' ');
 
 /**
@@ -49,12 +51,56 @@ function textAt(className, text, [x, y]) {
     return made;
 }
 
+/**
+ * Where what is drawn stands in the volume that turns.
+ * @type {Map<Element, import('./layouts.js').Point>}
+ */
+const places = new Map();
+
+/**
+ * @template {Element} E
+ * @param {E} element
+ * @param {import('./layouts.js').Point | undefined} place in C-space
+ * @returns {E}
+ */
+function standsAt(element, place) {
+    if (place) places.set(element, place);
+    return element;
+}
+
+/** What is nearer hides numbers, times and the lines of portraits. */
+function hideBehind() {
+    const hidden = hiddenOf([...places.values()]);
+    [...places.keys()].forEach((element, k) => element.classList.toggle('behind', hidden[k]));
+}
+
+/** @param {Pick<import('./data.js').PageEvent, 'path'>} event */
+const trailNow = event => state.turns ? pathOf(event).map(pixelAt) : trailOf(state.data.overlay.sections, {path: event.path.slice(0, 1)}, state.time);
+
+/**
+ * The stretches of an event's path that are seen, and those that are behind something.
+ * @param {import('./data.js').PageEvent} event
+ */
+function stretchesOf(event) {
+    if (!state.turns) return [{points: trailOf(state.data.overlay.sections, event, state.time), isHidden: false}];
+    const path = pathOf(event);
+    const hidden = hiddenOf(path);
+    /** @type {{points: number[][], isHidden: boolean}[]} */
+    const stretches = [];
+    path.map(pixelAt).forEach((point, k) => {
+        const before = stretches[stretches.length - 1];
+        before?.points.push(point);
+        if (before?.isHidden !== hidden[k]) stretches.push({points: [point], isHidden: hidden[k]});
+    });
+    return stretches;
+}
+
 /** Pixels of the screen per pixel of the picture. */
 const scaleNow = () => state.stageWidth / width;
 
 /** @param {import('./data.js').Overlay['portraits'][number]} portrait */
-function portraitOf({event: place, box, to}) {
-    const {events, time, data} = state;
+function portraitOf({event: place, box, to, place: at}) {
+    const {events, time} = state;
     const event = events[place];
     const [left, , right] = box;
     const made = ofEvent(boxAt('portrait', box), place);
@@ -67,20 +113,20 @@ function portraitOf({event: place, box, to}) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
         caption.append(number, element('span', 'deed', ' ' + (event.deed ?? event.kind)));
-        if (data.overlay.captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', time.clockOf(event.begin, false)));
+        if (overlayNow().captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', time.clockOf(event.begin, false)));
         made.append(caption);
     } else {
         made.append(number);
         made.classList.add('small');
     }
     made.append(image);
-    ofEvent(appendShape('line', {x1: (left + right) / 2, y1: box[3], x2: to[0], y2: to[1]}, lines), place);
+    standsAt(ofEvent(appendShape('line', {x1: (left + right) / 2, y1: box[3], x2: to[0], y2: to[1]}, lines), place), at);
     return made;
 }
 
 /** The empty scene with the path of each object. */
 function drawMap() {
-    const {map} = state.data.overlay;
+    const {map} = overlayNow();
     at('map').replaceChildren();
     if (!map) return;
     const [left, top, right, bottom] = map.box;
@@ -124,7 +170,7 @@ function noteBox(/** @type {{text: string, at: number[], out: number[]}} */ {tex
 
 /** The boxes of portraits with their captions, and of the map, in pixels of the screen: no note lies on them. */
 function picturesOver() {
-    const {portraits, captions, map} = state.data.overlay;
+    const {portraits, captions, map} = overlayNow();
     const scale = scaleNow();
     const boxes = [...portraits.map(({box}) => [box[0], box[1] - captions, box[2], box[3]]), ...map ? [map.box] : []];
     return boxes.map(box => box.map(value => value * scale)).map(([left, top, right, bottom]) => ({left, top, right, bottom}));
@@ -135,21 +181,21 @@ function notes() {
     const taken = picturesOver();
     const scale = scaleNow();
     const made = [];
-    for (const note of state.data.overlay.notes) {
+    for (const note of overlayNow().notes) {
         const box = [note, {...note, out: note.out.map(value => -value)}].map(noteBox).find(one => !taken.some(other => overlap(one, other)));
         if (!box) continue;
         taken.push(box);
-        made.push(textAt('note', note.text, [box.x / scale / width, box.y / scale / height]));
+        made.push(standsAt(textAt('note', note.text, [box.x / scale / width, box.y / scale / height]), note.place));
     }
     return made;
 }
 
 /** The numbers of the events where their trails begin, as many as have room. */
 function numbers() {
-    const {events, data, time} = state;
-    if (!data.overlay.numbers) return [];
+    const {events} = state;
+    if (!overlayNow().numbers) return [];
     const scale = scaleNow();
-    const starts = events.map(event => trailOf(data.overlay.sections, {path: event.path.slice(0, 1)}, time)[0]);
+    const starts = events.map(event => trailNow(event)[0]);
     const order = [...events.keys()].filter(place => starts[place])
         .sort((a, b) => events[b].last - events[b].first - (events[a].last - events[a].first));
     const boxes = order.map(place => {
@@ -159,36 +205,40 @@ function numbers() {
     const kept = roomFor(boxes);
     return order.filter((_, k) => kept[k]).map(place => {
         const [x, y] = starts[place];
-        return ofEvent(textAt('number badge', String(numberOf(events, place)), [x / width, y / height]), place);
+        const badge = ofEvent(textAt('number badge', String(numberOf(events, place)), [x / width, y / height]), place);
+        return standsAt(badge, state.turns ? pathOf(events[place])[0] : undefined);
     });
 }
 
 export function drawLetters() {
     lines.setAttribute('viewBox', `0 0 ${width} ${height}`);
     lines.replaceChildren();
-    const {overlay} = state.data;
-    const shown = overlay.portraits.filter(({event}) => event < state.events.length);
+    places.clear();
+    const shown = overlayNow().portraits.filter(({event}) => event < state.events.length);
     drawMap();
     letters.replaceChildren(...shown.map(portraitOf), ...notes(), ...numbers());
+    hideBehind();
     drawLit();
 }
 
 /** The paths of what is lit lie above all others; the rest is paled. */
 export function drawLit() {
-    const {data, events, time} = state;
-    const places = litEvents();
+    const {events} = state;
+    const shown = litEvents();
     for (const root of [letters, lines]) {
         for (const child of root.querySelectorAll('[data-event]')) {
-            child.classList.toggle('pale', places !== null && !places.includes(Number(child.getAttribute('data-event'))));
+            child.classList.toggle('pale', shown !== null && !shown.includes(Number(child.getAttribute('data-event'))));
         }
         for (const child of root.querySelectorAll('.lit')) child.classList.remove('lit');
     }
     lit.setAttribute('viewBox', `0 0 ${width} ${height}`);
     lit.replaceChildren();
-    if (places === null || places.length > mostLit) return drawRib();
-    for (const place of places) {
-        const points = pointsText(trailOf(data.overlay.sections, events[place], time));
-        for (const name of ['casing', 'trail']) ofEvent(appendShape('polyline', {points, class: name}, lit), place);
+    if (shown === null || shown.length > mostLit) return drawRib();
+    for (const place of shown) {
+        const stretches = stretchesOf(events[place]);
+        for (const name of ['casing', 'trail']) {
+            for (const {points, isHidden} of stretches) ofEvent(appendShape('polyline', {points: pointsText(points), class: isHidden ? name + ' behind' : name}, lit), place);
+        }
         for (const same of lines.querySelectorAll(`[data-event="${place}"]`)) same.classList.add('lit');
     }
     drawRib();
@@ -196,9 +246,9 @@ export function drawLit() {
 
 /** The cross-section at the moment that the player shows, and where the chosen object is in it. */
 export function drawRib() {
-    const {data, time, now, moved, chosen, events} = state;
+    const {time, now, moved, chosen, events} = state;
     for (const old of lit.querySelectorAll('.rib, .here')) old.remove();
-    const corners = moved ? sectionAt(data.overlay.sections, time.secondsOf(now)) : null;
+    const corners = moved && (!state.turns || showsFrame(now)) ? sectionAt(overlayNow().sections, time.secondsOf(now)) : null;
     if (!corners) return;
     /** @type {[number, number][]} */
     const points = [0, 2, 4, 6].map(k => [corners[k], corners[k + 1]]);

@@ -22,6 +22,9 @@ import {drawAll, set, state} from './state.js';
 import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {inSentence} from './timeline.js';
 import {drawStage, listenToView, playCandidate, roomOf} from './view.js';
+import {overlayNow} from './turned.js';
+import {drawTurning, followView, listenToTurning} from './turning.js';
+import {drawColours, drawDensity, drawLook, drawVolume, listenToVolume, prepareVolume} from './volume_view.js';
 import {drawWhich, listenToWhich} from './which.js';
 
 /** Characters that change the direction of writing are shown as code points. */
@@ -99,7 +102,13 @@ const parts = [
     {draw: drawStill, from: () => [state.parts, state.now, showsStill()]},
     {draw: drawPlayButton, from: () => [isPlaying()]},
     {draw: drawVeil, from: () => [state.pixels, state.chosen, state.lightened, wantedEvents(), state.dark, state.ground]},
-    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked]},
+    {draw: drawColours, from: () => [state.turns, state.dark, state.ground, state.parts.volume]},
+    {draw: drawLook, from: () => [state.turnable, state.dark, state.ground, state.events, state.chosen, state.lightened, wantedEvents()]},
+    {draw: drawDensity, from: () => [state.density]},
+    {draw: drawVolume, from: () => [state.turns, ...state.angle, state.unbent, state.density, state.piece, state.bends, state.now, state.moved, state.scale,
+                                    ...state.middle, ...state.room, state.contents, state.dark, state.ground, state.chosen, state.lightened, wantedEvents()]},
+    {draw: drawTurning, from: () => [state.turnable, state.turns, state.piece, state.bends, state.stripLasts]},
+    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked, overlayNow()]},
     {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, showsStill()]},
@@ -121,11 +130,21 @@ function readPixels() {
     });
 }
 
+/** The volume can be turned once its voxels have come; nobody waits for it. */
+function turnable() {
+    const {volume} = state.parts;
+    if (!volume) return;
+    set({angle: volume.view.slice(0, 2)});
+    const ready = () => prepareVolume().then(followView);
+    setTimeout(ready, 200);  // first what is seen at once
+}
+
 /** The page calls it when a part of its data has come. */
 export function takeParts() {
-    const had = state.parts.pixels;
+    const had = state.parts;
     takeArrived();
-    if (state.parts.pixels !== had) readPixels();
+    if (state.parts.pixels !== had.pixels) readPixels();
+    if (state.parts.volume !== had.volume) turnable();
     openWaiting();
 }
 
@@ -133,7 +152,7 @@ document.documentElement.dataset.script = '';
 state.room = roomOf();
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
-for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToWhich, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToNeighbours]) listen();
+for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToWhich, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToTurning, listenToVolume, listenToNeighbours]) listen();
 linkIndex();
 takeArrival();
 addEventListener('hashchange', followAddress);
@@ -156,6 +175,8 @@ followAddress();
 readPixels();
 
 // The names that tests, and whoever debugs a page, find as `vvr.NAME`.
+export {framingNow, placeOf, tOf} from './turned.js';
+export {pickedAround} from './volume_view.js';
 export {arrowAcross} from '../shared/ways.js';
 export {sortedPlaces, stillNear} from './events.js';
 export {tell} from './messages.js';
@@ -163,4 +184,4 @@ export {paleOf, veilWords} from './picture.js';
 export {setPlaying, show} from './player.js';
 export {kindOf, pictureSize} from './state.js';
 export {zoomStrip} from './strip.js';
-export {askPlace, choose, drawChips, drawClasses, drawList, isPlaying, set, state};
+export {askPlace, choose, drawChips, drawClasses, drawList, isPlaying, overlayNow, prepareVolume, set, state};

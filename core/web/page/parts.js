@@ -2,7 +2,7 @@
 
 import {set, state} from './state.js';
 
-const ids = ['pixeldata', 'stilldata', 'previewdata'];
+const ids = ['pixeldata', 'stilldata', 'volumedata', 'previewdata'];
 /** @type {Set<string>} */
 const taken = new Set();
 

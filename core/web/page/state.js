@@ -9,7 +9,7 @@ import {Timeline} from './timeline.js';
 /** @type {import('./data.js').PageData} */
 const data = dataOfPage();
 /** @type {import('./data.js').Parts} */
-const nothing = {pixels: null, objects: null, stills: [], portraits: [], preview: null};
+const nothing = {pixels: null, objects: null, stills: [], portraits: [], volume: null, preview: null};
 const time = new Timeline(data.times, data.clock, data.gaps);
 
 const picture = at('picture', HTMLImageElement);
@@ -70,6 +70,15 @@ export const {state, set, render, drawAll} = store({
     middle: [0.5, 0.5],       // the point in the middle of the view, in shares of the picture
     room: [0, 0],             // width and height of the view
     stageWidth: 0,            // of the picture on the screen
+
+    // the volume that turns
+    turnable: false,          // whether there is one
+    turns: false,             // whether it is shown instead of the picture
+    angle: [0, 46],           // azimuth and elevation, degrees
+    unbent: false,            // whether it is straight
+    density: 1,               // a factor on its extinction
+    piece: /** @type {[number, number] | null} */ (null),  // of the time, in seconds; null = all
+    bends: false,             // whether the piece has all of the arc
 
     // the strip of time, in seconds
     stripFrom: time.begins,

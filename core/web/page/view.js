@@ -10,6 +10,8 @@ import {bringIntoSight, show} from './player.js';
 import {point} from './pointing.js';
 import {say} from './messages.js';
 import {pictureSize, set, state} from './state.js';
+import {dragNow, heldAt, startTurning, turnBack, turnBy} from './turning.js';
+import {pickedAround} from './volume_view.js';
 import {askWhich} from './which.js';
 import {placed, wheelZooms, zoomedAbout} from './zoom.js';
 
@@ -75,6 +77,31 @@ const reaches = {mouse: 4, finger: 12};
 /** @typedef {{frame: number | null, event: number | null}} Shown null = none */
 
 /**
+ * In pixels of the picture.
+ * @param {MouseEvent} event
+ */
+const pixelUnder = event => sharesWithin(picture, event).map((share, k) => share * pictureSize[k]);
+
+/**
+ * In pixels of the view.
+ * @param {MouseEvent} event
+ */
+const placeInView = event => sharesWithin(at('volume'), event).map((share, k) => share * [view.clientWidth, view.clientHeight][k]);
+
+/**
+ * @param {MouseEvent} event
+ * @param {number} reach pixels of the screen
+ */
+function nearOf(event, reach) {
+    if (!state.turns) {
+        const [x, y] = pixelUnder(event);
+        return shownNear(state.pixels, x, y, reach * pictureSize[0] / state.stageWidth);
+    }
+    const [x, y] = placeInView(event);
+    return shownNear(pickedAround(x, y, reach), reach, reach, reach);
+}
+
+/**
  * What may be meant at a point, the first most of all; never nothing. A mouse means what is nearest.
  * @param {MouseEvent} event
  * @param {boolean} byFinger
@@ -84,9 +111,7 @@ export function meantAt(event, byFinger) {
     const over = overlaidAt(event);
     const numbered = over ? [{frame: state.events[over.event].first, event: over.event}] : [];
     if (over && (over.isPortrait || !byFinger)) return numbered;
-    const [x, y] = sharesWithin(picture, event).map((share, k) => share * pictureSize[k]);
-    const scale = state.stageWidth / pictureSize[0];
-    const near = shownNear(state.pixels, x, y, (byFinger ? reaches.finger : reaches.mouse) / scale);
+    const near = nearOf(event, byFinger ? reaches.finger : reaches.mouse);
     const meant = byFinger ? meantByFinger([...numbered, ...near.filter(one => one.event !== over?.event)], wantedEvents()) : near.slice(0, 1);
     return meant.length ? meant : [{frame: null, event: null}];
 }
@@ -98,7 +123,7 @@ export function meantAt(event, byFinger) {
 const fingers = new Map();
 /**
  * Where the first went down.
- * @type {{x: number, y: number, drag: boolean, byFinger: boolean} | null}
+ * @type {{x: number, y: number, drag: boolean, byFinger: boolean, held: number[] | null} | null}
  */
 let press = null;
 
@@ -109,7 +134,7 @@ function spreadOf() {
 }
 
 /** @param {Event} event */
-const isOnButton = event => event.target instanceof Element && event.target.closest('button') !== null;
+const isOnButton = event => event.target instanceof Element && event.target.closest('button, select, input') !== null;
 
 /** @param {PointerEvent} event */
 function move(event) {
@@ -128,7 +153,9 @@ function move(event) {
         if (press.drag) {
             Object.assign(finger, {x: event.clientX, y: event.clientY});
             view.classList.add('dragging');
-            pan(byX, byY);
+            if (press.held) dragNow(press.held, pixelUnder(event));
+            else if (event.shiftKey || !startTurning()) pan(byX, byY);
+            else turnBy(byX, byY);
             return point(null);
         }
     }
@@ -173,11 +200,27 @@ function playUnder(event, byFinger) {
 /** The buttons of a narrow window have a row of their own. */
 export const roomOf = () => [view.clientWidth, view.clientHeight - parseFloat(getComputedStyle(view).getPropertyValue('--buttons') || '0')];
 
+/**
+ * Where the frame of now is held; null = the pointer is on something else.
+ * @param {MouseEvent} event
+ */
+function heldUnder(event) {
+    if (!state.turns || event.shiftKey) return null;
+    const [x, y] = placeInView(event);
+    return pickedAround(x, y, 0).isNow ? heldAt(pixelUnder(event)) : null;
+}
+
+/** All of the picture, from its own angle. */
+function showDefault() {
+    showWhole();
+    turnBack();
+}
+
 export function listenToView() {
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;
         fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-        press = {x: event.clientX, y: event.clientY, drag: fingers.size > 1, byFinger: event.pointerType === 'touch'};
+        press = {x: event.clientX, y: event.clientY, drag: fingers.size > 1, byFinger: event.pointerType === 'touch', held: heldUnder(event)};
         view.setPointerCapture(event.pointerId);
     });
     view.addEventListener('pointermove', move);
@@ -195,6 +238,7 @@ export function listenToView() {
     }, {passive: false});
     at('closer').addEventListener('click', () => zoom(1.5));
     at('farther').addEventListener('click', () => zoom(1 / 1.5));
-    at('whole').addEventListener('click', showWhole);
+    at('whole').addEventListener('click', showDefault);
+    view.addEventListener('dblclick', event => { if (!isOnButton(event)) showDefault(); });
     new ResizeObserver(() => { if (view.clientWidth > 0) set({room: roomOf()}); }).observe(view);  // a full screen hides it
 }

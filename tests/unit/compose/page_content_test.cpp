@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,41 @@ TEST(PageContent, HasEventsWithWhatTheyDid) {
     ASSERT_EQ(content.portraits.size(), 1U);
     EXPECT_FALSE(content.portraits[0].empty());
     EXPECT_EQ(content.overlay.portraits.size(), 1U);
+}
+
+TEST(PageContent, HasTheVolumeOfAWholeClip) {
+    const page::PageContent content = content_of(as_it_is);
+    const Json& turning = content.turning;
+    EXPECT_EQ(turning["size"], (Json{32, 24, 100}));
+    EXPECT_EQ(turning["scale"], (Json{1, 1, 1}));
+    ASSERT_EQ(turning["frames"].size(), 101U) << "the first of each layer, and the last";
+    EXPECT_EQ(turning["frames"][50], 50);
+    EXPECT_EQ(turning["frames"].back(), 99);
+    EXPECT_EQ(turning["schemes"].size(), 2U) << "light and dark";
+    EXPECT_FALSE(turning["ticks"].empty());
+    EXPECT_TRUE(content_of([](app::RenderJob& job) { job.output.flat_page = true; }).turning.is_null());
+    EXPECT_TRUE(content_of([](app::RenderJob& job) { job.picture.view.fov = 0; }).turning.is_null());
+    EXPECT_TRUE(content_of([](app::RenderJob& job) { job.look.colour = "transfer"; }).turning.is_null());
+}
+
+TEST(PageContent, MakesTheVolumeSmallerUntilThePageHasRoom) {
+    const Change noise{as_it_is, [](app::Plan&, app::Observation& seen) {
+                           constexpr Size size{160, 120};
+                           std::minstd_rand random(1);
+                           volume::Volume volume(size, {});
+                           for (int i = 0; i < 120; ++i) {
+                               fields::Field field = test::field_of(i, size, 0);
+                               for (std::uint8_t& value : field.scalar.pixels())
+                                   value = static_cast<std::uint8_t>(random() % 4 == 0 ? random() % 256 : 0);
+                               volume.add(field);
+                           }
+                           seen = test::observed(volume);
+                       }};
+    const Json turning = content_of(noise).turning;
+    const std::size_t letters =
+        turning["levels"].get<std::string>().size() + turning["owners"].get<std::string>().size();
+    EXPECT_LE(letters, 310'000U);
+    EXPECT_GE(letters, 60'000U) << "not smaller than it has to be";
 }
 
 TEST(PageContent, PutsMomentsAndTimesIntoThePicture) {
