@@ -292,8 +292,10 @@ class Annotator {
         if (plan_.look.shows(Part::strip)) {
             const std::vector<annotation::Period> unexplained =
                 annotation::unexplained_periods(seen_.volume, seen_.identify);
+            const footage::Unseen unseen = unseen_of(plan_, seen_);
             const annotation::StripContent content{seen_.findings,      unexplained,         seen_.not_chosen,
-                                                   seen_.begin.seconds, seen_.end().seconds, composed_.nothing_moves};
+                                                   seen_.begin.seconds, seen_.end().seconds, composed_.nothing_moves,
+                                                   unseen.intervals};
             add_numbered(
                 annotation::label_strip(objects, content, sheet_, {ink_, pale_, lines_, background_}, lettering_));
         }

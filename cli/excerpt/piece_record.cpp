@@ -1,5 +1,6 @@
 #include "cli/excerpt/piece_record.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <system_error>
@@ -46,6 +47,13 @@ Json json_of(const PieceRecord& record, const WrittenPiece& piece, const MomentP
     std::int64_t expected = present;
     for (const media::FrameGap& gap : facts.gaps) expected += gap.frames;
     footage::Unseen unseen = record.unseen;
+    std::erase_if(unseen.intervals, [&](const condition::Interval& interval) {
+        return interval.end <= facts.begin || interval.begin >= facts.end;
+    });
+    for (condition::Interval& interval : unseen.intervals) {
+        interval.begin = std::max(interval.begin, facts.begin);
+        interval.end = std::min(interval.end, facts.end);
+    }
     unseen.gaps = facts.gaps;
     unseen.damage = facts.damage;
     unseen.damaged = 0;

@@ -49,13 +49,13 @@ void take_stills_from_scene(Observation& seen) {
         return media::Frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
     };
     const media::Frame usual = frame_of(seen.scene);
-    const auto& mode = seen.summary.reference.infrared;
-    const media::Frame infrared = mode ? frame_of(mode->colour) : usual;
+    std::vector<media::Frame> others;
+    for (const fields::Reference& other : seen.summary.reference.others) others.push_back(frame_of(other.colour));
     for (const tracking::Event& event : seen.findings.events) {
         const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
         seen.crops.keep(event.tracks.front(), {event.first, event.box, annotation::score_of_scene},
-                        event.infrared ? infrared : usual);
+                        event.view == 0 ? usual : others.at(event.view - 1));
     }
 }
 
@@ -244,7 +244,10 @@ void ObservationBuilder::identify() {
 
 fields::SceneSink ObservationBuilder::scene_sink() {
     return [this](const fields::Reference& scene) {
-        if (finder) finder->set_scene(scene.planes(), scene.infrared ? scene.infrared->planes() : fields::Planes{});
+        if (!finder) return;
+        std::vector<fields::Planes> scenes;
+        for (std::size_t view = 0; view <= scene.others.size(); ++view) scenes.push_back(scene.of_view(view).planes());
+        finder->set_scenes(std::move(scenes));
     };
 }
 
@@ -255,8 +258,9 @@ fields::LivingFinder ObservationBuilder::living_finder() {
 
 const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& frame, const fields::Field& field) {
     std::optional<double> busy_since;
-    if (field.before != media::Absence::no_signal && seen.volume.frames() > 0)
-        seen.missing.push_back({seen.last->pts, field.pts, field.before});
+    if (field.before != condition::Kind::no_signal && seen.volume.frames() > 0)
+        seen.missing.push_back(
+            {std::min(seen.last->pts, field.absent_since.value_or(seen.last->pts)), field.pts, field.before});
     if (field.scene) {
         seen.relearnt.push_back(fmt::format(
             "most of the picture changed at {}; the empty scene was learnt anew until {}, and nothing is known of what "
@@ -265,8 +269,9 @@ const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& f
             annotation::format_moment(field.pts, plan_.read.clock)));
     }
     if (finder) {
-        tracking::TrackedFrame tracked = finder->add(
-            {field.scalar, frame->grey, frame->colour, field.infrared, field.scene.get()}, {field.index, field.pts});
+        tracking::TrackedFrame tracked =
+            finder->add({field.scalar, frame->grey, frame->colour, field.view, frame->damaged, field.scene.get()},
+                        {field.index, field.pts});
         labels_ = std::move(tracked.labels);
         busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
@@ -302,11 +307,20 @@ fields::FieldNeeds needs_of(const ObservePlan& plan, const fields::FieldSource& 
 
 footage::Unseen unseen_of(const ObservePlan& plan, const Observation& seen) {
     footage::Unseen unseen{.areas = plan.field.areas, .masked = plan.field.masked};
-    std::ranges::copy_if(seen.gaps, std::back_inserter(unseen.gaps), [&](const media::FrameGap& gap) {
-        return gap.end > seen.begin.seconds && gap.begin < seen.end().seconds &&
-               media::reason_for_gap(plan.read.span, seen.info.segments, seen.missing, gap.begin, gap.end) !=
-                   "left out";
-    });
+    unseen.intervals = seen.missing;
+    const auto& damaged = seen.summary.damaged_pictures;
+    unseen.intervals.insert(unseen.intervals.end(), damaged.begin(), damaged.end());
+    for (const media::FrameGap& gap : seen.gaps) {
+        if (gap.end <= seen.begin.seconds || gap.begin >= seen.end().seconds) continue;
+        const std::string reason =
+            media::reason_for_gap(plan.read.span, seen.info.segments, seen.missing, gap.begin, gap.end);
+        if (reason == "left out") continue;
+        unseen.gaps.push_back(gap);
+        constexpr double little = 1;  // seconds; less is lost in any network
+        if (reason == row_of(condition::Kind::no_signal).words && gap.end - gap.begin >= little)
+            unseen.intervals.push_back({gap.begin, gap.end});
+    }
+    unseen.intervals = joined(std::move(unseen.intervals));
     unseen.damage = seen.summary.damage;
     unseen.damaged = seen.summary.damaged;
     return unseen;

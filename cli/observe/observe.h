@@ -51,7 +51,7 @@ struct Observation {
     std::optional<DetectorUse> detector{};                  ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                     ///< the scene without objects
     std::vector<media::FrameGap> gaps{};                    ///< where frames are missing
-    std::vector<media::MissingFrames> missing{};            ///< whose reason is known
+    std::vector<condition::Interval> missing{};             ///< whose reason is known
     std::vector<std::string> relearnt{};                    ///< when the empty scene was learnt anew, one sentence each
     fields::FieldSummary summary{};
 

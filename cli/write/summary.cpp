@@ -59,6 +59,21 @@ std::optional<std::string> advice_on_rate(const Observation& seen) {
                        all ? "" : "; use --decode all");
 }
 
+/// The longest time in which the recording itself was at fault, and why.
+std::optional<std::string> advice_on_recording(const Plan& plan, const Observation& seen) {
+    const footage::Unseen unseen = unseen_of(plan, seen);
+    const condition::Interval* worst = nullptr;
+    for (const condition::Interval& interval : unseen.intervals) {
+        if (row_of(interval.kind).cause.empty()) continue;
+        if (worst == nullptr || interval.end - interval.begin > worst->end - worst->begin) worst = &interval;
+    }
+    if (worst == nullptr) return std::nullopt;
+    const condition::ConditionRow& row = row_of(worst->kind);
+    return fmt::format("'{}': {} from {} to {}; probably {}; look at the footage of that time yourself", seen.info.name,
+                       row.words, annotation::format_moment(worst->begin, plan.read.clock),
+                       annotation::format_moment(worst->end, plan.read.clock), row.cause);
+}
+
 /// Why no time is compressed in a long clip.
 std::optional<std::string> advice_on_time(const Plan& plan, const Observation& seen) {
     constexpr double is_long = 600;  // seconds
@@ -126,6 +141,7 @@ std::string events_summary(const std::vector<tracking::Event>& events, std::size
 
 std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
     std::vector<std::string> advice;
+    if (auto text = advice_on_recording(plan, seen)) advice.push_back(std::move(*text));
     if (auto text = advice_on_clutter(plan, seen)) advice.push_back(std::move(*text));
     if (auto text = advice_on_time(plan, seen)) advice.push_back(std::move(*text));
     if (auto text = advice_on_rate(seen)) advice.push_back(std::move(*text));

@@ -37,6 +37,7 @@ class Strip {
     std::vector<std::size_t> draw() {
         if (rows_.height() < row_height_ || !(content_.end > content_.begin)) return {};
         label_axis();
+        for (const condition::Interval& interval : content_.intervals) hatch(interval);
         const std::vector<StripBar> bars = place_bars();
         std::vector<std::size_t> with_bar;
         for (const StripBar& bar : bars) {
@@ -96,6 +97,31 @@ class Strip {
     void draw_line(double from, double to, double y, double width, const image::Rgba& colour) {
         const double inset = std::min(width / 2, (to - from) / 2);
         lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
+    }
+
+    /// Hatches a time in which nobody could be seen, and says why where there is room.
+    void hatch(const condition::Interval& interval) {
+        const PixelBox room{column(interval.begin), rows_.top, column(interval.end), rows_.bottom};
+        const double thin = std::max(1.0, sheet_.small / 14.0);
+        const int apart = std::max(4, sheet_.small / 2);
+        for (int x = room.left - room.height(); x < room.right; x += apart) {
+            const int left = std::max(x, room.left);
+            const int right = std::min(x + room.height(), room.right);
+            if (left < right)
+                lettering_.strokes.push_back(
+                    {{left, room.bottom - (left - x)}, {right, room.bottom - (right - x)}, thin, style_.lines});
+        }
+        // What takes no time, such as a knock, is a line.
+        if (room.width() < apart)
+            lettering_.strokes.push_back({{room.left, room.top}, {room.left, room.bottom}, 2 * thin, style_.pale});
+        const std::string words(row_of(interval.kind).words);
+        annotation::Label label = annotation::make_centred_label(words, sheet_.small, (room.left + room.right) / 2.0,
+                                                                 room.top + sheet_.small, style_.pale);
+        if (label.box.width() > room.width())
+            label = annotation::make_label(words, sheet_.small, room.right + number_gap, room.top + sheet_.small,
+                                           style_.pale);
+        label.halo = style_.background;
+        lettering_.add(label, sheet_.strip, 2);
     }
 
     /// \returns whether the bar has a number

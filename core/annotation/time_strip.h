@@ -8,6 +8,7 @@
 #include "core/annotation/objects.h"
 #include "core/annotation/sheet.h"
 #include "core/annotation/time_ticks.h"
+#include "core/condition/condition.h"
 #include "core/volume/owners.h"
 #include "core/volume/volume.h"
 
@@ -58,7 +59,8 @@ struct StripContent {
     std::span<const Period> not_chosen;   ///< when objects were there whose events weren't chosen
     double begin = 0;                     ///< seconds of the clip
     double end = 0;
-    bool nothing_moved = false;  ///< the clip has no motion at all
+    bool nothing_moved = false;                        ///< the clip has no motion at all
+    std::span<const condition::Interval> intervals{};  ///< what the recording itself did, in order
 };
 
 /// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary, and where

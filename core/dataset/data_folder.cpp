@@ -41,8 +41,8 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
 }
 
 /// All that is stored beside the manifest.
-constexpr std::array data_names{stored::scalar,    stored::flow,     stored::seeds, stored::colour,
-                                stored::reference, stored::infrared, stored::first, stored::last};
+constexpr std::array data_names{stored::scalar,    stored::flow,  stored::seeds, stored::colour,
+                                stored::reference, stored::views, stored::first, stored::last};
 
 /// Folders in a folder of data, while an older extraction is replaced: the new data, and the older ones.
 constexpr const char* new_data = ".vvr-new";
@@ -123,7 +123,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every) : folder_(std::
         replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
         remove_data();
     }
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::views}) {
         fs::create_directory(place_ / name, error);
         if (error) fail(folder_ / name, error.value());
     }
@@ -199,7 +199,7 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
 }
 
 void DataFolder::add(const media::Frame& frame, const fields::Field& field) {
-    StoredFrame stored{field.index, field.pts, {}, field.infrared};
+    StoredFrame stored{field.index, field.pts, {}, static_cast<std::int64_t>(field.view), field.before};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
     write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters compute flow for every frame.
@@ -220,13 +220,14 @@ void DataFolder::add(const media::Frame& frame, const fields::Field& field) {
 
 void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
     write(stored::last, bytes_of(encode_colour(last_)));
-    const auto write_scene = [&](const char* name, const fields::Reference& scene) {
+    const auto write_scene = [&](const fs::path& name, const fields::Reference& scene) {
         write(name, bytes_of(scene.colour.empty() ? encode_grey(scene.grey) : encode_colour(scene.colour)));
     };
     manifest.reference = !reference.grey.empty();
-    manifest.infrared = reference.infrared != nullptr;
+    manifest.views = std::ssize(reference.others);
     if (manifest.reference) write_scene(stored::reference, reference);
-    if (manifest.infrared) write_scene(stored::infrared, *reference.infrared);
+    for (std::int64_t view = 1; view <= manifest.views; ++view)
+        write_scene(stored::view_file(view), reference.of_view(static_cast<std::size_t>(view)));
     manifest.flow_every = flow_every_;
     manifest.colour = true;
     manifest.frames = frames_;

@@ -17,7 +17,7 @@ namespace vvr::dataset {
 namespace {
 
 constexpr const char* format_name = "vvr-extract";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr std::int64_t max_side = 65536;
 constexpr std::int64_t max_count = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t latest_begin = 7'258'118'400;  // 2200-01-01
@@ -133,7 +133,14 @@ StoredFrame read_frame(const Json& json, std::size_t number, const std::string& 
     frame.index = reader.integer("index", 0, max_count);
     frame.pts = reader.seconds("pts");
     if (reader.has("seeds")) frame.seeds = reader.integer("seeds", 0, max_count);
-    if (reader.has("infrared")) frame.infrared = reader.flag("infrared");
+    if (reader.has("view")) frame.view = reader.integer("view", 0, max_count);
+    if (reader.has("before")) {
+        const std::string before = reader.text("before");
+        const auto row = std::ranges::find(condition::condition_rows, before, &condition::ConditionRow::name);
+        if (row == condition::condition_rows.end())
+            reader.fail(fmt::format("'before' is '{}', which is no condition", before));
+        frame.before = row->kind;
+    }
     if (reader.has("gap")) frame.gap = reader.integer("gap", 1, max_count);
     return frame;
 }
@@ -172,6 +179,10 @@ std::filesystem::path flow_file(std::int64_t index) {
 std::filesystem::path colour_file(std::int64_t index) {
     return std::filesystem::path(colour) / fmt::format("{:06}.png", index);
 }
+std::filesystem::path view_file(std::int64_t view) {
+    return std::filesystem::path(views) / fmt::format("{}.png", view);
+}
+
 std::filesystem::path seed_file(std::int64_t index) {
     return std::filesystem::path(seeds) / fmt::format("{:06}.txt", index);
 }
@@ -191,7 +202,7 @@ std::string format_manifest(const Manifest& manifest) {
                     {"damaged", manifest.damaged},
                     {stored::colour, manifest.colour},
                     {"reference", manifest.reference},
-                    {"infrared", manifest.infrared},
+                    {"views", manifest.views},
                     {"settings", object_of(manifest.settings)}};
     std::string text = json_text(head, 2);
     text.erase(text.rfind('\n'));  // the closing brace
@@ -200,7 +211,8 @@ std::string format_manifest(const Manifest& manifest) {
     for (const StoredFrame& frame : manifest.frames) {
         Json entry{{"index", frame.index}, {"pts", frame.pts}};
         if (frame.seeds) entry["seeds"] = *frame.seeds;
-        if (frame.infrared) entry["infrared"] = true;
+        if (frame.view > 0) entry["view"] = frame.view;
+        if (frame.before != condition::Kind::no_signal) entry["before"] = row_of(frame.before).name;
         if (frame.gap > 0) entry["gap"] = frame.gap;
         text += (&frame == &manifest.frames.front() ? "\n    " : ",\n    ") + entry.dump();
     }
@@ -232,7 +244,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     manifest.damaged = reader.integer("damaged", 0, max_count);
     manifest.colour = reader.flag(stored::colour);
     manifest.reference = reader.flag("reference");
-    if (reader.has("infrared")) manifest.infrared = reader.flag("infrared");  // missing in older extractions
+    manifest.views = reader.integer("views", 0, max_count);
     const Reader settings = reader.object("settings");
     for (const auto& [option, value] : reader.at("settings").items()) {
         manifest.settings.emplace_back(option, settings.text(option.c_str()));
@@ -243,6 +255,10 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
         }
     }
     manifest.frames = read_frames(reader, name);
+    for (const StoredFrame& frame : manifest.frames) {
+        if (frame.view > manifest.views)
+            reader.fail(fmt::format("frame {} has view {}, but there are {}", frame.index, frame.view, manifest.views));
+    }
     return manifest;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/plane.h"
+#include "core/condition/condition.h"
 #include "core/media/frame_source.h"
 #include "core/media/frame_span.h"
 
@@ -16,11 +17,12 @@ namespace vvr::dataset {
 
 /// A frame in a folder of data files.
 struct StoredFrame {
-    std::int64_t index = 0;             ///< in the clip
-    double pts = 0;                     ///< seconds from the clip's first frame
-    std::optional<std::int64_t> seeds;  ///< number of seeds; none = no flow and no seeds
-    bool infrared = false;              ///< as `fields::Field::infrared`
-    std::int64_t gap = 0;               ///< frames that a recording lacks between the one before and this one
+    std::int64_t index = 0;                               ///< in the clip
+    double pts = 0;                                       ///< seconds from the clip's first frame
+    std::optional<std::int64_t> seeds;                    ///< number of seeds; none = no flow and no seeds
+    std::int64_t view = 0;                                ///< as `fields::Field::view`
+    condition::Kind before = condition::Kind::no_signal;  ///< as `fields::Field::before`
+    std::int64_t gap = 0;  ///< frames that a recording lacks between the one before and this one
 
     friend bool operator==(const StoredFrame&, const StoredFrame&) = default;
 };
@@ -34,7 +36,7 @@ struct Manifest {
     std::int64_t damaged = 0;  ///< packets in or next to these frames that did not decode
     bool colour = false;       ///< whether every frame's picture is stored
     bool reference = false;    ///< whether there was a reference (the empty scene)
-    bool infrared = false;     ///< whether there was another of the camera's infrared mode
+    std::int64_t views = 0;    ///< number of further ones, of the camera's other views
     std::vector<std::pair<std::string, std::string>> settings;  ///< options by long name, as text
     std::vector<StoredFrame> frames;                            ///< consecutive, except for the gaps
 };
@@ -47,11 +49,12 @@ inline constexpr const char* flow = "flow";
 inline constexpr const char* seeds = "seeds";
 inline constexpr const char* colour = "color";
 inline constexpr const char* reference = "reference.png";
-inline constexpr const char* infrared = "infrared.png";
+inline constexpr const char* views = "views";
 inline constexpr const char* first = "first.png";
 inline constexpr const char* last = "last.png";
 
 std::filesystem::path scalar_file(std::int64_t index);
+std::filesystem::path view_file(std::int64_t view);  ///< its empty scene; from 1
 std::filesystem::path flow_file(std::int64_t index);
 std::filesystem::path colour_file(std::int64_t index);
 std::filesystem::path seed_file(std::int64_t index);

@@ -122,7 +122,8 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
     fields::Field field;
     field.index = frame.index;
     field.pts = frame.pts;
-    field.infrared = frame.infrared;
+    field.before = frame.before;
+    field.view = static_cast<std::size_t>(frame.view);
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
     const bool asked = frame.index % needs.every == 0;
     const auto fail = [](const fs::path& file, const std::string& what) {
@@ -189,10 +190,8 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
     const Part& some = parts_.front();
     if (some.manifest.colour && some.manifest.reference) {
         summary.reference = read_scene(some.folder / stored::reference, field_size());
-        if (some.manifest.infrared) {
-            summary.reference.infrared =
-                std::make_shared<const fields::Reference>(read_scene(some.folder / stored::infrared, field_size()));
-        }
+        for (std::int64_t view = 1; view <= some.manifest.views; ++view)
+            summary.reference.others.push_back(read_scene(some.folder / stored::view_file(view), field_size()));
         if (needs.scene) needs.scene(summary.reference);
     }
     for (const Part& part : parts_) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -128,9 +129,13 @@ struct Field {
     Flow flow;                     ///< empty if not requested; 0 far from objects unless requested there
     std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
-    bool infrared = false;         ///< compared with the empty scene of the camera's infrared mode
-    media::Absence before = media::Absence::no_signal;  ///< why frames before it are missing, if some are
-    std::shared_ptr<const NewScene> scene{};            ///< with which it is the first to be compared; usually null
+    std::size_t view = 0;  ///< the view of the camera with whose empty scene it was compared, as `Reference::of_view`
+    condition::Kind before = condition::Kind::no_signal;  ///< why frames before it are missing, if some are
+    std::optional<double> absent_since{};                 ///< seconds; when that began, if before the last frame
+    std::shared_ptr<const NewScene> scene{};              ///< with which it is the first to be compared; usually null
 };
+
+/// Receives each frame with its field, in frame order, from one thread at a time.
+using FieldSink = std::function<void(const media::SharedFrame&, Field&&)>;
 
 }  // namespace vvr::fields

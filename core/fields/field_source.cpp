@@ -20,12 +20,14 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/fields/delivery.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/opencv_threads.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
+#include "core/media/decoder.h"
 #include "core/media/frame_span.h"
 #include "core/media/scaler.h"
 
@@ -48,6 +50,9 @@ class ClipReader {
     /// Damage in the span, and next to it.
     std::vector<media::Damage>& damage() { return damage_; }
 
+    /// When pictures were damaged: from lost packets to the next key frame.
+    std::vector<condition::Interval>& damaged_pictures() { return damaged_pictures_; }
+
     /// Whether the clip has no further frame.
     bool has_ended() const { return has_ended_; }
 
@@ -67,6 +72,8 @@ class ClipReader {
     double last_pts_ = 0;
     std::int64_t damaged_ = 0;  ///< packets so far
     std::vector<media::Damage> damage_;
+    std::vector<condition::Interval> damaged_pictures_;
+    bool is_damaged_ = false;
     bool has_ended_ = false;
     std::deque<std::shared_ptr<media::DecodedFrame>> waiting_;
     oneapi::tbb::enumerable_thread_specific<media::Scaler> scalers_;
@@ -92,6 +99,14 @@ std::shared_ptr<media::DecodedFrame> ClipReader::read() {
     const bool is_wanted = !media::is_before(span_, last_index_, last_pts_) &&
                            !media::is_past(span_, last_index_, before) && !media::is_between_parts(span_, last_pts_);
     if (more > 0 && is_wanted) add_damage(damage_, {before, last_pts_, more});
+    if (more > 0) {
+        is_damaged_ = true;
+        const bool goes_on = !damaged_pictures_.empty() && damaged_pictures_.back().end >= before;
+        if (is_wanted && !goes_on) damaged_pictures_.push_back({before, last_pts_, condition::Kind::damaged});
+    } else if (frame && media::is_key_frame(*frame->image)) {
+        is_damaged_ = false;
+    }
+    if (is_damaged_ && is_wanted && !damaged_pictures_.empty()) damaged_pictures_.back().end = last_pts_;
     has_ended_ = frame == nullptr;
     return frame;
 }
@@ -135,8 +150,9 @@ FrameJob ClipReader::operator()() {
     }
     if (!decoded) return {};
     if (media::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
-    return [this, decoded]() -> ReadFrame {
+    return [this, decoded, damaged = is_damaged_]() -> ReadFrame {
         media::Frame frame = scalers_.local()(*decoded);
+        frame.damaged = damaged;
         if (!full_size_) return {std::move(frame)};
         frame.full_size.picture = decoded;
         return {std::move(frame), decoded};
@@ -226,12 +242,6 @@ class FirstError {
     std::exception_ptr error_;
 };
 
-struct Result {
-    media::SharedFrame frame;
-    Field field;
-    std::shared_ptr<const media::DecodedFrame> decoded;  ///< while the sink runs
-};
-
 int threads_of(const FieldOptions& options) {
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     return options.threads > 0 ? options.threads : cores;
@@ -263,7 +273,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
                  const FieldSink& sink) {
     int turns_left = work.reach();  // empty turns after the last frame, which give the last frames their neighbours
     bool ended = false;
-    std::int64_t frames = 0;
+    FieldDelivery deliver_field(sink);
     const auto is_wanted = [&](const media::Frame& frame) {
         return !media::is_before(options.span, frame.index, frame.pts) &&
                !media::is_past(options.span, frame.index, frame.pts) &&
@@ -292,31 +302,29 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
         filter_mode::serial_in_order,
         [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
-    const auto result_of = [&](const Neighbourhood& neighbours) -> std::shared_ptr<Result> {
+    const auto result_of = [&](const Neighbourhood& neighbours) -> std::shared_ptr<PipelineResult> {
         if (neighbours.empty()) return nullptr;  // something has failed
         PipelineFrame* const here = neighbours[static_cast<std::size_t>(work.reach())].get();
         if (here == nullptr) return nullptr;
         // Its later neighbours keep the frame, but not the picture.
         std::shared_ptr<const media::DecodedFrame> decoded = std::move(here->decoded);
-        if (here->learning || !is_wanted(*here->frame)) return nullptr;
-        return std::make_shared<Result>(Result{here->frame, work.finish(neighbours), std::move(decoded)});
+        if (!is_wanted(*here->frame)) return nullptr;
+        return std::make_shared<PipelineResult>(
+            PipelineResult{here->frame, work.finish(neighbours), here->verdict, std::move(decoded)});
     };
-    const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
+    const auto finish = make_filter<Neighbourhood, std::shared_ptr<PipelineResult>>(
         filter_mode::parallel,
         [&](const Neighbourhood& neighbours) { return first.guard([&] { return result_of(neighbours); }); });
-    const auto hand_over = [&](const std::shared_ptr<Result>& result) {
-        if (!result) return;
-        ++frames;
-        sink(result->frame, std::move(result->field));
-    };
-    const auto deliver = make_filter<std::shared_ptr<Result>, void>(
-        filter_mode::serial_in_order,
-        [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
+    const auto deliver = make_filter<std::shared_ptr<PipelineResult>, void>(
+        filter_mode::serial_in_order, [&](const std::shared_ptr<PipelineResult>& result) {
+            if (result) first.guard([&] { deliver_field(std::move(*result)); });
+        });
     on_threads(threads_of(options), [&] {
         oneapi::tbb::parallel_pipeline(frames_at_a_time(options, pixels), source & begin & gather & finish & deliver);
     });
+    first.guard([&] { deliver_field.finish(); });
     first.rethrow();
-    return frames;
+    return deliver_field.frames();
 }
 
 /// \param frames of the whole clip
@@ -355,6 +363,7 @@ FieldSummary compute_fields(media::FrameSource& source, const FieldOptions& opti
     if (read.has_ended()) check_no_more_files(options, read.last_index() + 1);
     summary.damage = std::move(read.damage());
     for (const media::Damage& damage : summary.damage) summary.damaged += damage.packets;
+    summary.damaged_pictures = std::move(read.damaged_pictures());
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
     // A stream may end with the frames from which the reference was learnt.

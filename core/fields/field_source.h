@@ -19,16 +19,14 @@ namespace vvr::fields {
 /// Receives the empty scene, once, before the first field. It is not called where the fields need no empty scene.
 using SceneSink = std::function<void(const Reference&)>;
 
-/// Receives each frame with its field, in frame order, from one thread at a time.
-using FieldSink = std::function<void(const media::SharedFrame&, Field&&)>;
-
 /// The result of a pass over a clip.
 struct FieldSummary {
-    std::int64_t frames = 0;              ///< frames that reached the sink
-    std::int64_t damaged = 0;             ///< packets that failed to decode
-    std::vector<media::Damage> damage{};  ///< when; empty for an extraction, which does not know it
-    Reference reference;                  ///< empty if none was needed
-    std::vector<std::string> problems{};  ///< problems of the files that were read, one sentence each
+    std::int64_t frames = 0;                              ///< frames that reached the sink
+    std::int64_t damaged = 0;                             ///< packets that failed to decode
+    std::vector<media::Damage> damage{};                  ///< when; empty for an extraction, which does not know it
+    std::vector<condition::Interval> damaged_pictures{};  ///< from the damage to the next key frame
+    Reference reference;                                  ///< empty if none was needed
+    std::vector<std::string> problems{};                  ///< problems of the files that were read, one sentence each
 };
 
 /// Reads every frame of `source` once and passes its field to `sink` (§3, video processing sub-system): decodes in

@@ -11,6 +11,7 @@
 #include "core/fields/motion.h"
 #include "core/fields/seeds.h"
 #include "core/fields/thresholds.h"
+#include "core/fields/views.h"
 
 namespace vvr::fields {
 namespace {
@@ -24,7 +25,7 @@ void paste(const Flow& part, const PixelBox& where, Flow& whole) {
 
 /// Whether there is neither a gap nor a jump of the light between two frames.
 bool continuous(const PipelineFrame& a, const PipelineFrame& b) {
-    return std::abs(a.frame->index - b.frame->index) == 1 && a.infrared == b.infrared &&
+    return std::abs(a.frame->index - b.frame->index) == 1 && a.view == b.view &&
            !illumination_jumps(a.levels, b.levels);
 }
 
@@ -41,11 +42,6 @@ Neighbourhood continuous_part(Neighbourhood neighbours, int reach) {
     return neighbours;
 }
 
-/// The number of pixels that belong to an object.
-int covered(const Plane<std::uint8_t>& object) {
-    return cv::countNonZero(cv_view(object));
-}
-
 }  // namespace
 
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
@@ -58,38 +54,44 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
                         options.flow.method.is_folder()) {
     if (options.second != nullptr) second_.emplace(activate(*options.second, options, std::nullopt));
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
-    scene_ = stage_of(scene.reference);
-    if (scene.reference.infrared) infrared_ = stage_of(*scene.reference.infrared);
+    for (std::size_t view = 0; view <= scene.reference.others.size(); ++view)
+        scenes_.push_back(stage_of(scene.reference.of_view(view)));
     needs_age_ = flow_ != nullptr && options.seeds.order->needs_age;
     stateful_ = row_.traits.in_order || second_traits.in_order || needs_age_ ||
-                (scene_.object != nullptr && scene_.object->adapts());
+                (scenes_.front().object != nullptr && scenes_.front().object->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || second_traits.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
 FieldStages::SceneStage FieldStages::stage_of(const Reference& scene) const {
     SceneStage stage;
+    stage.infrared = scene.infrared;
     if (needs_reference(options_)) {
         const int threshold =
             row_.traits.object ? options_.threshold.value_or(row_.traits.threshold) : thresholds.object.usual;
         const bool darker = row_.traits.darker || (second_ && second_->row->traits.darker);
         stage.object = std::make_unique<ObjectFinder>(options_, threshold, scene, region_, darker);
+        stage.edges = condition::edge_map(scene.grey);
     }
     if (scene.shakes) stage.stabilizer = std::make_unique<Stabilizer>(scene);
     return stage;
 }
 
 std::shared_ptr<PipelineFrame> FieldStages::begin(media::Frame frame) const {
-    std::shared_ptr<PipelineFrame> shot;
-    if (infrared_) {
-        shot = compared(frame, *infrared_);
-        shot->infrared = true;
-    }
-    // The camera was in the mode in whose scene the frame fits better.
-    std::shared_ptr<PipelineFrame> usual = compared(std::move(frame), scene_);
-    if (!shot || covered(usual->object) <= covered(shot->object)) shot = std::move(usual);
+    const std::size_t view = scenes_.size() > 1 ? view_of(frame, condition::edge_map(frame.grey)) : 0;
+    std::shared_ptr<PipelineFrame> shot = compared(std::move(frame), scenes_[view]);
+    shot->view = view;
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
+}
+
+/// The view that a frame shows best; a camera's modes can show the same.
+std::size_t FieldStages::view_of(const media::Frame& frame, const condition::EdgeMap& edges) const {
+    const bool infrared = shows_infrared(frame);
+    const auto fits = [&](const SceneStage& scene) {
+        return condition::agreement(edges, scene.edges).share + (scene.infrared == infrared ? 1 : 0);
+    };
+    return static_cast<std::size_t>(std::ranges::max_element(scenes_, {}, fits) - scenes_.begin());
 }
 
 std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, const SceneStage& scene) const {
@@ -97,7 +99,12 @@ std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, const S
     if (scene.stabilizer) shot->visible = scene.stabilizer->align(frame, scene.stabilizer->shift_of(frame.grey));
     shot->frame = std::make_shared<const media::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
-    if (scene.object && !scene.object->adapts()) store_object(*shot, scene.object->find(shot->smooth));
+    if (!scene.object) return shot;
+    shot->signs = condition::signs_of(shot->frame->grey);
+    if (scene.stabilizer) shot->signs.samples.clear();  // a camera that stops shaking is not frozen
+    if (scene.object->adapts()) return shot;
+    shot->agreement = condition::agreement(shot->signs.edges, scene.edges);
+    store_object(*shot, scene.object->find(shot->smooth));
     return shot;
 }
 
@@ -109,13 +116,7 @@ void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) {
 
 Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     if (shot) {
-        if (scene_.object && scene_.object->adapts()) {
-            FoundObject found = scene_.object->find_and_adapt(shot->smooth, shot->frame->pts);
-            shot->learning = found.learning;
-            shot->scene = found.scene;
-            store_object(*shot, std::move(found));
-        }
-        shot->before = std::exchange(learning_, shot->learning) ? media::Absence::unlearnt : shot->frame->before;
+        judge(*shot);
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
@@ -129,6 +130,36 @@ Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     return {last_.begin(), last_.end()};
 }
 
+/// Tells the condition of the next frame. A reference that adapts does so only to frames that show something new.
+void FieldStages::judge(PipelineFrame& shot) {
+    shot.before = shot.frame->before;
+    SceneStage& scene = scenes_[shot.view];
+    if (!scene.object) return;
+    const double now = shot.frame->pts;
+    const std::size_t before = view_;
+    const bool adapts = scene.object->adapts();
+    if (adapts) shot.agreement = condition::agreement(shot.signs.edges, scene.edges);
+    shot.verdict = condition_(shot.signs, shot.agreement, now);
+    using condition::Kind;
+    const bool turned = shot.verdict.kind == Kind::turning;
+    if (adapts && (turned || shot.verdict.kind == Kind::normal)) {
+        FoundObject found = scene.object->find_and_adapt(shot.smooth, now, turned);
+        if (found.learning) shot.verdict = {Kind::unlearnt};
+        if (found.scene) shot.verdict = {};
+        shot.scene = found.scene;
+        store_object(shot, std::move(found));
+        if (shot.scene || !edges_made_ || now - *edges_made_ >= 1) {
+            scene.edges = condition::edge_map(scene.object->adapted().grey);
+            edges_made_ = now;
+        }
+    }
+    const bool was_withheld = std::exchange(withheld_, shot.verdict.kind != Kind::normal);
+    if (withheld_) return;
+    const bool infrared = scenes_[std::exchange(view_, shot.view)].infrared;
+    if (view_ == before) return;
+    shot.before = infrared != scene.infrared ? Kind::infrared : was_withheld ? Kind::turning : Kind::moved;
+}
+
 Field FieldStages::finish(const Neighbourhood& neighbours) const {
     const auto middle = static_cast<std::size_t>(reach_);
     const PipelineFrame& here = *neighbours[middle];
@@ -137,9 +168,10 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     Field field;
     field.index = here.frame->index;
     field.pts = here.frame->pts;
-    field.infrared = here.infrared;
+    field.view = here.view;
     field.before = here.before;
     field.scene = here.scene;
+    if (here.verdict.kind != condition::Kind::normal) return field;
     field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});
     const FilterTraits second_traits = second_ ? second_->row->traits : FilterTraits{};
     if (second_) field.second = second_traits.in_order ? here.second : filtered(*second_, here, before, {});
@@ -149,7 +181,7 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     const Neighbourhood connected = continuous_part(neighbours, reach_);
     // If the filter needs the difference object, that is used: the filter's values may also mark uncovered pixels,
     // which are no object.
-    const Plane<std::uint8_t> moves = moving(connected, scene_.object ? here.object : field.scalar);
+    const Plane<std::uint8_t> moves = moving(connected, scenes_.front().object ? here.object : field.scalar);
     field.flow = flow_of(connected, moves);
     if (requested) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
     if (traits.flow) field.scalar = filtered(first_, here, before, field.flow);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/condition/condition_finder.h"
 #include "core/fields/field.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
@@ -23,11 +24,13 @@ struct PipelineFrame {
     std::shared_ptr<const media::DecodedFrame> decoded;  ///< the frame's picture in full size, if kept
     std::optional<VisibleArea> visible;  ///< the part of the reference that it shows, if the camera shakes
     Planes smooth;
-    Plane<std::uint8_t> object;             ///< the difference object, if needed
-    Plane<std::uint8_t> darker;             ///< as FoundObject::darker
-    bool infrared = false;                  ///< compared with the empty scene of the camera's infrared mode
-    bool learning = false;                  ///< it serves only to learn the empty scene anew
-    media::Absence before{};                ///< as Field::before
+    Plane<std::uint8_t> object;        ///< the difference object, if needed
+    Plane<std::uint8_t> darker;        ///< as FoundObject::darker
+    std::size_t view = 0;              ///< as Field::view
+    condition::FrameSigns signs{};     ///< empty if it is compared with no empty scene
+    condition::Agreement agreement{};  ///< with the view of its empty scene
+    condition::Verdict verdict{};
+    condition::Kind before{};               ///< as Field::before
     std::shared_ptr<const NewScene> scene;  ///< as Field::scene
     Quantiles levels{};                     ///< of the frame's grey; they show jumps of the light
     Plane<std::uint8_t> foreground;         ///< output of a filter that needs the frames in order
@@ -71,9 +74,13 @@ class FieldStages {
     struct SceneStage {
         std::unique_ptr<ObjectFinder> object;    ///< null if the difference object isn't needed
         std::unique_ptr<Stabilizer> stabilizer;  ///< null unless the camera shakes
+        condition::EdgeMap edges;
+        bool infrared = false;
     };
 
     SceneStage stage_of(const Reference& scene) const;
+    std::size_t view_of(const media::Frame& frame, const condition::EdgeMap& edges) const;
+    void judge(PipelineFrame& shot);
     std::shared_ptr<PipelineFrame> compared(media::Frame frame, const SceneStage& scene) const;
     static void store_object(PipelineFrame& shot, FoundObject&& found);
     /// A filter and its parameters.
@@ -97,11 +104,13 @@ class FieldStages {
     Plane<std::uint8_t> region_;
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
-    SceneStage scene_;
-    std::optional<SceneStage> infrared_;  ///< if the camera changes to infrared and back
+    std::vector<SceneStage> scenes_;  ///< of the camera's views, as Reference::of_view
+    condition::ConditionFinder condition_;
     bool needs_age_ = false;
     bool stateful_ = false;
-    bool learning_ = false;  ///< as of the last gathered frame
+    bool withheld_ = false;               ///< the last gathered frame shows nothing of the scene
+    std::size_t view_ = 0;                ///< of the last frame that shows its scene
+    std::optional<double> edges_made_{};  ///< seconds; when those of an adapting scene were made
     int reach_ = 0;
     std::deque<std::shared_ptr<PipelineFrame>> last_;  ///< the last 2 reach + 1 gathered frames
 };

@@ -144,14 +144,14 @@ FoundObject ObjectFinder::find(const Planes& frame) const {
     return compare(frame, reference_, light_of(frame, reference_));
 }
 
-FoundObject ObjectFinder::find_and_adapt(const Planes& frame, double seconds) {
+FoundObject ObjectFinder::find_and_adapt(const Planes& frame, double seconds, bool turned) {
     const IlluminationChange light = light_of(frame, running_->now());
     FoundObject found = compare(frame, running_->now(), light);
     const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
     if (share < thresholds.object.some_changed) {
         changed_.reset();  // the scene is as before
         learnt_.clear();
-    } else if (!changed_ && is_other_mode(frame, running_->now())) {
+    } else if (!changed_ && (turned || is_other_mode(frame, running_->now()))) {
         changed_ = seconds;
     }
     if (changed_) return learn(frame, seconds);

@@ -46,7 +46,11 @@ class ObjectFinder {
     /// The same, and then the reference follows the frame. If most of the picture has changed and stays so, or its
     /// colours have come or gone, the reference begins again from the frames after.
     /// \param seconds of the clip
-    FoundObject find_and_adapt(const Planes& frame, double seconds);
+    /// \param turned whether the camera shows another view
+    FoundObject find_and_adapt(const Planes& frame, double seconds, bool turned = false);
+
+    /// The reference that follows the frames, smoothed. \pre adapts()
+    const Planes& adapted() const { return running_->now(); }
 
   private:
     void set_scene(const Planes& scene, const Plane<std::uint8_t>& noise);

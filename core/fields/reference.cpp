@@ -22,6 +22,7 @@
 #include "core/fields/scene_noise.h"
 #include "core/fields/stabilizer.h"
 #include "core/fields/thresholds.h"
+#include "core/fields/views.h"
 #include "core/footage/open_source.h"
 #include "core/media/scaler.h"
 
@@ -98,23 +99,6 @@ constexpr std::array reference_rows{
                  lasting_reference, false, true},
 };
 
-bool is_infrared(const media::Frame& frame) {
-    if (has_colours(frame.colour)) return false;
-    const Quantiles levels = quantiles_of(frame.grey);
-    return levels.back() - levels.front() >= thresholds.scene.least_contrast;
-}
-
-/// Takes the frames out that a camera made in its infrared mode. Takes none if there are too few of these or of others.
-std::vector<media::Frame> take_infrared(std::vector<media::Frame>& frames) {
-    const auto by_day = [](const media::Frame& frame) { return has_colours_everywhere(frame.colour); };
-    if (std::ranges::count_if(frames, is_infrared) < thresholds.scene.fewest_of_mode) return {};
-    if (std::ranges::count_if(frames, by_day) < thresholds.scene.fewest_of_mode) return {};
-    const auto infrared = std::stable_partition(frames.begin(), frames.end(), std::not_fn(is_infrared));
-    std::vector<media::Frame> taken(std::make_move_iterator(infrared), std::make_move_iterator(frames.end()));
-    frames.erase(infrared, frames.end());
-    return taken;
-}
-
 Reference learn_from(std::vector<media::Frame> frames, const SceneOfFrames scene, const FieldOptions& options,
                      const LivingFinder& find_living) {
     Reference reference;
@@ -136,15 +120,24 @@ Reference learn_from(std::vector<media::Frame> frames, const SceneOfFrames scene
 Reference learn(media::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options,
                 const LivingFinder& find_living) {
     std::vector<media::Frame> frames = row.sample(clip);
-    std::vector<media::Frame> infrared;
-    if (!row.adapts && options.illumination->compensates) infrared = take_infrared(frames);
-    if (infrared.empty()) return learn_from(std::move(frames), row.scene, options, find_living);
-    const auto learn_mode = [&](std::vector<media::Frame> of_mode) {
-        const SceneOfFrames scene = of_mode.size() < thresholds.scene.fewest ? median_reference : row.scene;
-        return learn_from(std::move(of_mode), scene, options, find_living);
-    };
-    Reference reference = learn_mode(std::move(frames));
-    reference.infrared = std::make_shared<const Reference>(learn_mode(std::move(infrared)));
+    const bool can_compare = !row.adapts && options.filter->traits.object && options.illumination->compensates;
+    if (!can_compare) return learn_from(std::move(frames), row.scene, options, find_living);
+    std::vector<std::vector<media::Frame>> views = by_view(std::move(frames));
+    const bool has_colour =
+        std::ranges::any_of(views, [](const auto& view) { return has_colours_everywhere(view.front().colour); });
+    Reference reference;
+    for (std::vector<media::Frame>& of_view : views) {
+        const bool infrared = has_colour && shows_infrared(of_view.front());
+        const bool is_only = views.size() == 1;
+        const SceneOfFrames scene = !is_only && of_view.size() < thresholds.scene.fewest ? median_reference : row.scene;
+        Reference learnt = learn_from(std::move(of_view), scene, options, find_living);
+        learnt.infrared = infrared && !is_only;
+        if (reference.empty()) {
+            reference = std::move(learnt);
+        } else {
+            reference.others.push_back(std::move(learnt));
+        }
+    }
     return reference;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/condition/edge_map.h"
 #include "core/fields/median_scene.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
@@ -25,10 +27,14 @@ struct Reference : Planes {
 
     Plane<std::uint8_t> noise{};  ///< result of `noise_of`; empty if there were too few frames
     bool shakes = false;          ///< the camera shakes, and stabilization is on
+    bool infrared = false;        ///< of the camera's infrared mode, while others are in colour
 
-    /// The empty scene of the frames without colours, if the camera changes between colour and infrared during the
-    /// clip; else null.
-    std::shared_ptr<const Reference> infrared{};
+    /// The empty scenes of the camera's other views, by the number of frames from which they were learnt: it was moved,
+    /// or it changes between colour and infrared.
+    std::vector<Reference> others{};
+
+    /// The scene of a view: 0 is this one.
+    const Reference& of_view(std::size_t view) const { return view == 0 ? *this : others.at(view - 1); }
 };
 
 /// What is known of a scene before the first frame.

@@ -69,8 +69,7 @@ struct Thresholds {
         double step = 0.64;       ///< seconds between the first frames of a clip: passers-by are absent in most of 20 s
         double live = 2;          ///< seconds of a live stream, which can't wait
         double live_step = 0.08;  ///< seconds between its frames
-        int level_tolerance = 18;           ///< levels by which a channel of an unchanged pixel may vary over a clip
-        std::ptrdiff_t fewest_of_mode = 3;  ///< frames; a scene of fewer would hold whoever passes in one of them
+        int level_tolerance = 18;   ///< levels by which a channel of an unchanged pixel may vary over a clip
         float least_contrast = 20;  ///< levels between the darkest and brightest twentieth, else the camera is covered
         std::size_t looks = 8;      ///< frames in which a detector looks for people, about
         std::size_t fewest_behind = 2;  ///< frames; what a single one shows behind them may be a shadow or a reflection

@@ -20,6 +20,18 @@ std::vector<std::string> words_of(const Unseen& unseen) {
     double lost = 0;
     for (const media::FrameGap& gap : unseen.gaps) lost += gap.numbered ? 0 : gap.end - gap.begin;
     if (lost >= little) words.push_back(fmt::format("no frames for {:.1f} s", lost));
+    for (const condition::ConditionRow& row : condition::condition_rows) {
+        if (row.cause.empty()) continue;
+        double seconds = 0;
+        bool any = false;
+        for (const condition::Interval& interval : unseen.intervals) {
+            if (interval.kind != row.kind) continue;
+            seconds += interval.end - interval.begin;
+            any = true;
+        }
+        if (!any) continue;
+        words.push_back(seconds < little ? std::string(row.words) : fmt::format("{} for {:.1f} s", row.words, seconds));
+    }
     if (unseen.damaged > 0) words.push_back(counted(unseen.damaged, "damaged packet"));
     if (unseen.dropped > 0) words.push_back(counted(unseen.dropped, "frame") + " dropped");
     return words;
@@ -38,10 +50,14 @@ Json json_of(const Unseen& unseen, const std::function<Json(double)>& moment) {
     const auto damage = [&](const media::Damage& of) {
         return Json{{"begin", moment(of.begin)}, {"end", moment(of.end)}, {"packets", of.packets}};
     };
+    const auto interval = [&](const condition::Interval& of) {
+        return Json{{"kind", row_of(of.kind).name}, {"begin", moment(of.begin)}, {"end", moment(of.end)}};
+    };
     return {{"masked", unseen.masked ? Json(rounded(*unseen.masked)) : Json()},
             {"areas", list_of(unseen.areas, area)},
             {"gaps", list_of(unseen.gaps, gap)},
             {"damage", list_of(unseen.damage, damage)},
+            {"intervals", list_of(unseen.intervals, interval)},
             {"damaged", unseen.damaged},
             {"dropped", unseen.dropped}};
 }

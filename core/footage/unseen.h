@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/condition/condition.h"
 #include "core/media/frame_gaps.h"
 
 namespace vvr::footage {
@@ -21,14 +22,16 @@ struct Unseen {
         std::string sha256;  ///< of the file's bytes, or of the polygons; empty = unknown
     };
     std::vector<Area> areas{};
-    std::optional<double> masked = 0;     ///< share of the scene outside the region; none = unknown
-    std::vector<media::FrameGap> gaps{};  ///< in order, without those that nobody asked for
-    std::vector<media::Damage> damage{};  ///< in order
-    std::int64_t damaged = 0;             ///< packets in all; of an extraction, nobody knows when
-    std::int64_t dropped = 0;             ///< frames of a live stream that came too fast
+    std::optional<double> masked = 0;              ///< share of the scene outside the region; none = unknown
+    std::vector<media::FrameGap> gaps{};           ///< in order, without those that nobody asked for
+    std::vector<media::Damage> damage{};           ///< in order
+    std::vector<condition::Interval> intervals{};  ///< what the recording itself did, in order
+    std::int64_t damaged = 0;                      ///< packets in all; of an extraction, nobody knows when
+    std::int64_t dropped = 0;                      ///< frames of a live stream that came too fast
 };
 
-/// In a few words each: "50 % of the scene masked", "30 damaged packets". Gaps that the ruler shows are left out.
+/// In a few words each: "50 % of the scene masked", "no new pictures for 20.0 s". Gaps that the ruler shows are left
+/// out.
 std::vector<std::string> words_of(const Unseen& unseen);
 
 /// \param moment a time in seconds as JSON

@@ -43,6 +43,10 @@ bool is_damaged(const AVFrame& frame) {
 
 }  // namespace
 
+bool is_key_frame(const AVFrame& frame) {
+    return frame.key_frame != 0;
+}
+
 // Each decoder thread holds its own frames, so huge pictures get fewer threads. For small pictures, the overhead of
 // threads exceeds the gain.
 int decoder_threads(int asked, std::int64_t pixels) {

@@ -34,6 +34,9 @@ class FrameDecoder {
     virtual bool fell_back() const = 0;
 };
 
+/// Whether a frame was decoded without others, so that earlier damage doesn't show in it.
+bool is_key_frame(const AVFrame& frame);
+
 /// The number of threads for decoding.
 /// \param asked 0 = one per core, or a single one for small pictures
 /// \param pixels of a picture; each thread keeps pictures of its own

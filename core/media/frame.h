@@ -1,14 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string_view>
 
 #include "core/base/av_writer.h"
 #include "core/base/plane.h"
+#include "core/condition/condition.h"
 
 namespace vvr::media {
 
@@ -26,15 +25,6 @@ struct FullSize {
     double top = 0;
 };
 
-/// Why frames before a frame are missing.
-enum class Absence { no_signal, dropped, unlearnt };
-
-/// The words for it on a picture.
-constexpr std::string_view words_of(Absence absence) {
-    constexpr std::array<std::string_view, 3> words{"no signal", "frames dropped", "learning the scene"};
-    return words[static_cast<std::size_t>(absence)];
-}
-
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
     std::int64_t index = 0;
@@ -42,7 +32,8 @@ struct Frame {
     Plane<std::uint8_t> grey;  ///< luma
     Plane<Bgr> colour;         ///< same size as `grey`; empty unless requested
     FullSize full_size{};
-    Absence before = Absence::no_signal;  ///< why frames before it are missing, if some are
+    condition::Kind before = condition::Kind::no_signal;  ///< why frames before it are missing, if some are
+    bool damaged = false;                                 ///< packets were lost, and no key frame has come since
 };
 
 /// An immutable frame with several readers.
@@ -75,7 +66,7 @@ struct DecodedFrame {
     double pts = 0;  ///< seconds from the clip's first frame
     Orientation orientation;
     AvFrame image;  ///< in the decoder's pixel format and size
-    Absence before = Absence::no_signal;
+    condition::Kind before = condition::Kind::no_signal;
 };
 
 }  // namespace vvr::media

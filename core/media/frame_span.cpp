@@ -142,10 +142,10 @@ bool is_between_parts(const FrameSpan& span, double pts) {
 }
 
 std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files,
-                           std::span<const MissingFrames> known, double begin, double end) {
+                           std::span<const condition::Interval> known, double begin, double end) {
     constexpr double little = 1;  // seconds
-    for (const MissingFrames& some : known) {
-        if (some.begin < end && some.end > begin) return std::string(words_of(some.why));
+    for (const condition::Interval& some : known) {
+        if (some.begin < end && some.end > begin) return std::string(row_of(some.kind).words);
     }
     // What a file has of the stretch, as far as that was requested.
     const auto is_in_file = [&](double first, double last) {

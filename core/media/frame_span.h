@@ -90,18 +90,11 @@ bool is_past(const FrameSpan& span, std::int64_t index, double pts);
 /// Whether a frame within the limits lies between two parts.
 bool is_between_parts(const FrameSpan& span, double pts);
 
-/// A stretch without frames of which the reason is known, in seconds.
-struct MissingFrames {
-    double begin = 0;
-    double end = 0;
-    Absence why = Absence::no_signal;
-};
-
 /// Why a stretch of a clip, in seconds, has no frames: what is known of it; "left out" if they were not requested; "no
 /// footage" between two files of a recording, as the camera may record only motion; else "no signal".
 /// \param files of the recording; empty for a single file or a stream
 std::string reason_for_gap(const FrameSpan& span, std::span<const SegmentPlace> files,
-                           std::span<const MissingFrames> known, double begin, double end);
+                           std::span<const condition::Interval> known, double begin, double end);
 
 /// The span for messages: "from 2 s to frame 80".
 std::string text_of(const FrameSpan& span);

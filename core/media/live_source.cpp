@@ -260,7 +260,7 @@ void LiveSource::drop_oldest() {
     const std::int64_t dropped = waiting_.front().frame->index;
     waiting_.pop_front();
     DecodedFrame& next = *waiting_.front().frame;
-    if (next.index == dropped + 1) next.before = Absence::dropped;
+    if (next.index == dropped + 1) next.before = condition::Kind::dropped;
     ++dropped_;
 }
 

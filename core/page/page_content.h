@@ -90,7 +90,7 @@ struct PageContent {
     std::string time_direction;      ///< in the picture: "from left to right"
     Moments moments;
     media::FrameSpan span{};                             ///< the requested part of the clip
-    std::vector<media::MissingFrames> missing{};         ///< in it
+    std::vector<condition::Interval> missing{};          ///< in it
     std::optional<std::vector<tracking::Event>> events;  ///< none = not detected
     std::vector<std::size_t> numbers;                    ///< numbers of the events in the picture; empty = index plus 1
     std::vector<glm::vec3> colours;                      ///< of the events in the picture, sRGB; empty = no colours

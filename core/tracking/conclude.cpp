@@ -59,10 +59,10 @@ class Conclusion {
   private:
     const Stretch& stretch_of(const Tracklet& tracklet) const { return span_.stretches[tracklet.stretch]; }
 
-    /// The stretch before, if there is one. Those in the camera's other mode show another scene, and don't count.
+    /// The stretch before, if there is one. Those of another view show another scene, and don't count.
     std::optional<std::size_t> stretch_before(const Tracklet& tracklet) const {
         for (std::size_t k = tracklet.stretch; k > 0; --k) {
-            if (span_.stretches[k - 1].infrared == stretch_of(tracklet).infrared) return k - 1;
+            if (span_.stretches[k - 1].view == stretch_of(tracklet).view) return k - 1;
         }
         return std::nullopt;
     }
@@ -115,20 +115,30 @@ class Conclusion {
         return off < thresholds.stationary.apart * std::max(thresholds.least_length, b.length);
     }
 
-    /// Whether it stood there in all frames of all stretches of this mode that are long enough to tell.
+    /// Whether it stood there in all frames of all stretches of this view that are long enough to tell.
     bool was_always_there(const Candidate& candidate) const {
         if (!candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
             const Stretch& stretch = span_.stretches[k];
-            if (stretch.infrared != stretch_of(candidate.whole).infrared) continue;
+            if (stretch.view != stretch_of(candidate.whole).view) continue;
             const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * thresholds.stationary.stay;
             if (k != candidate.whole.stretch && can_settle && !stood_in(k, candidate.whole, true)) return false;
         }
         return true;
     }
 
+    /// Whether pictures were damaged for most of a time, or at its ends. What a decoder makes up keeps still.
+    bool was_damaged(double begin, double end) const {
+        double damaged = 0;
+        for (const condition::Interval& some : span_.damaged)
+            damaged += std::max(0.0, std::min(end, some.end) - std::max(begin, some.begin));
+        return damaged > 0 && 2 * damaged >= end - begin;
+    }
+
     void judge(Candidate& candidate) {
-        const Tracklet& tracklet = candidate.whole;
+        Tracklet& tracklet = candidate.whole;
+        std::erase_if(tracklet.stays,
+                      [this](const Stay& stay) { return was_damaged(stay.first.seconds, stay.last.seconds); });
         const bool went =
             tracklet.moved >= thresholds.event.own_lengths * tracklet.length && tracklet.seen >= thresholds.most;
         const bool stands_only = tracklet.settled && tracklet.stood_from_start;
@@ -148,6 +158,12 @@ class Conclusion {
             return;
         }
         candidate.is_claim = true;
+        constexpr double around = 0.5;  // seconds
+        const double begin = tracklet.begin.at.seconds;
+        if (was_damaged(begin - around, begin + around)) {
+            demote_to_change(candidate);
+            return;
+        }
         // If the camera shakes, the empty scene is blurred at places, and its edges say nothing.
         if (options_.scene_is_learnt && was_always_there(candidate)) candidate.wanted = false;
         if (is_ghost(tracklet)) {
@@ -367,7 +383,7 @@ class Conclusion {
             // The portrait of what was taken would show the place without it.
             if (!row_of(event.kind).is_of_scene) event.portrait = tracklet.portrait;
             event.open_ended = lasts_to_end(candidate);
-            event.infrared = stretch_of(tracklet).infrared;
+            event.view = stretch_of(tracklet).view;
             if (tracklet.in_scene && tracklet.settled) {
                 event.in_scene = ScenePatch{tracklet.settled->patch.box, tracklet.settled->patch.values};
             }

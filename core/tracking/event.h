@@ -92,7 +92,7 @@ struct Event {
     std::optional<Evidence> evidence;    ///< for what was left or taken
     std::optional<Identity> identity;    ///< none without a detector, or if it knows no such object
     bool open_ended = false;             ///< it lasted until a gap or the end of the clip: what came then is unknown
-    bool infrared = false;               ///< the camera was in its infrared mode
+    std::size_t view = 0;                ///< of the camera, as `fields::Field::view`
     std::vector<std::size_t> tracks;     ///< the labels of its pixels in `FrameLabels`
 };
 

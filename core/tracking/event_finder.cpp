@@ -42,12 +42,17 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
 
 TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
-    if (stretches_.empty() || follows_gap(now) || sight.infrared != infrared_) {
+    if (stretches_.empty() || follows_gap(now) || sight.view != view_) {
         restart();
-        stretches_.push_back({now, now, sight.infrared});
-        infrared_ = sight.infrared;
+        stretches_.push_back({now, now, sight.view});
+        view_ = sight.view;
     }
-    if (sight.new_scene != nullptr) scene_ = sight.new_scene->planes;
+    if (sight.new_scene != nullptr) scenes_[view_] = sight.new_scene->planes;
+    if (sight.damaged) {
+        const bool goes_on = !damaged_.empty() && damaged_.back().end == last_.seconds;
+        if (!goes_on) damaged_.push_back({now.seconds, now.seconds, condition::Kind::damaged});
+        damaged_.back().end = now.seconds;
+    }
     last_ = stretches_.back().last = now;
     record_share(sight.field, now);
     clocks_.add(sight.grey.empty() ? brightness_of(sight.colour) : sight.grey, now);
@@ -399,7 +404,8 @@ Findings EventFinder::finish() {
     clocks_.finish();
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
-    Findings found = conclude(std::move(ended_), {field_, first_, last_, stretches_, clocks_.found()}, options_);
+    Findings found =
+        conclude(std::move(ended_), {field_, first_, last_, stretches_, clocks_.found(), damaged_}, options_);
     found.largest_share = largest_share_since(first_.seconds);
     return found;
 }

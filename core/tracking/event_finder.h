@@ -39,8 +39,8 @@ struct TrackedFrame {
 /// share a blob, and template matching finds each in it (`split_blob`). A part that becomes stationary begins when it
 /// became still: for a bag, that is when it was put down, not when its bearer left. At the end the tracklets of each
 /// object are joined (`link`), and objects are classified (`conclude`). What happens in a gap of the signal is unknown:
-/// all tracks end there, and tracking starts again after it. So they do when the camera changes to infrared or back, as
-/// then nothing looks as before.
+/// all tracks end there, and tracking starts again after it. So they do when the camera shows another view or changes
+/// to infrared or back, as then nothing looks as before.
 class EventFinder {
   public:
     explicit EventFinder(Size field, const EventOptions& options = {});
@@ -62,18 +62,15 @@ class EventFinder {
     bool follows(std::span<const std::size_t> tracks) const;
 
     /// The empty scene that the fields are compared with. Without one, nothing is said to have been left or taken.
-    /// \param infrared that of the camera's infrared mode, if it has been in it
-    void set_scene(fields::Planes scene, fields::Planes infrared = {}) {
-        scene_ = std::move(scene);
-        infrared_scene_ = std::move(infrared);
-    }
+    /// \param scenes of the camera's views, at least one
+    void set_scenes(std::vector<fields::Planes> scenes) { scenes_ = std::move(scenes); }
 
     /// Ends all tracks. To be called once, after the last field.
     Findings finish();
 
   private:
     bool follows_gap(const Moment& now) const;
-    const fields::Planes& scene() const { return infrared_ ? infrared_scene_ : scene_; }
+    const fields::Planes& scene() const { return scenes_[view_]; }
     void restart();
     Plane<std::uint8_t> without_stationary(const FrameView& sight, const Moment& now);
     Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> appearances, const Moment& now) const;
@@ -111,14 +108,14 @@ class EventFinder {
     ClockFinder clocks_;
     std::vector<Track> tracks_;
     std::vector<Tracklet> ended_;
-    fields::Planes scene_;
-    fields::Planes infrared_scene_;
-    bool infrared_ = false;                                 ///< the mode of the last frame
+    std::vector<fields::Planes> scenes_ = std::vector<fields::Planes>(1);
+    std::size_t view_ = 0;                                  ///< of the last frame
     std::deque<std::pair<double, double>> shares_;          ///< seconds and share of the picture, of recent fields
     std::deque<std::pair<double, double>> largest_shares_;  ///< the largest of each second, from its first field on
     Moment first_;
     Moment last_;
     std::vector<Stretch> stretches_;
+    std::vector<condition::Interval> damaged_;  ///< as Span::damaged
 };
 
 }  // namespace vvr::tracking

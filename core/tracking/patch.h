@@ -17,7 +17,8 @@ struct FrameView {
     const Plane<std::uint8_t>& field;  ///< 0 = background; else part of an object
     const Plane<std::uint8_t>& grey;
     const Plane<Bgr>& colour;
-    bool infrared = false;                        ///< as `fields::Field::infrared`
+    std::size_t view = 0;                         ///< as `fields::Field::view`
+    bool damaged = false;                         ///< as `media::Frame::damaged`
     const fields::NewScene* new_scene = nullptr;  ///< as `fields::Field::scene`
 
     Bgr at(int i, int j) const {

@@ -305,6 +305,7 @@ void Track::take_portrait(const FrameView& sight, const Patch& patch, const Mome
     if (now.seconds < portrait_due_) return;
     portrait_due_ = now.seconds + thresholds.claim.sampled;
     if (touches_border(patch.box, field_)) worth *= hindered;
+    if (sight.damaged) worth *= hindered * hindered;
     const double score =
         worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     auto& best = tracklet_.portrait;

@@ -190,7 +190,7 @@ TEST(ComposedGaps, AreTheLongestWithTheirReasons) {
     };
     EXPECT_EQ(lengths(), (std::vector<int>{50, 40, 30, 20}));
     EXPECT_EQ(app::explained_gaps(plan, seen).front().reason, "no signal");
-    seen.missing = {{0, 99, media::Absence::dropped}};
+    seen.missing = {{0, 99, condition::Kind::dropped}};
     EXPECT_EQ(app::explained_gaps(plan, seen).front().reason, "frames dropped");
     seen.missing.clear();
     plan.read.span.parts = {{0, 0.1}};

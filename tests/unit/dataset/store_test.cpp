@@ -89,18 +89,19 @@ TEST_F(Store, GivesBackWhatItTook) {
     EXPECT_EQ(summary.frames, 10);
 }
 
-TEST_F(Store, KeepsTheSceneOfEachMode) {
+TEST_F(Store, KeepsTheSceneOfEachView) {
     const auto scene_of = [](const Bgr& colour) {
         const auto grey = static_cast<std::uint8_t>(fields::brightness_of(colour));
         return fields::Reference(fields::Planes{Plane<std::uint8_t>(size, grey), Plane<Bgr>(size, colour)});
     };
     fields::Reference day = scene_of({20, 90, 200});
-    day.infrared = std::make_shared<const fields::Reference>(scene_of({70, 70, 70}));
+    day.others.push_back(scene_of({70, 70, 70}));
     {
         dataset::DataFolder data(folder / "dusk", 2);
         for (std::int64_t i = 0; i < 4; ++i) {
             fields::Field field = field_of(i);
-            field.infrared = i >= 2;
+            field.view = i >= 2 ? 1 : 0;
+            if (i == 2) field.before = condition::Kind::moved;
             data.add(frame_of(i), field);
         }
         dataset::Manifest manifest = manifest_of();
@@ -111,12 +112,13 @@ TEST_F(Store, KeepsTheSceneOfEachMode) {
     dataset::StoredFields stored(parts);
     const fields::FieldSummary summary =
         stored.read({.every = 2}, [&](const media::SharedFrame& frame, const fields::Field& field) {
-            EXPECT_EQ(field.infrared, frame->index >= 2);
+            EXPECT_EQ(field.view, frame->index >= 2 ? 1 : 0);
+            EXPECT_EQ(field.before, frame->index == 2 ? condition::Kind::moved : condition::Kind::no_signal);
         });
     EXPECT_TRUE(test::same(summary.reference.colour, day.colour));
-    ASSERT_NE(summary.reference.infrared, nullptr);
-    EXPECT_TRUE(test::same(summary.reference.infrared->colour, day.infrared->colour));
-    EXPECT_TRUE(test::same(summary.reference.infrared->grey, day.infrared->grey));
+    ASSERT_EQ(summary.reference.others.size(), 1);
+    EXPECT_TRUE(test::same(summary.reference.others.front().colour, day.others.front().colour));
+    EXPECT_TRUE(test::same(summary.reference.others.front().grey, day.others.front().grey));
 }
 
 TEST_F(Store, WithoutCloseNothingStays) {
@@ -234,7 +236,7 @@ TEST_F(Store, AListIsSharedByAllFrames) {
 
 TEST(ManifestText, ReadsWhatItWrote) {
     dataset::Manifest manifest = manifest_of();
-    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}, {9, 0.8, {}, false, 4}};
+    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}, {9, 0.8, {}, 0, condition::Kind::frozen, 4}};
     const dataset::Manifest read = dataset::parse_manifest(dataset::format_manifest(manifest), "m");
     EXPECT_EQ(read.frames, manifest.frames);
     EXPECT_EQ(read.settings, manifest.settings);
@@ -263,7 +265,7 @@ TEST(ManifestText, HasNoValueThatCannotBe) {
     refuse(R"([{"op": "replace", "path": "/field_width", "value": 1e300}])", invalid, {"'field_width'", "1e+300"});
     refuse(R"([{"op": "replace", "path": "/clip/rate", "value": "fast"}])", invalid, {"'clip.rate'", "\"fast\""});
     refuse(R"([{"op": "remove", "path": "/settings"}])", invalid, {"'settings'"});
-    refuse(R"([{"op": "replace", "path": "/format_version", "value": 2}])", invalid, {"format_version", "2", "1"});
+    refuse(R"([{"op": "replace", "path": "/format_version", "value": 1}])", invalid, {"format_version", "1", "2"});
     refuse(R"([{"op": "replace", "path": "/complete", "value": false}])", invalid, {});
     test::expect_error(invalid, [] { dataset::parse_manifest("{ junk", "m.json"); }, {"'m.json'", "`vvr extract`"});
 }

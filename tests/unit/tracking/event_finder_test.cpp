@@ -21,7 +21,7 @@ using Paint = std::function<void(int, Plane<std::uint8_t>&)>;
 /// A finder for fields without pictures, where what is no object is black.
 tracking::EventFinder finder_on_black() {
     tracking::EventFinder finder({120, 90}, {.scene_is_learnt = false});
-    finder.set_scene({Plane<std::uint8_t>({120, 90}), {}});
+    finder.set_scenes({{Plane<std::uint8_t>({120, 90}), {}}});
     return finder;
 }
 
@@ -193,7 +193,7 @@ std::vector<tracking::Event> events_in(
     const fields::Planes& scene,
     const std::function<void(int, Plane<std::uint8_t>& field, Plane<std::uint8_t>& picture)>& paint) {
     tracking::EventFinder finder({120, 90});
-    finder.set_scene(scene);
+    finder.set_scenes({scene});
     for (int f = 0; f < 400; ++f) {
         Plane<std::uint8_t> field({120, 90});
         Plane<std::uint8_t> picture = scene.grey;
@@ -240,7 +240,7 @@ TEST(EventFinder, WhatTheSceneHasIsGoneWhenItsPlaceIsEmptyAgain) {
     fields::Planes scene{floor, {}};
     fill(scene.grey, {60, 60, 72, 70}, 220);
     tracking::EventFinder finder({120, 90});
-    finder.set_scene(scene);
+    finder.set_scenes({scene});
     for (int f = 0; f < 600; ++f) {
         Plane<std::uint8_t> field({120, 90});
         Plane<std::uint8_t> picture = scene.grey;
@@ -282,7 +282,7 @@ std::vector<tracking::Event> events_at_dusk(
     const std::function<void(int, Plane<std::uint8_t>& field, Plane<std::uint8_t>& picture)>& paint) {
     const fields::Planes day{Plane<std::uint8_t>({120, 90}, 90), {}};
     tracking::EventFinder finder({120, 90});
-    finder.set_scene(day, infrared);
+    finder.set_scenes({day, infrared});
     for (int f = 0; f < 400; ++f) {
         const bool dark = f >= 200;
         Plane<std::uint8_t> field({120, 90});
@@ -307,9 +307,9 @@ TEST(Infrared, EndsWhatIsFollowed) {
     });
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].last.frame, 199);
-    EXPECT_FALSE(events[0].infrared);
+    EXPECT_EQ(events[0].view, 0U);
     EXPECT_EQ(events[1].first.frame, 200);
-    EXPECT_TRUE(events[1].infrared);
+    EXPECT_EQ(events[1].view, 1U);
 }
 
 TEST(Infrared, HasItsOwnEmptyScene) {

@@ -65,7 +65,7 @@ Found found_in(generator::Scene scene, const std::string& reference) {
         },
         [&](const fields::Reference& empty) {
             const fields::Planes& planes = empty;
-            finder.set_scene(planes);
+            finder.set_scenes({planes});
         });
     found.all = finder.finish();
     return found;

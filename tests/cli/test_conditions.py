@@ -1,0 +1,95 @@
+"""What a recording itself did: its times are told, and nothing is said because of it."""
+
+import json
+
+import pytest
+from harness import check
+
+SIZE = ["--size", "400x300"]
+
+
+@pytest.fixture
+def walkers(t):
+    """24 s of a camera with noise, 10 frames per second: people walk all the time."""
+    t.scene("walkers", "walkers.y4m", "--size", "192x144", "--frames", "240", "--rate", "10", "--noise", "2", "--detail", "6")
+    return "walkers.y4m"
+
+
+def encoded(t, source, name, filters, *codec):
+    t.ffmpeg("-i", source, "-vf", filters, "-c:v", "mpeg4", "-q:v", "3", *codec, name)
+    return name
+
+
+def report_of(t, clip, *options):
+    t.vvr("render", clip, "-o", "out.png", "--report", "out.json", "--quiet", *SIZE, *options).expect(0)
+    return json.loads(t.path("out.json").read_text())
+
+
+def intervals_of(report):
+    return [(one["kind"], one["begin"]["seconds"], one["end"]["seconds"]) for one in report["unseen"]["intervals"]]
+
+
+def expect_interval(report, kind, begin, end):
+    told = intervals_of(report)
+    check(len(told) == 1 and told[0][0] == kind, f"expected one interval '{kind}', there are {told}")
+    check(abs(told[0][1] - begin) <= 0.5 and abs(told[0][2] - end) <= 0.5, f"{begin} to {end} s is told as {told}")
+
+
+def expect_no_claims(report):
+    kinds = [event["kind"] for event in report["events"]]
+    check(not {"left", "taken"} & set(kinds), f"something is said to have been left or taken: {kinds}")
+
+
+def expect_none_across(report, begin, end):
+    for event in report["events"]:
+        first, last = event["first"]["seconds"], event["last"]["seconds"]
+        check(last <= end - 0.5 or first >= begin + 0.5, f"an event from {first} to {last} s spans the interval")
+
+
+def test_a_clip_without_faults_has_no_interval(t, walkers):
+    report = report_of(t, walkers)
+    check(intervals_of(report) == [], f"of a faultless clip are told {intervals_of(report)}")
+
+
+def test_a_frozen_picture_is_not_somebody_who_stands(t, walkers):
+    # From 10 s on, the last picture is repeated for 8 s; the clock goes on.
+    clip = encoded(t, walkers, "frozen.avi",
+                   "loop=loop=80:size=1:start=100,select='lt(n,181)+gte(n,261)',setpts=N/10/TB", "-r", "10")
+    report = report_of(t, clip)
+    expect_interval(report, "frozen", 10, 18)
+    expect_no_claims(report)
+    expect_none_across(report, 10, 18)
+    check("no new pictures from" in report["advice"][0], f"the advice is {report['advice']}")
+
+
+@pytest.mark.parametrize("colour", ["gray", "blue", "black"])
+def test_a_card_is_no_picture(t, walkers, colour):
+    clip = encoded(t, walkers, "card.avi", f"drawbox=color={colour}:t=fill:enable='between(t,9,15)',"
+                   "drawtext=text='NO SIGNAL':fontsize=14:fontcolor=white:x=50:y=60:enable='between(t,9,15)'")
+    report = report_of(t, clip)
+    expect_interval(report, "blank", 9, 15)
+    expect_no_claims(report)
+    expect_none_across(report, 9, 15)
+
+
+@pytest.mark.parametrize("degrees", [2, -3])
+def test_people_are_found_before_and_after_a_knock(t, walkers, degrees):
+    moved = f"rotate=a='if(lt(t,12),0,{degrees}*PI/180)':ow=iw:oh=ih,crop=160:120:x='if(lt(t,12),10,18)':y='if(lt(t,12),8,14)'"
+    report = report_of(t, encoded(t, walkers, "knock.avi", moved))
+    expect_interval(report, "camera_moved", 12, 12)
+    expect_no_claims(report)
+    still = report_of(t, encoded(t, walkers, "still.avi", "crop=160:120:10:8"))
+    for what, wanted in (("before", lambda event: event["first"]["seconds"] < 12),
+                         ("after", lambda event: event["last"]["seconds"] > 12.5)):
+        found = len([event for event in report["events"] if wanted(event)])
+        there = len([event for event in still["events"] if wanted(event)])
+        check(4 * found >= 3 * there > 0, f"{what} the knock {found} of {there} are found")
+
+
+def test_a_picture_says_when_it_shows_nothing(t, walkers):
+    """A clip that ends with a card keeps its length."""
+    clip = encoded(t, walkers, "end.avi", "drawbox=color=gray:t=fill:enable='gte(t,18)'")
+    report = report_of(t, clip)
+    expect_interval(report, "blank", 18, 23.9)
+    whole = report_of(t, encoded(t, walkers, "all.avi", "drawbox=color=gray:t=fill"))
+    check(whole["events"] == [], "nothing but a card has events")
