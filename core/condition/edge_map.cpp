@@ -52,6 +52,7 @@ EdgeMap edge_map(const Plane<std::uint8_t>& grey) {
 
 Agreement agreement(const EdgeMap& picture, const EdgeMap& view, int x, int y) {
     Agreement found;
+    int all_blocks = 0;
     if (picture.across.size() != view.across.size()) return found;
     int similar = 0;
     int same = 0;
@@ -62,6 +63,7 @@ Agreement agreement(const EdgeMap& picture, const EdgeMap& view, int x, int y) {
         for (int left = 0; left + side <= all.right; left += side) {
             const PixelBox block{left, top, left + side, top + side};
             if (!all.contains(block.translated(x, y))) continue;
+            ++all_blocks;
             Products sums;
             sums.add(picture.across, view.across, block, x, y);
             sums.add(picture.down, view.down, block, x, y);
@@ -74,6 +76,8 @@ Agreement agreement(const EdgeMap& picture, const EdgeMap& view, int x, int y) {
             there += std::sqrt(sums.view);
         }
     }
+    // Where most of a view is plain, whoever passes hides all of its edges.
+    if (found.blocks < thresholds.edged * all_blocks) return {};
     if (found.blocks == 0) return found;
     found.share = 1.0 * similar / found.blocks;
     found.exact = 1.0 * same / found.blocks;

@@ -12,6 +12,7 @@ struct Thresholds {
     double edge = 2.8;           ///< levels per pixel; a block with weaker edges tells nothing
     double similar = 0.5;        ///< correlation from which on two blocks have similar edges …
     double same = 0.8;           ///< … and the same
+    double edged = 0.25;         ///< share of all blocks that have edges, at least; with fewer, nothing is known either
     int fewest_blocks = 4;       ///< blocks with edges; with fewer, nothing is known of the view
     double seen = 0.5;           ///< share of the blocks with similar edges, at least, if the camera shows the view …
     double seen_exactly = 0.12;  ///< … or of those with the same: somebody may be close to the camera

@@ -139,7 +139,8 @@ void FieldStages::judge(PipelineFrame& shot) {
     const std::size_t before = view_;
     const bool adapts = scene.object->adapts();
     if (adapts) shot.agreement = condition::agreement(shot.signs.edges, scene.edges);
-    shot.verdict = condition_(shot.signs, shot.agreement, now);
+    // Filters that show the video itself or its motion show the camera's too.
+    if (row_.traits.object) shot.verdict = condition_(shot.signs, shot.agreement, now);
     using condition::Kind;
     const bool turned = shot.verdict.kind == Kind::turning;
     if (adapts && (turned || shot.verdict.kind == Kind::normal)) {

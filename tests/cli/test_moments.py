@@ -134,7 +134,7 @@ def test_areas_that_were_left_out_are_told(t):
     t.vvr("cut", "gate_20261121_080000.mp4", "--event", "1", "--mask", MASK, "--evidence", "found").expect(0)
     check(t.json("found/evidence.json")["pieces"][0]["unseen"]["areas"] == [area], "the search does not tell its mask")
     plain = t.vvr("render", "gate_20261121_080000.mp4", "-o", "y.png", "--backend", "software", "--report", "plain.json").expect(0)
-    check(t.json("plain.json")["unseen"] == {"masked": 0, "areas": [], "gaps": [], "damage": [], "damaged": 0, "dropped": 0}, str(plain))
+    check(t.json("plain.json")["unseen"] == {"masked": 0, "areas": [], "gaps": [], "damage": [], "intervals": [], "damaged": 0, "dropped": 0}, str(plain))
 
 
 def test_damage_is_told_with_its_times(t):
