@@ -88,7 +88,8 @@ def driver_of(folder, *arguments):
                      # A mouse, which a machine without a screen has not.
                      "--blink-settings=primaryHoverType=2,availableHoverTypes=2,primaryPointerType=4,availablePointerTypes=4",
                      "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", f"--user-data-dir={folder}", "--no-first-run",
-                     *arguments):
+                     # Without a GPU, the browser complains of WebGL: who tests that says which rasteriser.
+                     *(arguments or ("--disable-3d-apis",))):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)

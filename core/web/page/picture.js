@@ -97,9 +97,12 @@ export function drawGround() {
     at('view').style.backgroundColor = state.ground ? `rgb(${state.ground})` : '';
 }
 
-/** The events that are lit; null = all, and what is of no event. */
-export function litEvents() {
-    const one = state.lightened ?? state.chosen;
+/**
+ * The events that are lit; null = all, and what is of no event.
+ * @param {number | null} [lightened] the one that the pointer is on
+ */
+export function litEvents(lightened = state.lightened) {
+    const one = lightened ?? state.chosen;
     if (one !== null) return [one];
     return asksForSome() ? wantedEvents() : null;
 }

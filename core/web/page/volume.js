@@ -23,7 +23,7 @@ import {arrowSources, lineSources, marchSources} from './shaders.js';
  * @property {(Standing | null)[]} frames
  */
 
-const units = {brick: 0, owners: 1, far: 2, transfer: 3, palette: 4, frame_0: 5, frame_1: 6, frame_2: 7, lines: 8, lines_depth: 9, points: 10};
+const units = {brick: 0, owners: 1, far: 2, transfer: 3, palette: 4, frame_0: 5, frame_1: 6, frame_2: 7, lines: 8, lines_depth: 9, points: 10, picks: 11};
 /** Most pixels on a side of what is picked. */
 export const mostPicked = 64;
 
@@ -49,7 +49,7 @@ export class Volume {
         this.texture3d('brick', voxels.size, gl.R8, gl.RED, voxels.scalars, gl.LINEAR);
         this.texture3d('owners', voxels.size, gl.RG8, gl.RG, new Uint8Array(voxels.owners.buffer), gl.NEAREST);
         this.texture3d('far', voxels.cells, gl.R8, gl.RED, voxels.far, gl.NEAREST);
-        for (const name of /** @type {const} */ (['transfer', 'palette', 'frame_0', 'frame_1', 'frame_2', 'points'])) {
+        for (const name of /** @type {const} */ (['transfer', 'palette', 'picks', 'frame_0', 'frame_1', 'frame_2', 'points'])) {
             this.bind(name, gl.createTexture());
             const filter = name.startsWith('frame') ? gl.LINEAR : gl.NEAREST;
             for (const key of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, key, filter);
@@ -192,10 +192,13 @@ export class Volume {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 1021, 1, 0, gl.RGBA, gl.FLOAT, table);
     }
 
-    /** @param {Float32Array} colours four numbers for each owner */
-    setPalette(colours) {
+    /**
+     * @param {Float32Array} colours four numbers for each owner
+     * @param {'palette' | 'picks'} name that is seen, or by which is found what a pixel shows
+     */
+    setPalette(colours, name) {
         const {gl} = this;
-        gl.activeTexture(gl.TEXTURE0 + units.palette);
+        gl.activeTexture(gl.TEXTURE0 + units[name]);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 256, colours.length / 1024, 0, gl.RGBA, gl.FLOAT, colours);
     }
 
@@ -292,6 +295,7 @@ export class Volume {
         const {gl, data} = this;
         const at = this.program(`${what} ${layout}`, () => marchSources(what, layout, data.relief));
         for (const [name, unit] of Object.entries(units)) if (at[name]) gl.uniform1i(at[name], unit);
+        if (what === 'PICK') gl.uniform1i(at.palette, units.picks);
         for (const [name, value] of Object.entries(layouts[layout].uniforms(data.shape))) gl.uniform1f(at[name], value);
         gl.uniformMatrix4fv(at.p_from_clip, false, inverseOf(camera));
         gl.uniform3fv(at.eye, camera.eye);

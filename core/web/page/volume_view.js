@@ -170,18 +170,20 @@ export function drawLook() {
     if (!volume) return;
     const {colours} = /** @type {import('./data.js').TurningVolume} */ (state.parts.volume);
     const {palette} = schemeNow();
-    const lit = litEvents();
     const count = 4 * (state.events.length + 1);
-    const table = new Float32Array(Math.ceil(count / 256) * 1024);
     const faint = 0.06;  // of what is not lit
-    for (let owner = 0; owner < count; ++owner) {
-        const place = (owner >> 2) - 1;
-        const look = place < 0 ? 0 : 1 + 3 * (colours[place] ?? 0) + Math.min(owner & 3, 2);
-        const [red, green, blue, factor] = palette[look];
-        const isLit = lit === null || lit.includes(place);
-        table.set([red, green, blue, factor * (isLit ? 1 : faint)], 4 * owner);
+    // What the pointer lights must not decide what it is on.
+    for (const [name, lit] of /** @type {const} */ ([['palette', litEvents()], ['picks', litEvents(null)]])) {
+        const table = new Float32Array(Math.ceil(count / 256) * 1024);
+        for (let owner = 0; owner < count; ++owner) {
+            const place = (owner >> 2) - 1;
+            const look = place < 0 ? 0 : 1 + 3 * (colours[place] ?? 0) + Math.min(owner & 3, 2);
+            const [red, green, blue, factor] = palette[look];
+            const isLit = lit === null || lit.includes(place);
+            table.set([red, green, blue, factor * (isLit ? 1 : faint)], 4 * owner);
+        }
+        volume.setPalette(table, name);
     }
-    volume.setPalette(table);
 }
 
 export const drawDensity = () => volume?.setTransfer(state.density);
