@@ -69,9 +69,10 @@ std::optional<std::string> advice_on_recording(const Plan& plan, const Observati
     }
     if (worst == nullptr) return std::nullopt;
     const condition::ConditionRow& row = row_of(worst->kind);
-    return fmt::format("'{}': {} from {} to {}; probably {}; look at the footage of that time yourself", seen.info.name,
-                       row.words, annotation::format_moment(worst->begin, plan.read.clock),
-                       annotation::format_moment(worst->end, plan.read.clock), row.cause);
+    const std::string begin = annotation::format_moment(worst->begin, plan.read.clock);
+    const std::string end = annotation::format_moment(worst->end, plan.read.clock);
+    return fmt::format("'{}': {} {}; probably {}; look at the footage of that time yourself", seen.info.name, row.words,
+                       begin == end ? "at " + begin : fmt::format("from {} to {}", begin, end), row.cause);
 }
 
 /// Why no time is compressed in a long clip.

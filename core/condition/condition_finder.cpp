@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <utility>
@@ -102,14 +103,15 @@ void FreezeFinder::note_changes(const std::vector<std::uint8_t>& samples, const 
     for (std::size_t k = 0; k < changed_.size(); ++k) {
         const auto first = samples.begin() + static_cast<std::ptrdiff_t>(k * strip);
         const auto other = before.begin() + static_cast<std::ptrdiff_t>(k * strip);
-        if (!std::equal(first, first + thresholds.strip, other)) changed_[k] = count_;
+        changed_[k] = changed_[k] << 1 | (std::equal(first, first + thresholds.strip, other) ? 0 : 1);
     }
 }
 
-/// Whether all of the picture changed a little in the last frames: that is a camera's or a codec's noise.
+/// Whether all of the picture changed again and again: that is a camera's noise. A codec changes drawn pictures rarely.
 bool FreezeFinder::has_noise() const {
     if (count_ < thresholds.fewest) return false;
-    const auto noisy = std::ranges::count_if(changed_, [&](int last) { return count_ - last < thresholds.fewest; });
+    const auto noisy =
+        std::ranges::count_if(changed_, [](std::uint64_t bits) { return std::popcount(bits) >= thresholds.changes; });
     return static_cast<double>(noisy) >= thresholds.noisy * static_cast<double>(changed_.size());
 }
 

@@ -51,7 +51,7 @@ class FreezeFinder {
     double begin() const;
 
     std::vector<std::uint8_t> last_;      ///< samples of the frame before
-    std::vector<int> changed_;            ///< of each strip of samples, the last of the differences in which it changed
+    std::vector<std::uint64_t> changed_;  ///< a bit per strip of samples and recent difference: whether it changed
     int count_ = 0;                       ///< of the differences of pictures that are not repeated
     std::deque<Difference> recent_;       ///< of these pictures, as they are
     std::optional<double> same_since_{};  ///< seconds; the first frame that repeats the one before

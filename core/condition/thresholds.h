@@ -25,7 +25,8 @@ struct Thresholds {
     double equal = 0.01;  ///< levels; in footage, pictures that differ less follow each other for a second at most
     double frozen = 2;    ///< seconds for which they do, at least (FFmpeg's freezedetect)
     int strip = 16;       ///< samples in which noise is looked for
-    double noisy = 0.6;   ///< share of the strips that change in a second or so, at least: drawn pictures have no noise
+    int changes = 4;      ///< of 64 differences, in which a strip with noise changes, at least …
+    double noisy = 0.8;   ///< … and share of the strips that do: in footage 0.96 to 1, in drawn pictures up to 0.5
     int fewest = 16;      ///< differences that tell what is usual …
     std::size_t usual = 512;  ///< … and how many are kept
     double settled = 0.5;  ///< ratio to the usual difference; with less, a codec may still settle on a frozen picture …

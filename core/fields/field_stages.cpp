@@ -71,15 +71,17 @@ FieldStages::SceneStage FieldStages::stage_of(const Reference& scene) const {
             row_.traits.object ? options_.threshold.value_or(row_.traits.threshold) : thresholds.object.usual;
         const bool darker = row_.traits.darker || (second_ && second_->row->traits.darker);
         stage.object = std::make_unique<ObjectFinder>(options_, threshold, scene, region_, darker);
-        stage.edges = condition::edge_map(scene.grey);
+        if (scene.is_view) stage.edges = condition::edge_map(scene.grey);
     }
     if (scene.shakes) stage.stabilizer = std::make_unique<Stabilizer>(scene);
     return stage;
 }
 
 std::shared_ptr<PipelineFrame> FieldStages::begin(media::Frame frame) const {
-    const std::size_t view = scenes_.size() > 1 ? view_of(frame, condition::edge_map(frame.grey)) : 0;
-    std::shared_ptr<PipelineFrame> shot = compared(std::move(frame), scenes_[view]);
+    condition::FrameSigns signs;
+    if (row_.traits.object) signs = condition::signs_of(frame.grey);
+    const std::size_t view = scenes_.size() > 1 ? view_of(frame, signs.edges) : 0;
+    std::shared_ptr<PipelineFrame> shot = compared(std::move(frame), std::move(signs), scenes_[view]);
     shot->view = view;
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
@@ -94,14 +96,18 @@ std::size_t FieldStages::view_of(const media::Frame& frame, const condition::Edg
     return static_cast<std::size_t>(std::ranges::max_element(scenes_, {}, fits) - scenes_.begin());
 }
 
-std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, const SceneStage& scene) const {
+std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, condition::FrameSigns signs,
+                                                     const SceneStage& scene) const {
     auto shot = std::make_shared<PipelineFrame>();
     if (scene.stabilizer) shot->visible = scene.stabilizer->align(frame, scene.stabilizer->shift_of(frame.grey));
     shot->frame = std::make_shared<const media::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
+    shot->signs = std::move(signs);
     if (!scene.object) return shot;
-    shot->signs = condition::signs_of(shot->frame->grey);
-    if (scene.stabilizer) shot->signs.samples.clear();  // a camera that stops shaking is not frozen
+    if (scene.stabilizer && row_.traits.object) {
+        shot->signs.edges = condition::edge_map(shot->frame->grey);
+        shot->signs.samples.clear();  // a camera that stops shaking is not frozen
+    }
     if (scene.object->adapts()) return shot;
     shot->agreement = condition::agreement(shot->signs.edges, scene.edges);
     store_object(*shot, scene.object->find(shot->smooth));

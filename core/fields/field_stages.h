@@ -81,7 +81,8 @@ class FieldStages {
     SceneStage stage_of(const Reference& scene) const;
     std::size_t view_of(const media::Frame& frame, const condition::EdgeMap& edges) const;
     void judge(PipelineFrame& shot);
-    std::shared_ptr<PipelineFrame> compared(media::Frame frame, const SceneStage& scene) const;
+    std::shared_ptr<PipelineFrame> compared(media::Frame frame, condition::FrameSigns signs,
+                                            const SceneStage& scene) const;
     static void store_object(PipelineFrame& shot, FoundObject&& found);
     /// A filter and its parameters.
     struct ActiveFilter {

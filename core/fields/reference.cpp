@@ -111,6 +111,7 @@ Reference learn_from(std::vector<media::Frame> frames, const SceneOfFrames scene
     frames = relit_like_first(std::move(frames), *options.illumination);
     static_cast<Planes&>(reference) = scene(frames);
     if (frames.empty()) return reference;
+    reference.is_view = is_view_of(reference.grey, frames);
     if (find_living) look_behind(frames, find_living, reference);
     reference.noise =
         noise_of(frames, smoothed(reference.grey, reference.colour, options.smooth), options.smooth, reference.shakes);

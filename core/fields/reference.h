@@ -27,6 +27,7 @@ struct Reference : Planes {
 
     Plane<std::uint8_t> noise{};  ///< result of `noise_of`; empty if there were too few frames
     bool shakes = false;          ///< the camera shakes, and stabilization is on
+    bool is_view = true;          ///< the camera showed it; one that never keeps still has no view
     bool infrared = false;        ///< of the camera's infrared mode, while others are in colour
 
     /// The empty scenes of the camera's other views, by the number of frames from which they were learnt: it was moved,

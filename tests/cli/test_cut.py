@@ -113,7 +113,7 @@ def test_cut_with_a_margin(t):
     clip = bag(t)
     came = events(t, clip)[1]
     t.vvr("cut", clip, "--event", "2", "--margin", "1.5", "--report", "report.json", "-o", "wide.mp4").expect(0)
-    check_copied(t, clip, "wide.mp4", came["first"]["frame"] - 37, min(399, came["last"]["frame"] + 37))
+    check_copied(t, clip, "wide.mp4", came["first"]["frame"] - 37, came["last"]["frame"] + 37)
     t.vvr("cut", clip, "--start", "0.5s", "--end", "6s", "--margin", "60", "-o", "wide.mp4").expect(
         0, "ends at 15.960 s, earlier than the requested end", "400 frames copied, 0.000 s to 15.960 s")
 
