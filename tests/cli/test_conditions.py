@@ -80,11 +80,12 @@ def test_people_are_found_before_and_after_a_knock(t, walkers, degrees):
     expect_interval(report, "camera_moved", 12, 12)
     expect_no_claims(report)
     still = report_of(t, encoded(t, walkers, "still.avi", "crop=160:120:10:8"))
-    for what, wanted in (("before", lambda event: event["first"]["seconds"] < 12),
-                         ("after", lambda event: event["last"]["seconds"] > 12.5)):
+    # Whoever is there for two seconds of that time.
+    for what, wanted in (("before", lambda event: event["first"]["seconds"] < 10),
+                         ("after", lambda event: event["last"]["seconds"] > 14)):
         found = len([event for event in report["events"] if wanted(event)])
         there = len([event for event in still["events"] if wanted(event)])
-        check(3 * found >= 2 * there > 0, f"{what} the knock {found} of {there} are found")
+        check(4 * found >= 3 * there > 0, f"{what} the knock {found} of {there} are found")
 
 
 def test_a_picture_says_when_it_shows_nothing(t, walkers):
