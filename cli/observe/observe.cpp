@@ -13,6 +13,7 @@
 
 #include "core/annotation/time_ticks.h"
 #include "core/base/error.h"
+#include "core/condition/thresholds.h"
 #include "core/fields/settings.h"
 #include "core/scene/theme.h"
 
@@ -261,6 +262,11 @@ const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& f
     if (field.before != condition::Kind::no_signal && seen.volume.frames() > 0)
         seen.missing.push_back(
             {std::min(seen.last->pts, field.absent_since.value_or(seen.last->pts)), field.pts, field.before});
+    if (field.other_light >= condition::thresholds.other_light && seen.volume.frames() > 0) {
+        const bool goes_on = !seen.other_light.empty() && seen.other_light.back().end == seen.last->pts;
+        if (!goes_on) seen.other_light.push_back({seen.last->pts, field.pts, condition::Kind::light});
+        seen.other_light.back().end = field.pts;
+    }
     if (field.scene) {
         seen.relearnt.push_back(fmt::format(
             "most of the picture changed at {}; the empty scene was learnt anew until {}, and nothing is known of what "
@@ -269,9 +275,9 @@ const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& f
             annotation::format_moment(field.pts, plan_.read.clock)));
     }
     if (finder) {
-        tracking::TrackedFrame tracked =
-            finder->add({field.scalar, frame->grey, frame->colour, field.view, frame->damaged, field.scene.get()},
-                        {field.index, field.pts});
+        tracking::TrackedFrame tracked = finder->add({field.scalar, frame->grey, frame->colour, field.view,
+                                                      frame->damaged || field.other_light > 0, field.scene.get()},
+                                                     {field.index, field.pts});
         labels_ = std::move(tracked.labels);
         busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
@@ -310,6 +316,9 @@ footage::Unseen unseen_of(const ObservePlan& plan, const Observation& seen) {
     unseen.intervals = seen.missing;
     const auto& damaged = seen.summary.damaged_pictures;
     unseen.intervals.insert(unseen.intervals.end(), damaged.begin(), damaged.end());
+    std::ranges::copy_if(joined(seen.other_light), std::back_inserter(unseen.intervals), [](const auto& interval) {
+        return interval.end - interval.begin <= condition::thresholds.passing;
+    });
     for (const media::FrameGap& gap : seen.gaps) {
         if (gap.end <= seen.begin.seconds || gap.begin >= seen.end().seconds) continue;
         const std::string reason =

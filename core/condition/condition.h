@@ -21,6 +21,7 @@ enum class Kind {
     turning,    ///< the camera shows another view than those that have an empty scene
     moved,      ///< from here on, the camera shows another view
     infrared,   ///< the camera changes to infrared or back
+    light,      ///< much of the picture is in another light for a while
 };
 
 /// One row of the table of conditions.
@@ -44,6 +45,7 @@ inline constexpr std::array condition_rows{
     ConditionRow{Kind::turning, "camera_turning", "camera turning", "the camera was turned, or it tours several views"},
     ConditionRow{Kind::moved, "camera_moved", "camera moved", "somebody knocked against the camera or turned it"},
     ConditionRow{Kind::infrared, "infrared", "infrared on or off"},
+    ConditionRow{Kind::light, "light_changed", "light changed", "a cloud, a lamp or the camera's exposure"},
 };
 
 constexpr const ConditionRow& row_of(Kind kind) {

@@ -21,6 +21,10 @@ struct Thresholds {
     double flat = 0.6;           ///< share of the pixels within three levels: a single colour, perhaps with a text
     std::size_t fewest_of_view = 3;  ///< frames of a view, at least, that make an empty scene
 
+    // Light.
+    double other_light = 1.0 / 3;  ///< share of the picture in another light than the scene, from which on it is said …
+    double passing = 60;           ///< … for so many seconds, at most: what lasts longer is the day
+
     // Frozen pictures. Differences are means over two consecutive pictures.
     double equal = 0.01;  ///< levels; in footage, pictures that differ less follow each other for a second at most
     double frozen = 2;    ///< seconds for which they do, at least (FFmpeg's freezedetect)

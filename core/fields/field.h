@@ -129,7 +129,8 @@ struct Field {
     Flow flow;                     ///< empty if not requested; 0 far from objects unless requested there
     std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
-    std::size_t view = 0;  ///< the view of the camera with whose empty scene it was compared, as `Reference::of_view`
+    std::size_t view = 0;    ///< the view of the camera with whose empty scene it was compared, as `Reference::of_view`
+    double other_light = 0;  ///< share of the picture that is in another light than its empty scene
     condition::Kind before = condition::Kind::no_signal;  ///< why frames before it are missing, if some are
     std::optional<double> absent_since{};                 ///< seconds; when that began, if before the last frame
     std::shared_ptr<const NewScene> scene{};              ///< with which it is the first to be compared; usually null

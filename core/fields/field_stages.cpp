@@ -117,6 +117,7 @@ std::shared_ptr<PipelineFrame> FieldStages::compared(media::Frame frame, conditi
 void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) {
     shot.object = std::move(found.values);
     shot.darker = std::move(found.darker);
+    shot.other_light = found.other_light;
     if (shot.visible) clear_outside_overlap(*shot.visible, shot.object);
 }
 
@@ -177,6 +178,7 @@ Field FieldStages::finish(const Neighbourhood& neighbours) const {
     field.pts = here.frame->pts;
     field.view = here.view;
     field.before = here.before;
+    field.other_light = here.other_light;
     field.scene = here.scene;
     if (here.verdict.kind != condition::Kind::normal) return field;
     field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});

@@ -27,6 +27,7 @@ struct PipelineFrame {
     Plane<std::uint8_t> object;        ///< the difference object, if needed
     Plane<std::uint8_t> darker;        ///< as FoundObject::darker
     std::size_t view = 0;              ///< as Field::view
+    double other_light = 0;            ///< as Field::other_light
     condition::FrameSigns signs{};     ///< empty if it is compared with no empty scene
     condition::Agreement agreement{};  ///< with the view of its empty scene
     condition::Verdict verdict{};

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -152,36 +154,6 @@ std::optional<Planes> relit_globally(const Planes& reference, const Planes& fram
     return lit;
 }
 
-// The median ratio of grey levels around each block. It must also agree with its neighbours', so that a coat isn't
-// taken for a shadow.
-Plane<float> local_gains(const Planes& reference, const Planes& frame) {
-    constexpr int block = thresholds.light.block;
-    const Size size = frame.grey.size();
-    Plane<float> gains({(size.width + block - 1) / block, (size.height + block - 1) / block});
-    std::vector<Vote> ratios;
-    for (int j = 0; j < gains.height(); ++j) {
-        for (int i = 0; i < gains.width(); ++i) {
-            // With a margin of half a block on each side.
-            const cv::Rect window = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
-                                    cv::Rect(0, 0, size.width, size.height);
-            ratios.clear();
-            for (int y = window.y; y < window.y + window.height; y += thresholds.sampling) {
-                for (int x = window.x; x < window.x + window.width; x += thresholds.sampling) {
-                    const double before = std::max<int>(reference.grey.at(x, y), thresholds.light.darkest);
-                    // Brighter pixels give more precise ratios.
-                    ratios.push_back({std::max<int>(frame.grey.at(x, y), thresholds.light.darkest) / before, before});
-                }
-            }
-            gains.at(i, j) = static_cast<float>(std::clamp(
-                weighted_median(ratios), 1 / thresholds.light.most_local_change, thresholds.light.most_local_change));
-        }
-    }
-    Plane<float> smooth(gains.size());
-    cv::Mat out = cv_view(smooth);
-    cv::medianBlur(cv_view(gains), out, 5);
-    return smooth;
-}
-
 template <class T>
 Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     constexpr std::size_t channels = std::is_same_v<T, Bgr> ? 3 : 1;
@@ -193,22 +165,12 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     return result;
 }
 
-std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame, const IlluminationChange& light) {
-    const std::optional<Planes> globally = relit_globally(reference, frame, light);
-    const Planes& lit = globally ? *globally : reference;
-    const Plane<float> blocks = local_gains(lit, frame);
-    constexpr int block = thresholds.light.block;
-    // Blocks may extend beyond the picture: the gains are enlarged, then cropped.
-    cv::Mat gains;
-    cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
-    gains = gains(cv::Rect(0, 0, frame.grey.width(), frame.grey.height())).clone();
-    return Planes{times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
-}
-
 constexpr std::array illumination_rows{
-    IlluminationRow{"global", "one change for the whole picture: exposure, clouds, lamps", true, relit_globally},
-    IlluminationRow{"local", "a change that varies over the picture: shadows, a lamp at one side", true, relit_locally},
-    IlluminationRow{"none", "compensate nothing", false, unchanged},
+    IlluminationRow{"global", "one change for the whole picture: exposure, lamps; where much of it changes, as local",
+                    true, relit_globally, 0.03},
+    IlluminationRow{"local", "a change that varies over the picture: clouds, shadows, a lamp at one side", true,
+                    relit_globally, 0},
+    IlluminationRow{"none", "compensate nothing", false, unchanged, 1},
 };
 
 }  // namespace
@@ -224,6 +186,92 @@ IlluminationChange estimate_illumination(const Planes& reference, const Planes& 
     std::vector<Change> changes;
     for (const LevelChange& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
     return line_through(changes);
+}
+
+namespace {
+
+/// Sums of products of the gradients of two pictures, around each block.
+struct GradientProducts {
+    cv::Mat frame;      ///< of the frame with itself
+    cv::Mat reference;  ///< of the reference with itself
+    cv::Mat both;
+};
+
+/// Means over each block, and then over its neighbours too.
+cv::Mat around_blocks(const cv::Mat& plane, cv::Size grid) {
+    cv::Mat means;
+    cv::resize(plane, means, grid, 0, 0, cv::INTER_AREA);
+    cv::blur(means, means, {3, 3}, {-1, -1}, cv::BORDER_REPLICATE);
+    return means;
+}
+
+GradientProducts gradient_products(const cv::Mat& reference, const cv::Mat& frame, cv::Size grid) {
+    GradientProducts sums;
+    for (const auto& [across, down] : {std::pair(1, 0), std::pair(0, 1)}) {
+        cv::Mat here;
+        cv::Mat there;
+        cv::Sobel(frame, here, CV_32F, across, down);
+        cv::Sobel(reference, there, CV_32F, across, down);
+        for (const auto& [a, b, sum] :
+             {std::tuple(&here, &here, &sums.frame), std::tuple(&there, &there, &sums.reference),
+              std::tuple(&here, &there, &sums.both)}) {
+            const cv::Mat product = around_blocks(a->mul(*b), grid);
+            *sum = sum->empty() ? product : cv::Mat(*sum + product);
+        }
+    }
+    return sums;
+}
+
+}  // namespace
+
+LocalLight local_light(const Planes& reference, const Planes& frame, const Plane<std::uint8_t>& object) {
+    constexpr auto& t = thresholds.light;
+    const cv::Size grid(std::max(1, frame.grey.width() / t.block), std::max(1, frame.grey.height() / t.block));
+    const GradientProducts sums = gradient_products(cv_view(reference.grey), cv_view(frame.grey), grid);
+    cv::Mat before;
+    cv::Mat now;
+    cv_view(reference.grey).convertTo(before, CV_32F);
+    cv_view(frame.grey).convertTo(now, CV_32F);
+    before = around_blocks(before, grid);
+    now = around_blocks(now, grid);
+    cv::Mat weights(grid, CV_32F, cv::Scalar(0));
+    cv::Mat logs(grid, CV_32F, cv::Scalar(0));
+    cv::Mat covered;
+    cv::resize(cv_view(object) > 0, covered, grid, 0, 0, cv::INTER_AREA);
+    int textured = 0;
+    int explained = 0;
+    for (int j = 0; j < grid.height; ++j) {
+        for (int i = 0; i < grid.width; ++i) {
+            const float texture = sums.reference.at<float>(j, i);
+            if (texture < t.least_texture * t.least_texture) continue;
+            const bool differs = covered.at<std::uint8_t>(j, i) > 127;
+            textured += differs ? 1 : 0;
+            const float similar =
+                sums.both.at<float>(j, i) / std::sqrt(std::max(1.0F, texture * sums.frame.at<float>(j, i)));
+            if (similar < t.same_texture) continue;
+            const float gain = std::max(1.0F, now.at<float>(j, i)) / std::max(1.0F, before.at<float>(j, i));
+            weights.at<float>(j, i) = 1;
+            logs.at<float>(j, i) = std::log(gain);
+            explained += differs ? 1 : 0;
+        }
+    }
+    // Blocks that tell nothing get the change of those around them.
+    cv::GaussianBlur(weights, weights, {}, t.reach);
+    cv::GaussianBlur(logs, logs, {}, t.reach);
+    LocalLight light{Plane<float>({grid.width, grid.height})};
+    for (int j = 0; j < grid.height; ++j) {
+        for (int i = 0; i < grid.width; ++i)
+            light.gains.at(i, j) = std::exp(logs.at<float>(j, i) / std::max(0.02F, weights.at<float>(j, i)));
+    }
+    light.explained = 1.0 * explained / std::max(1, textured);
+    light.changed = 1.0 * cv::countNonZero(covered > 127) / grid.area();
+    return light;
+}
+
+Planes relight(const Planes& picture, const LocalLight& light) {
+    cv::Mat gains;
+    cv::resize(cv_view(light.gains), gains, {picture.grey.width(), picture.grey.height()}, 0, 0, cv::INTER_LINEAR);
+    return {times(picture.grey, gains), picture.colour.empty() ? Plane<Bgr>{} : times(picture.colour, gains)};
 }
 
 Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {

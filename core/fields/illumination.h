@@ -40,6 +40,19 @@ bool illumination_jumps(const Quantiles& from, const Quantiles& to);
 /// A picture under changed light.
 Planes relight(const Planes& picture, const IlluminationChange& light);
 
+/// Light that differs over the picture: the shadow of a cloud, a lamp at one side.
+struct LocalLight {
+    Plane<float> gains;    ///< of blocks all over the picture
+    double explained = 0;  ///< share of the object's textured blocks that still have the reference's texture
+    double changed = 0;    ///< share of the picture that is in another light
+};
+
+/// Compares a frame with a reference that has its light on the whole.
+/// \param object what differs between them; not 0 = it does
+LocalLight local_light(const Planes& reference, const Planes& frame, const Plane<std::uint8_t>& object);
+
+Planes relight(const Planes& picture, const LocalLight& light);
+
 /// One row of the table of illuminations: how to distinguish a change of light from an object.
 struct IlluminationRow {
     std::string_view name;
@@ -47,6 +60,7 @@ struct IlluminationRow {
     bool compensates;
     /// `reference` in the light of `frame`, whose global change is `light`; nothing where it would not change.
     std::optional<Planes> (*relit)(const Planes& reference, const Planes& frame, const IlluminationChange& light);
+    double local;  ///< share of the picture that must have changed before the light is estimated block by block
 };
 
 /// "global", "local", "none". §8 of the paper calls changing light an unsolved weakness.

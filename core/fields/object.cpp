@@ -119,6 +119,17 @@ IlluminationChange ObjectFinder::light_of(const Planes& frame, const Planes& ref
 FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const {
     const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
+    FoundObject found = compare_in_light(frame, empty);
+    const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
+    if (share < illumination_.local || share == 0) return found;
+    const LocalLight local = local_light(empty, frame, found.values);
+    if (local.explained < thresholds.light.least_explained) return found;
+    found = compare_in_light(frame, relight(empty, local));
+    found.other_light = local.changed;
+    return found;
+}
+
+FoundObject ObjectFinder::compare_in_light(const Planes& frame, const Planes& empty) const {
     const Plane<std::uint8_t> differences = norm_.difference(frame, empty);
     Plane<std::uint8_t> object = values_of(differences, weak_);
     clear_outside(region_, object);

@@ -19,6 +19,7 @@ namespace vvr::fields {
 struct FoundObject {
     Plane<std::uint8_t> values;
     Plane<std::uint8_t> darker;  ///< not 0 where the frame is darker than the empty scene; empty unless requested
+    double other_light = 0;      ///< share of the picture that is in another light than the rest
     bool learning = false;       ///< most of the picture has changed, so nothing is known of objects
     std::shared_ptr<const NewScene> scene{};  ///< as Field::scene
 };
@@ -57,6 +58,7 @@ class ObjectFinder {
     FoundObject learn(const Planes& frame, double seconds);
     IlluminationChange light_of(const Planes& frame, const Planes& reference) const;
     FoundObject compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const;
+    FoundObject compare_in_light(const Planes& frame, const Planes& empty) const;
     Plane<std::uint8_t> without_shadows(Plane<std::uint8_t> object, const Planes& frame, const Planes& empty) const;
 
     const IlluminationRow& illumination_;

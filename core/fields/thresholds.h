@@ -57,9 +57,12 @@ struct Thresholds {
         double least_distance = 12;  ///< levels between two classes whose change gives a slope (Theil 1950, Sen 1968)
         double least_gain = 0.4;     ///< ratio; a fit beyond it is taken as this
         double most_gain = 2.5;      ///< ratio, as above
-        int block = 24;              ///< pixels; a person seldom fills a block of this size
-        double most_local_change = 1.5;  ///< ratio to which the gain of a block is limited, both ways
-        float jump = 3;                  ///< levels by which most of the quantiles change where the light jumps
+        int block = 8;               ///< pixels; three blocks are compared at once, and a person seldom fills them
+        float least_texture = 12;    ///< levels per pixel, times Sobel's weights; less may be noise
+        float same_texture = 0.7F;   ///< correlation of gradients from which on a block shows the empty scene
+        double least_explained = 0.6;  ///< share of the textured blocks that differ: with fewer, it is no light
+        double reach = 2;              ///< blocks, σ: how far a block tells the light of others
+        float jump = 3;                ///< levels by which most of the quantiles change where the light jumps
     } light;
 
     /// The frames of which the empty scene is made.

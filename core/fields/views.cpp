@@ -87,9 +87,8 @@ std::vector<std::vector<media::Frame>> by_view(std::vector<media::Frame> frames)
 
 bool is_view_of(const Plane<std::uint8_t>& scene, std::span<const media::Frame> frames) {
     const condition::EdgeMap view = condition::edge_map(scene);
-    const auto shown = std::ranges::count_if(frames, [&](const media::Frame& frame) {
-        return shows_same_view(condition::edge_map(frame.grey), view);
-    });
+    const auto shown = std::ranges::count_if(
+        frames, [&](const media::Frame& frame) { return shows_same_view(condition::edge_map(frame.grey), view); });
     return 2 * shown >= std::ssize(frames);
 }
 

@@ -18,7 +18,7 @@ struct FrameView {
     const Plane<std::uint8_t>& grey;
     const Plane<Bgr>& colour;
     std::size_t view = 0;                         ///< as `fields::Field::view`
-    bool damaged = false;                         ///< as `media::Frame::damaged`
+    bool damaged = false;                         ///< as `media::Frame::damaged`, or in another light
     const fields::NewScene* new_scene = nullptr;  ///< as `fields::Field::scene`
 
     Bgr at(int i, int j) const {
