@@ -315,8 +315,10 @@ tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size
     const auto time = [&](double seconds) {
         return clock ? std::optional(clock->iso(seconds)) : std::optional<std::string>();
     };
-    tracking::EventLine line{
-        .camera = options_.camera, .clip = redact_secrets(info.name), .number = number, .kind = event.kind};
+    tracking::EventLine line{.camera = options_.camera,
+                             .clip = redact_secrets(info.name),
+                             .number = number,
+                             .kind = tracking::name_of(event.kind)};
     if (event.identity) line.what = event.identity->what;
     line.first = event.first.seconds;
     line.last = event.last.seconds;

@@ -314,7 +314,9 @@ std::vector<tracking::EventLine> ClipTask::find_new_events(const archive::Sideca
         line.camera = camera();
         const fs::path file = fs::path(line.clip).lexically_relative(job_->in);
         line.clip = archive::text_of_path(file.string());
-        if (has_page) line.page = fmt::format("{}#event={}", page::url_of_path(page.string()), line.number);
+        if (!has_page) continue;
+        line.page = page::url_of_path(page.string());
+        if (line.number > 0) line.page += fmt::format("#event={}", line.number);
     }
     return lines;
 }

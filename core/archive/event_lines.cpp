@@ -11,6 +11,7 @@
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/condition/condition.h"
 #include "core/detector/classes.h"
 #include "core/tracking/event_kind.h"
 #include "core/tracking/event_table.h"
@@ -59,22 +60,35 @@ PixelBox box_of(const Json& box) {
     return {left, top, left + count_of(box.at("width")), top + count_of(box.at("height"))};
 }
 
-tracking::EventLine line_of(const Json& event) {
+tracking::EventLine line_of_time(const Json& first, const Json& last) {
     tracking::EventLine line;
-    const auto name = event.at("kind").get<std::string>();
-    const auto kind = std::ranges::find(tracking::event_kinds, name, &tracking::EventKindRow::name);
-    if (kind == tracking::event_kinds.end())
-        throw Error(ErrorCode::worker_result_invalid, fmt::format("there is no kind of event '{}'", name));
-    line.kind = kind->kind;
-    line.number = static_cast<std::size_t>(count_of(event.at("number")));
-    const Json& first = event.at("first");
-    const Json& last = event.at("last");
     line.first = first.at("seconds").get<double>();
     line.last = last.at("seconds").get<double>();
     line.begin = time_of(first);
     line.end = time_of(last);
-    line.open_ended = event.value("open_ended", false);  // older reports lack it
     line.clip = file_of(first);
+    return line;
+}
+
+tracking::EventLine line_of_interval(const Json& interval) {
+    tracking::EventLine line = line_of_time(interval.at("begin"), interval.at("end"));
+    const auto name = interval.at("kind").get<std::string>();
+    const auto row = std::ranges::find(condition::condition_rows, name, &condition::ConditionRow::name);
+    if (row == condition::condition_rows.end())
+        throw Error(ErrorCode::worker_result_invalid, fmt::format("there is no condition '{}'", name));
+    line.kind = row->name;
+    return line;
+}
+
+tracking::EventLine line_of(const Json& event) {
+    tracking::EventLine line = line_of_time(event.at("first"), event.at("last"));
+    const auto name = event.at("kind").get<std::string>();
+    const auto kind = std::ranges::find(tracking::event_kinds, name, &tracking::EventKindRow::name);
+    if (kind == tracking::event_kinds.end())
+        throw Error(ErrorCode::worker_result_invalid, fmt::format("there is no kind of event '{}'", name));
+    line.kind = kind->name;
+    line.number = static_cast<std::size_t>(count_of(event.at("number")));
+    line.open_ended = event.value("open_ended", false);  // older reports lack it
     line.box = box_of(event.at("box"));
     if (const Json& what = event.at("class"); !what.is_null())
         line.what = detector::find_class(what.get<std::string>());
@@ -103,12 +117,13 @@ std::vector<tracking::EventLine> new_events(const fs::path& report, const OlderR
     try {
         const Json json = parsed(report);
         std::vector<tracking::EventLine> lines;
-        for (const Json& event : json.at("events")) {
-            tracking::EventLine line = line_of(event);
+        const auto add = [&](tracking::EventLine line) {
             if (line.clip.empty()) line.clip = only_file_of(json);
             const bool is_old = about == Reported::clip ? line.first <= older.end : older.files.contains(line.clip);
             if (!older.exists || !is_old) lines.push_back(std::move(line));
-        }
+        };
+        for (const Json& event : json.at("events")) add(line_of(event));
+        for (const Json& interval : json.at("unseen").at("intervals")) add(line_of_interval(interval));
         return lines;
     } catch (const Json::exception& error) {
         throw Error(ErrorCode::worker_result_invalid,

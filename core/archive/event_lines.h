@@ -26,8 +26,8 @@ OlderReport read_older_report(const std::filesystem::path& report);
 enum class Reported { clip, day };
 
 /// The events of a report that an older report can't have: of a clip, those that began after its end; of a day, those
-/// that began in a file that it did not have. Their files are those of the report; they have no camera and no page.
-/// \throws Error io for an invalid report
+/// that began in a file that it did not have; and the intervals in which the recording was at fault. Their files are
+/// those of the report; they have no camera and no page. \throws Error io for an invalid report
 std::vector<tracking::EventLine> new_events(const std::filesystem::path& report, const OlderReport& older,
                                             Reported about);
 

@@ -130,9 +130,14 @@ std::string orders_of_kinds() {
 }
 
 constexpr int gone_bit = 1 << 8;
-constexpr int damaged_bit = 1 << 9;
 constexpr int container_bit = 1 << 10;  // its beginning comes from the container
 constexpr int modified_bit = 1 << 11;   // its beginning is its file's time minus its duration
+
+/// What the recording of a clip did, null if nothing.
+Json faults_of(const Sidecar& sidecar) {
+    if (sidecar.faults.empty()) return sidecar.damaged > 0 ? Json{"damaged"} : Json();
+    return sidecar.faults;
+}
 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
@@ -141,11 +146,12 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              place.begin.utc,
              std::round(sidecar.seconds * 10) / 10,
              or_null(sidecar.events),
-             files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
+             files_of(sidecar) | (gone ? gone_bit : 0) |
                  (place.begin.source == ClockSource::container ? container_bit : 0) |
                  (place.begin.source == ClockSource::modified ? modified_bit : 0),
              tallies_of(sidecar),
-             classes_of(sidecar)};
+             classes_of(sidecar),
+             faults_of(sidecar)};
     const bool failed = sidecar.state == Sidecar::State::failed;
     if (failed || sidecar.status != 0) {
         row.push_back(failed ? Json(sidecar.status) : Json());

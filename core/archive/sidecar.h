@@ -63,6 +63,7 @@ struct Sidecar {
     // Known after success; after a failure, they describe what the files show.
     std::int64_t frames = 0;
     std::int64_t damaged = 0;
+    std::vector<std::string> faults;  ///< of the recording, in a few words each
     double seconds = 0;
     std::optional<std::int64_t> events;                ///< nothing if events weren't searched for
     std::optional<std::string> recorded;               ///< UTC; nothing if only the file's time is known

@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/footage/piece_names.h"
+#include "core/footage/unseen.h"
 
 // The text of sidecars.
 namespace vvr::archive {
@@ -169,6 +170,7 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     if (sidecar.state != Sidecar::State::done && !sidecar.shows) return sidecar;
     sidecar.frames = whole_number(json.at("frames"));
     sidecar.damaged = whole_number(json.at("damaged"));
+    sidecar.faults = json.value("faults", std::vector<std::string>());
     sidecar.seconds = number(json.at("seconds"), longest_recording);
     if (const Json& events = json.at("events"); !events.is_null()) sidecar.events = whole_number(events);
     sidecar.recorded = optional_of<std::string>(json.at("recorded"));
@@ -241,6 +243,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
     if (done || sidecar.shows) {
         json["frames"] = sidecar.frames;
         json["damaged"] = sidecar.damaged;
+        if (!sidecar.faults.empty()) json["faults"] = sidecar.faults;
         json["seconds"] = sidecar.seconds;
         json["events"] = or_null(sidecar.events);
         json["recorded"] = or_null(sidecar.recorded);
@@ -297,6 +300,7 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         const Json json = parse_json(own.text.value_or(""));
         sidecar.frames = whole_number(json.at("frames").at("used"));
         sidecar.damaged = whole_number(json.at("frames").at("damaged"));
+        sidecar.faults = footage::faults_from(json.at("unseen"));
         sidecar.seconds = json.at("span").at("seconds").get<double>();
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));

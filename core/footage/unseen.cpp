@@ -1,6 +1,9 @@
 #include "core/footage/unseen.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -9,8 +12,30 @@
 
 namespace vvr::footage {
 
+namespace {
+
+constexpr double little = 1;  // seconds; less is lost in any network
+
+std::vector<std::string> faults_of(std::span<const condition::Interval> intervals) {
+    std::vector<std::string> words;
+    for (const condition::ConditionRow& row : condition::condition_rows) {
+        if (row.cause.empty()) continue;
+        double seconds = 0;
+        bool any = false;
+        for (const condition::Interval& interval : intervals) {
+            if (interval.kind != row.kind) continue;
+            seconds += interval.end - interval.begin;
+            any = true;
+        }
+        if (!any) continue;
+        words.push_back(seconds < little ? std::string(row.words) : fmt::format("{} for {:.1f} s", row.words, seconds));
+    }
+    return words;
+}
+
+}  // namespace
+
 std::vector<std::string> words_of(const Unseen& unseen) {
-    constexpr double little = 1;  // seconds; less is lost in any network
     std::vector<std::string> words;
     if (!unseen.masked) {
         words.emplace_back("a part of the scene masked");
@@ -20,18 +45,7 @@ std::vector<std::string> words_of(const Unseen& unseen) {
     double lost = 0;
     for (const media::FrameGap& gap : unseen.gaps) lost += gap.numbered ? 0 : gap.end - gap.begin;
     if (lost >= little) words.push_back(fmt::format("no frames for {:.1f} s", lost));
-    for (const condition::ConditionRow& row : condition::condition_rows) {
-        if (row.cause.empty()) continue;
-        double seconds = 0;
-        bool any = false;
-        for (const condition::Interval& interval : unseen.intervals) {
-            if (interval.kind != row.kind) continue;
-            seconds += interval.end - interval.begin;
-            any = true;
-        }
-        if (!any) continue;
-        words.push_back(seconds < little ? std::string(row.words) : fmt::format("{} for {:.1f} s", row.words, seconds));
-    }
+    std::ranges::move(faults_of(unseen.intervals), std::back_inserter(words));
     if (unseen.damaged > 0) words.push_back(counted(unseen.damaged, "damaged packet"));
     if (unseen.dropped > 0) words.push_back(counted(unseen.dropped, "frame") + " dropped");
     return words;
@@ -60,6 +74,18 @@ Json json_of(const Unseen& unseen, const std::function<Json(double)>& moment) {
             {"intervals", list_of(unseen.intervals, interval)},
             {"damaged", unseen.damaged},
             {"dropped", unseen.dropped}};
+}
+
+std::vector<std::string> faults_from(const Json& json) {
+    std::vector<condition::Interval> intervals;
+    for (const Json& interval : json.at("intervals")) {
+        const auto row = std::ranges::find(condition::condition_rows, interval.at("kind").get<std::string>(),
+                                           &condition::ConditionRow::name);
+        if (row == condition::condition_rows.end()) continue;
+        intervals.push_back({interval.at("begin").at("seconds").get<double>(),
+                             interval.at("end").at("seconds").get<double>(), row->kind});
+    }
+    return faults_of(intervals);
 }
 
 Unseen unseen_areas_from(const Json& json) {

@@ -37,6 +37,10 @@ std::vector<std::string> words_of(const Unseen& unseen);
 /// \param moment a time in seconds as JSON
 nlohmann::ordered_json json_of(const Unseen& unseen, const std::function<nlohmann::ordered_json(double)>& moment);
 
+/// What a report says of the recording's faults, in the words of `words_of`.
+/// \throws nlohmann::ordered_json::exception
+std::vector<std::string> faults_from(const nlohmann::ordered_json& json);
+
 /// What a report says of the areas that were left out.
 /// \throws nlohmann::ordered_json::exception
 Unseen unseen_areas_from(const nlohmann::ordered_json& json);

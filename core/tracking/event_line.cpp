@@ -17,8 +17,8 @@ std::string format_event_line(const EventLine& line) {
     const std::string_view page = line.page;
     const Json json{{"camera", or_null(line.camera)},
                     {"clip", line.clip},
-                    {"number", line.number},
-                    {"kind", name_of(line.kind)},
+                    {"number", line.number > 0 ? Json(line.number) : Json()},
+                    {"kind", line.kind},
                     {"class", line.what != nullptr ? Json(line.what->name) : Json()},
                     {"begin", or_null(line.begin)},
                     {"end", or_null(line.end)},
@@ -26,7 +26,7 @@ std::string format_event_line(const EventLine& line) {
                     {"last", rounded(line.last)},
                     {"seconds", rounded(line.last - line.first)},
                     {"open_ended", line.open_ended},
-                    {"box", json_of_box(line.box)},
+                    {"box", line.number > 0 ? json_of_box(line.box) : Json()},
                     {"direction", or_null(line.direction)},
                     {"page", or_null(page.starts_with(here) ? page.substr(here.size()) : page)}};
     return json_text(json) + "\n";

@@ -8,7 +8,6 @@
 #include "core/base/plane.h"
 #include "core/detector/classes.h"
 #include "core/tracking/event.h"
-#include "core/tracking/event_kind.h"
 
 // What other programs learn of an event when it has ended: one line of JSON.
 namespace vvr::tracking {
@@ -16,19 +15,19 @@ namespace vvr::tracking {
 /// The name of the heading of an object; empty for a thing that was left or taken, and where nothing is known.
 std::string_view direction_of(const Event& event);
 
-/// One event that has ended.
+/// One event that has ended, or an interval in which the recording was at fault.
 struct EventLine {
-    std::string camera{};    ///< empty = unknown
-    std::string clip{};      ///< the file or the stream
-    std::size_t number = 0;  ///< in the picture, the page and the report
-    EventKind kind = EventKind::moved;
+    std::string camera{};                         ///< empty = unknown
+    std::string clip{};                           ///< the file or the stream
+    std::size_t number = 0;                       ///< in the picture, the page and the report; 0 = it is no event
+    std::string_view kind{};                      ///< of the event or of the recording's condition
     const detector::ObjectClass* what = nullptr;  ///< null = unknown
     double first = 0;                             ///< seconds of the clip
     double last = 0;
     std::optional<std::string> begin{};  ///< local time, ISO 8601; none = the recording time is unknown
     std::optional<std::string> end{};
     bool open_ended = false;       ///< as in Event
-    PixelBox box{};                ///< of all its places, pixels of the video
+    PixelBox box{};                ///< of all its places, pixels of the video; empty = it is no event
     std::string_view direction{};  ///< from `direction_of`
     std::string page{};            ///< relative URL, which shows the event; empty = no page
 };

@@ -69,10 +69,7 @@ std::string events_table_heading() {
 
 std::string events_table_lines(const Json& report, const TableClip& place) {
     std::string lines;
-    for (Json event : report.at("events")) {
-        double still = 0;
-        for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
-        event["still"] = still;
+    const auto add = [&](const Json& event) {
         const Json& first = event.at("first");
         const std::string file = first.value("file", report.at("input").at("name").get<std::string>());
         lines += clip_columns(place, place.file_of ? place.file_of(file) : file);
@@ -80,6 +77,18 @@ std::string events_table_lines(const Json& report, const TableClip& place) {
         for (const TableColumn& column : columns)
             lines.append(1, ',').append(table_value(event.value(Json::json_pointer(column.place), Json())));
         lines += '\n';
+    };
+    for (Json event : report.at("events")) {
+        double still = 0;
+        for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
+        event["still"] = still;
+        add(event);
+    }
+    for (const Json& interval : report.at("unseen").value("intervals", Json::array())) {
+        const Json& begin = interval.at("begin");
+        const Json& end = interval.at("end");
+        const double seconds = end.at("seconds").get<double>() - begin.at("seconds").get<double>();
+        add({{"kind", interval.at("kind")}, {"first", begin}, {"last", end}, {"seconds", seconds}});
     }
     return lines;
 }

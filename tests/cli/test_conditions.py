@@ -1,9 +1,11 @@
 """What a recording itself did: its times are told, and nothing is said because of it."""
 
+import csv
 import json
 
 import pytest
 from harness import check
+from schemas import follows, schema_of
 
 SIZE = ["--size", "400x300"]
 
@@ -95,3 +97,33 @@ def test_a_picture_says_when_it_shows_nothing(t, walkers):
     expect_interval(report, "blank", 18, 23.9)
     whole = report_of(t, encoded(t, walkers, "all.avi", "drawbox=color=gray:t=fill"))
     check(whole["events"] == [], "nothing but a card has events")
+
+
+def test_the_shadow_of_a_cloud_is_no_visitor(t, walkers):
+    """A shadow of 40 % with a soft border passes from 5 to 19 s, over people who walk."""
+    shadow = "lum(X,Y)*(1-0.4/(1+exp((abs(X-(T*24-210))-90)/9)))"
+    t.ffmpeg("-i", walkers, "-vf", f"geq=lum='{shadow}':cb='128+(cb(X,Y)-128)*(1-0.4/(1+exp((abs(X-(T*24-210))-90)/9)))'"
+             f":cr='128+(cr(X,Y)-128)*(1-0.4/(1+exp((abs(X-(T*24-210))-90)/9)))'", "-c:v", "mpeg4", "-q:v", "2", "cloud.avi")
+    told = report_of(t, "cloud.avi")
+    expect_no_claims(told)
+    check({kind for kind, _, _ in intervals_of(told)} == {"light_changed"}, f"a cloud is told as {intervals_of(told)}")
+    kept = report_of(t, encoded(t, walkers, "none.avi", "null"))
+    check(len(told["events"]) <= len(kept["events"]) + 1, f"with a cloud there are {len(told['events'])} events, without {len(kept['events'])}")
+
+
+def test_a_fault_is_in_tables_lines_and_index(t, walkers):
+    t.path("in/gate").mkdir(parents=True)
+    encoded(t, walkers, "in/gate/2026-11-21_20-00-00.avi", "drawbox=color=gray:t=fill:enable='between(t,9,15)'")
+    t.stamp("in/gate/2026-11-21_20-00-00.avi", -3600)
+    t.vvr("archive", "in", "-o", "out", "--events-csv", "all.csv", "--events-to", "all.jsonl", *SIZE).expect(0)
+    with t.path("all.csv").open(newline="") as table:
+        rows = [row for row in csv.DictReader(table) if row["kind"] == "blank"]
+    check(len(rows) == 1 and rows[0]["number"] == "" and abs(float(rows[0]["seconds"]) - 6) < 0.5, f"the table has {rows}")
+    lines = [json.loads(line) for line in t.path("all.jsonl").read_text().splitlines()]
+    blank = [line for line in lines if line["kind"] == "blank"]
+    check(len(blank) == 1 and blank[0]["number"] is None and blank[0]["begin"].startswith("2026-11-21T20:00:0"), f"the lines are {blank}")
+    follows(blank[0], schema_of(t, "event-line"))
+    sidecar = json.loads(t.path("out/gate/2026-11-21_20-00-00.avi.json").read_text())
+    check(sidecar["faults"] == ['no picture for %.1f s' % float(rows[0]['seconds'])], f"the sidecar says {sidecar}")
+    check(any("no picture for" in day.read_text() for day in t.path("out").glob("index*.js")) or
+          "no picture for" in t.path("out/index.html").read_text(), "the index does not say it")

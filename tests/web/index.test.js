@@ -18,13 +18,13 @@ const data = {
     zone: [[0, 3600, 'CET']],
     kinds: [kind('left', 'lasts', 'left'), kind('taken', 'count', 'left'), kind('stood', 'still', 'stood'), kind('moved', 'none', null)],
     classes: {person: ['person'], vehicle: ['bus', 'car']},
-    // camera, URL, begin, seconds, events, files, tallies, classes, and of failures: status, reason, tries, until
-    clips: [[1, './gate/a.mp4', day + 7 * hour, 20, 2, 1 | 2 | 16, [26, 0, 0, 0], ['car']],
-            [1, './gate/b.mp4', day + 8 * hour, 20, 9, 1 | 512 | 1024, [0, 2, 185, 0], ['person']],
-            [1, './gate/c.mp4', day + 9 * hour, 0, null, 0, null, null, 3, 'no\u202evideo', 1],
-            [2, './%C3%9C/d%20e.mp4', day + 23.5 * hour, 5, 0, 1 | 256 | 2048, [0, 0, 0, 0], null],
-            [1, './gate/f.mp4', day - 30 * hour, 5, 1, 1 | 2, [26, 1, 0, 0], null, 6, 'disk full', 4, day]],
-    recordings: [{date: '2026-11-21', clips: 3, row: [1, './gate/2026-11-21', day + 7 * hour, 7220, 11, 1 | 2, [26, 2, 185, 0], null]}],
+    // camera, URL, begin, seconds, events, files, tallies, classes, faults, and of failures: status, reason, tries, until
+    clips: [[1, './gate/a.mp4', day + 7 * hour, 20, 2, 1 | 2 | 16, [26, 0, 0, 0], ['car'], null],
+            [1, './gate/b.mp4', day + 8 * hour, 20, 9, 1 | 1024, [0, 2, 185, 0], ['person'], ['no new pictures for 20.0 s']],
+            [1, './gate/c.mp4', day + 9 * hour, 0, null, 0, null, null, null, 3, 'no\u202evideo', 1],
+            [2, './%C3%9C/d%20e.mp4', day + 23.5 * hour, 5, 0, 1 | 256 | 2048, [0, 0, 0, 0], null, null],
+            [1, './gate/f.mp4', day - 30 * hour, 5, 1, 1 | 2, [26, 1, 0, 0], null, null, 6, 'disk full', 4, day]],
+    recordings: [{date: '2026-11-21', clips: 3, row: [1, './gate/2026-11-21', day + 7 * hour, 7220, 11, 1 | 2, [26, 2, 185, 0], null, null]}],
     days: ['2026-11-19', '2026-11-21', '2026-11-24'],
 };
 const clips = clipsOf(data, wallIn(data.zone));
@@ -39,7 +39,7 @@ test('clips are read from their rows, the newest first', () => {
     assert.deepEqual([d.placedBy, b.placedBy, a.placedBy], ['when it was last written', 'when its container says it was written', '']);
     assert.deepEqual([c.failed, c.drawn, c.reason, failureOf(c)], [true, false, 'no[U+202E]video', 'Failed once']);
     assert.deepEqual([f.failed, f.drawn, f.until, failureOf(f)], [true, true, '2026-11-21 01:00:00', 'Failed 4 times']);
-    assert.deepEqual([b.damaged, a.damaged, a.tallyOf, c.tallyOf.left], [true, false, {left: 26, taken: 0, stood: 0, moved: 0}, 0]);
+    assert.deepEqual([b.faults, a.faults, a.tallyOf, c.tallyOf.left], [['no new pictures for 20.0 s'], [], {left: 26, taken: 0, stood: 0, moved: 0}, 0]);
     assert.deepEqual([whole.wholeDay, whole.name, whole.day, whole.hour], [true, '3 clips', '2026-11-21', 8]);
     assert.deepEqual([pageOf(a), pageOf(b)], ['./gate/a.mp4.html', './gate/b.mp4.png']);
 });

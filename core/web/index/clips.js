@@ -31,7 +31,7 @@ import {bits} from './data.js';
  * @property {boolean} drawn whether there is a picture
  * @property {string} until what an older picture shows; '' = none
  * @property {boolean} gone
- * @property {boolean} damaged
+ * @property {string[]} faults of the recording
  * @property {string} placedBy why it is at this time, if nothing tells when it was recorded
  * @property {string} text that is searched
  */
@@ -42,7 +42,7 @@ import {bits} from './data.js';
  * @returns {(row: import('./data.js').Row, recording?: {date: string, night: boolean, clips: number}) => Clip}
  */
 function clipBy(data, wallOf) {
-    return ([camera, url, begins, seconds, events, files, tallies, classes, status, reason = '', tries, until], recording) => {
+    return ([camera, url, begins, seconds, events, files, tallies, classes, faults, status, reason = '', tries, until], recording) => {
         const date = wallOf(begins);
         const path = readable(url).replace(/^\.\//, '');
         const [day, time] = [recording?.date ?? dayText(date), timeText(date)];
@@ -60,9 +60,9 @@ function clipBy(data, wallOf) {
             until: shown,
             drawn: !failed || shown !== '',
             gone: (files & bits.gone) !== 0,
-            damaged: (files & bits.damaged) !== 0,
+            faults: faults ?? [],
             placedBy: files & bits.byContainer ? 'when its container says it was written' : files & bits.byFile ? 'when it was last written' : '',
-            text: folded([data.cameras[camera], path, day, weekday(day), time, recording?.night ? 'night of ' + day : '', reason, ...classes ?? []].join(' ')),
+            text: folded([data.cameras[camera], path, day, weekday(day), time, recording?.night ? 'night of ' + day : '', reason, ...classes ?? [], ...faults ?? []].join(' ')),
         };
     };
 }

@@ -2,10 +2,10 @@
 
 /**
  * A clip: camera, URL, when it begins (seconds since 1970), duration, number of events, bits of `files`, tallies by kind
- * (seconds, or how many; 0 = nothing), classes of its objects; if it failed, the exit status, the reason, the number of
+ * (seconds, or how many; 0 = nothing), classes of its objects, faults of the recording; if it failed, the exit status, the reason, the number of
  * tries, and the time until which its older picture shows it.
  * @typedef {[camera: number, url: string, begins: number, seconds: number, events: number | null, files: number,
- *     tallies: number[] | null, classes: string[] | null, status?: number | null, reason?: string, tries?: number, until?: number]} Row
+ *     tallies: number[] | null, classes: string[] | null, faults: string[] | null, status?: number | null, reason?: string, tries?: number, until?: number]} Row
  *
  * @typedef {object} IndexData
  * @property {string[]} cameras names; '' = the top folder
@@ -21,4 +21,4 @@
  */
 
 /** Bits of a row's files. */
-export const bits = {page: 2, thumbnail: 4, still: 16, stills: 32, gone: 256, damaged: 512, byContainer: 1024, byFile: 2048};
+export const bits = {page: 2, thumbnail: 4, still: 16, stills: 32, gone: 256, byContainer: 1024, byFile: 2048};

@@ -24,7 +24,7 @@ function badgesOf(clip) {
     if (clip.events !== null) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
     }
-    if (clip.damaged) badges.push(element('span', 'badge strong', 'damaged'));
+    for (const fault of clip.faults) badges.push(element('span', 'badge strong', fault));
     if (clip.reason && !clip.failed) badges.push(titled(element('span', 'badge strong', 'incomplete'), clip.reason));
     return badges;
 }
