@@ -263,8 +263,10 @@ LocalLight local_light(const Planes& reference, const Planes& frame, const Plane
         for (int i = 0; i < grid.width; ++i)
             light.gains.at(i, j) = std::exp(logs.at<float>(j, i) / std::max(0.02F, weights.at<float>(j, i)));
     }
-    light.explained = 1.0 * explained / std::max(1, textured);
-    light.changed = 1.0 * cv::countNonZero(covered > 127) / grid.area();
+    const int differing = cv::countNonZero(covered > 127);
+    // Where few blocks have a texture, these tell too little.
+    light.explained = 1.0 * explained / std::max({1, textured, differing / 2});
+    light.changed = 1.0 * differing / grid.area();
     return light;
 }
 

@@ -43,7 +43,8 @@ Planes relight(const Planes& picture, const IlluminationChange& light);
 /// Light that differs over the picture: the shadow of a cloud, a lamp at one side.
 struct LocalLight {
     Plane<float> gains;    ///< of blocks all over the picture
-    double explained = 0;  ///< share of the object's textured blocks that still have the reference's texture
+    double explained = 0;  ///< share of the object's textured blocks that still have the reference's texture;
+                           ///< if less than half of its blocks are textured, of that half
     double changed = 0;    ///< share of the picture that is in another light
 };
 

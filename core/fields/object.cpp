@@ -121,7 +121,7 @@ FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, 
     const Planes& empty = lit ? *lit : reference;
     FoundObject found = compare_in_light(frame, empty);
     const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
-    if (share < illumination_.local || share == 0) return found;
+    if (share < illumination_.local || share == 0 || is_other_mode(frame, reference)) return found;
     const LocalLight local = local_light(empty, frame, found.values);
     if (local.explained < thresholds.light.least_explained) return found;
     found = compare_in_light(frame, relight(empty, local));

@@ -19,9 +19,9 @@ namespace vvr::fields {
 struct FoundObject {
     Plane<std::uint8_t> values;
     Plane<std::uint8_t> darker;  ///< not 0 where the frame is darker than the empty scene; empty unless requested
-    double other_light = 0;      ///< share of the picture that is in another light than the rest
     bool learning = false;       ///< most of the picture has changed, so nothing is known of objects
     std::shared_ptr<const NewScene> scene{};  ///< as Field::scene
+    double other_light = 0;                   ///< share of the picture that is in another light than the rest
 };
 
 /// Background subtraction: finds the difference object of §4 (Fig. 4a), the pixels that differ from the empty scene

@@ -224,7 +224,7 @@ def test_a_day_says_what_it_lacks_until_it_can_be_read(t):
     known = sidecar(t, "hall/2026-11-21")
     check(known["state"] == "done" and known["frames"] == 20 and known["day"]["unread"] == {"hall": ["2026-11-21_09-00-01.avi"]}, f"{known}")
     row = days_of(t)[0]["hall", "2026-11-21"]["row"]
-    check(row[8] is None and line in row[9], f"{row}")
+    check(row[9] is None and line in row[10], f"{row}")
     check("3 files, 1 could not be read" in t.path("out/hall/2026-11-21.html").read_text(), "the page does not say it")
     said = t.vvr_with_permissions(*run, "--log-format", "json").expect(6).err
     told = json.loads(said.splitlines()[0])
@@ -232,7 +232,7 @@ def test_a_day_says_what_it_lacks_until_it_can_be_read(t):
     t.path("in/hall/2026-11-21_09-00-01.avi").chmod(0o644)
     t.vvr_with_permissions(*run).expect(0)
     known = sidecar(t, "hall/2026-11-21")
-    check(known["frames"] == 30 and "unread" not in known["day"] and len(days_of(t)[0]["hall", "2026-11-21"]["row"]) == 8, f"{known}")
+    check(known["frames"] == 30 and "unread" not in known["day"] and len(days_of(t)[0]["hall", "2026-11-21"]["row"]) == 9, f"{known}")
 
 
 def test_clips_outside_the_span_are_skipped(t):
@@ -980,7 +980,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     check(after["shows"]["modified_ns"] == before["clip"]["modified_ns"] < after["clip"]["modified_ns"], f"{after}")
     check(sum(len(names) for names in after["clips"].values()) == 3, f"{after}")
     row = days_of(t)[0]["gate", "2026-11-21"]["row"]
-    check(row[11] == before["clip"]["modified_ns"] // 10**9 and row[5] & 1, f"{row}")
+    check(row[12] == before["clip"]["modified_ns"] // 10**9 and row[5] & 1, f"{row}")
     nothing_hidden(t)
     # Whole again once it can be drawn.
     t.path("in/2026-11-21/08/gate/10.00.avi").unlink()
