@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include <unistd.h>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdlib>
 #include <exception>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <mutex>
-#include <string>
 #include <utility>
 
 #include <fmt/chrono.h>
@@ -14,7 +13,6 @@
 #include <spdlog/sinks/stdout_sinks.h>
 
 #include "cli/appended_file.h"
-#include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 

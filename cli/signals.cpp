@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <initializer_list>
-#include <utility>
 
 #include <pthread.h>
 

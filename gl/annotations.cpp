@@ -2,11 +2,9 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "gl/context.h"
 #include "gl/objects.h"
-#include "gl/program.h"
 
 namespace vvr::gl {
 

@@ -12,7 +12,6 @@
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
-#include "core/base/setting.h"
 
 namespace vvr::gl {
 

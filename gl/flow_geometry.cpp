@@ -3,10 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "core/scene/flow_geometry.h"
 #include "gl/context.h"
 #include "gl/objects.h"
-#include "gl/program.h"
 
 namespace vvr::gl {
 

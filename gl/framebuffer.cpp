@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "gl/context.h"
-#include "gl/program.h"
 
 namespace vvr::gl {
 

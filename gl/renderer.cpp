@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/scene/slices.h"
-#include "gl/context.h"
 
 namespace vvr::gl {
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -15,7 +13,6 @@
 
 #include "gl/context.h"
 #include "gl/objects.h"
-#include "gl/program.h"
 
 namespace vvr::gl {
 

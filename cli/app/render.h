@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+
 #include "cli/observe/window.h"
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
+#include "cli/plan/plan.h"
+#include "cli/plan/settings.h"
 #include "cli/write/write.h"
 
 /// The whole application: a job as input; pictures, a page, a report and the comparison with a golden picture as
@@ -44,5 +47,17 @@ Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& obs
 /// \returns the last window's observation, with the frames, damage and events of the whole clip
 Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink,
                       const EndedSink& ended = {}, const FrameWatch& watch = {});
+
+/// How long a render takes on this machine, as measured on the first seconds of the clip.
+struct RenderTime {
+    double frames_per_second = 0;  ///< read, with fields and events
+    double seconds = 0;            ///< of the whole picture, without a page; 0 = the clip's length is unknown
+    std::int64_t measured = 0;     ///< frames that were read for this
+};
+
+/// Draws a picture of the first seconds of a clip, and writes it nowhere.
+/// \param plan of the whole clip
+/// \throws Error of every kind
+RenderTime measure_render(const RenderJob& job, const Plan& plan);
 
 }  // namespace vvr::app

@@ -10,9 +10,7 @@
 #include <filesystem>
 #include <iterator>
 #include <mutex>
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -25,7 +23,6 @@
 #include "cli/observe/identify.h"
 #include "cli/plan/input.h"
 #include "cli/plan/make_plan.h"
-#include "cli/plan/settings.h"
 #include "cli/plan/video_scale.h"
 #include "cli/write/report.h"
 #include "cli/write/write.h"
@@ -38,7 +35,6 @@
 #include "core/image/text.h"
 #include "core/media/input.h"
 #include "core/page/html.h"
-#include "core/page/moments.h"
 #include "core/page/page.h"
 
 namespace vvr::app {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
 #include "cli/plan/plan.h"
+#include "cli/plan/settings.h"
 #include "core/fields/field_source.h"
 #include "core/media/live_source.h"
 #include "core/page/moments.h"

@@ -14,7 +14,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/observe/identify.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/plan/input.h"
 #include "cli/plan/settings.h"

@@ -10,7 +10,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output_files.h"
 #include "core/base/error.h"

@@ -9,7 +9,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/write/golden.h"
 #include "core/base/error.h"

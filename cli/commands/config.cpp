@@ -4,8 +4,8 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
-#include "cli/options/presets.h"
+#include "cli/options/command_line.h"
+#include "cli/options/config_file.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"

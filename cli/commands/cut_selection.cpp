@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/excerpt/piece.h"
-#include "cli/excerpt/piece_record.h"
 #include "cli/observe/identify.h"
 #include "cli/observe/observe.h"
 #include "cli/plan/input.h"
 #include "cli/plan/make_plan.h"
-#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/fields/filter.h"

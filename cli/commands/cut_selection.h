@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/excerpt/footage.h"
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
-#include "core/footage/segment.h"
+#include "cli/plan/settings.h"
+#include "core/footage/segments.h"
 #include "core/image/picture_file.h"
 #include "core/media/frame_source.h"
 #include "core/media/frame_span.h"

@@ -18,7 +18,7 @@ extern "C" {
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/observe/identify.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/workers/sandbox.h"
 #include "core/base/json_text.h"

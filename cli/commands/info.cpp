@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/render_time.h"
+#include "cli/app/render.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/plan/input.h"
 #include "cli/plan/make_plan.h"

@@ -13,10 +13,9 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/plan/input.h"
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
 #include "cli/plan/settings.h"
 #include "core/annotation/time_ticks.h"

@@ -1,7 +1,6 @@
 #include "cli/commands/new_folder.h"
 
 #include <cerrno>
-#include <string>
 #include <system_error>
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "cli/plan/job.h"
+#include "cli/plan/settings.h"
 
 // What `vvr render` does, for the commands that draw as it does.
 namespace vvr::commands {

@@ -16,7 +16,7 @@
 #include "cli/commands/command.h"
 #include "cli/commands/new_folder.h"
 #include "cli/console.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/plan/observer.h"
 #include "cli/signals.h"
 #include "core/base/atomic_file.h"

@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
-#include "core/annotation/objects.h"
-#include "core/annotation/ruler.h"
-#include "core/scene/scene.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {

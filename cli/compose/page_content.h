@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/compose/compose.h"
-#include "core/page/page_content.h"
+#include "core/page/page_data.h"
 
 namespace vvr::app {
 

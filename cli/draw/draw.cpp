@@ -1,7 +1,5 @@
 #include "cli/draw/draw.h"
 
-#include <utility>
-
 #include "core/base/memory.h"
 #include "core/scene/scene.h"
 #include "core/scene/slices.h"

@@ -1,7 +1,6 @@
 #include "cli/excerpt/footage.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <system_error>
@@ -11,14 +10,13 @@
 #include <fmt/ranges.h>
 
 #include "cli/plan/input.h"
-#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/dataset/manifest.h"
-#include "core/footage/file_moment.h"
 #include "core/footage/input_files.h"
+#include "core/footage/segments.h"
 #include "core/media/input.h"
 #include "core/media/packet_copy.h"
 

@@ -10,8 +10,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
+#include "cli/plan/settings.h"
 #include "cli/plan/video_scale.h"
 #include "core/base/digest.h"
 #include "core/footage/recording.h"

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/footage/piece_names.h"
 #include "core/media/container.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/excerpt/piece_record.h"
+#include "cli/excerpt/piece.h"
 #include "cli/observe/observe.h"
 #include "cli/plan/observer.h"
 #include "cli/plan/plan.h"

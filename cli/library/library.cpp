@@ -28,7 +28,7 @@
 #include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/media/frame_source.h"
-#include "core/media/memory_source.h"
+#include "core/media/picture_source.h"
 #include "core/tracking/event.h"
 #include "core/tracking/event_line.h"
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/tracking/colouring.h"
 #include "core/tracking/event.h"
 #include "core/tracking/patch.h"
@@ -67,5 +68,15 @@ class LiveObjects {
     std::array<std::int64_t, tracking::object_colours> last_seen_{};  ///< 1 + frame, per colour
     Moment last_;
 };
+
+/// Where a track was seen in one frame.
+struct TrackBox {
+    std::int64_t frame = 0;
+    std::size_t track = 0;
+    PixelBox box;  ///< field pixels
+};
+
+/// Adds the boxes of a frame's tracks, each around all pixels of the track.
+void add_boxes(const tracking::FrameLabels& labels, std::vector<TrackBox>& boxes);
 
 }  // namespace vvr::app

@@ -10,7 +10,6 @@
 
 #include "cli/observe/identify.h"
 #include "cli/observe/objects.h"
-#include "cli/observe/track_boxes.h"
 #include "cli/plan/observer.h"
 #include "cli/plan/plan.h"
 #include "core/annotation/portraits.h"

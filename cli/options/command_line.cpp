@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "cli/console.h"
-#include "cli/options/presets.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/footage/recorder_names.h"

@@ -1,7 +1,6 @@
 #include "cli/options/job_options.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -9,11 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/add_option.h"
-#include "cli/options/presets.h"
-#include "cli/plan/settings.h"
+#include "cli/options/config_file.h"
 #include "core/base/error.h"
-#include "core/dataset/scalar_picture.h"
+#include "core/dataset/plane_files.h"
 #include "core/fields/settings.h"
 #include "core/footage/recorder_names.h"
 

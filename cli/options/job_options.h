@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "cli/options/command_line.h"
-#include "cli/plan/job.h"
+#include "cli/plan/settings.h"
 
 // The groups of options that fill a RenderJob.
 namespace vvr::options {

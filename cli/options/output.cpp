@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/job_options.h"
 #include "cli/plan/settings.h"
 #include "core/base/atomic_file.h"

@@ -4,10 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <sys/stat.h>
 

@@ -2,12 +2,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/wall_clock.h"
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/plan/job.h"
+#include "cli/plan/settings.h"
 #include "core/base/plane.h"
 #include "core/base/setting.h"
 #include "core/media/frame_span.h"

@@ -4,13 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/plan/look.h"
-#include "cli/plan/settings.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
 #include "cli/plan/plan.h"
+#include "cli/plan/settings.h"
 #include "core/fields/field_source.h"
 #include "core/media/frame_source.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/setting.h"
 #include "core/fields/filter.h"
 
 namespace vvr::app {

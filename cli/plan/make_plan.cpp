@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "cli/plan/input.h"
-#include "cli/plan/settings.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/file.h"

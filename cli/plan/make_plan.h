@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "cli/plan/job.h"
 #include "cli/plan/plan.h"
+#include "cli/plan/settings.h"
 
 namespace vvr::app {
 

@@ -1,10 +1,7 @@
 #include "cli/workers/archive.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
-#include <set>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -12,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/console.h"
 #include "cli/log.h"
 #include "cli/plan/settings.h"
 #include "cli/workers/archive_run.h"

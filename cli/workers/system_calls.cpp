@@ -21,7 +21,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/workers/confine.h"
+#include "cli/workers/sandbox.h"
 #include "core/base/error.h"
 
 namespace vvr::workers::calls {

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/workers/confine.h"
+#include "cli/workers/sandbox.h"
 #include "core/base/json_text.h"
 
 namespace vvr::workers {

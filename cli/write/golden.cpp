@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <span>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -14,7 +12,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/image/comparison.h"
 #include "core/image/picture_file.h"
 
 namespace vvr::app {

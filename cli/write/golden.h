@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "cli/plan/job.h"
 #include "cli/plan/observer.h"
+#include "cli/plan/settings.h"
 #include "core/image/comparison.h"
 #include "core/image/picture.h"
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <utility>
 
 #include "core/image/jpeg.h"
 #include "core/image/picture.h"

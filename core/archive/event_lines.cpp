@@ -14,7 +14,7 @@
 #include "core/condition/condition.h"
 #include "core/detector/classes.h"
 #include "core/tracking/event_kind.h"
-#include "core/tracking/event_table.h"
+#include "core/tracking/event_line.h"
 #include "core/tracking/path.h"
 
 namespace vvr::archive {

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <ctime>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>

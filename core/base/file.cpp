@@ -1,9 +1,6 @@
 #include "core/base/file.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <filesystem>
-#include <string>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,13 +1,8 @@
 #include "core/base/setting.h"
 
-#include <algorithm>
 #include <numeric>
-#include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "core/base/error.h"
 
 namespace vvr {
 

@@ -1,9 +1,6 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cstdint>
-
-#include <fmt/format.h>
 
 extern "C" {
 #include <libavutil/avstring.h>

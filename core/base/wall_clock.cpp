@@ -1,7 +1,5 @@
 #include "core/base/wall_clock.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>

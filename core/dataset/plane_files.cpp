@@ -1,10 +1,16 @@
 #include "core/dataset/plane_files.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/image/picture_codec.h"
+#include "core/image/picture_file.h"
 #include "core/image/png.h"
 
 namespace vvr::dataset {
@@ -53,6 +59,24 @@ Plane<Bgr> read_colour(const fs::path& path, Size size) {
     image::read_png_bytes(path, 3, plane.size(), {plane.pixels().front().data(), 3 * plane.pixels().size()});
     swap_red_and_blue(plane);
     return plane;
+}
+
+Plane<std::uint8_t> read_scalar(const std::filesystem::path& file, Size size) {
+    const Plane<float> values = image::read_grey_samples(file, size);
+    // Written this way, the condition also finds NaN.
+    const auto wrong = std::ranges::find_if(values.pixels(), [](float v) { return !(v >= 0 && v <= 1); });
+    if (wrong != values.pixels().end()) {
+        const auto place = wrong - values.pixels().begin();
+        throw Error(
+            ErrorCode::file_invalid,
+            fmt::format("'{}': the pixel at column {}, row {} is {}, but a scalar field has values from 0 to 1; "
+                        "scale the values before they are written",
+                        file.string(), place % size.width, place / size.width, *wrong));
+    }
+    auto scalar = Plane<std::uint8_t>::for_overwrite(size);
+    std::ranges::transform(values.pixels(), scalar.pixels().begin(),
+                           [](float v) { return static_cast<std::uint8_t>(std::lround(255 * v)); });
+    return scalar;
 }
 
 }  // namespace vvr::dataset

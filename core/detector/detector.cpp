@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
-#include <string>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -19,7 +16,6 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/detector/formats.h"
 #include "core/detector/model_file.h"
 
 namespace vvr::detector {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/detector/letterbox.h"
+#include "core/detector/formats.h"
 
 namespace vvr::detector {
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <set>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,8 +1,5 @@
 #include "core/fields/blobs.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstring>
 #include <numeric>
 #include <vector>
 

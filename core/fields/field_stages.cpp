@@ -8,7 +8,7 @@
 
 #include "core/base/cv_view.h"
 #include "core/fields/blobs.h"
-#include "core/fields/motion.h"
+#include "core/fields/object.h"
 #include "core/fields/seeds.h"
 #include "core/fields/thresholds.h"
 #include "core/fields/views.h"

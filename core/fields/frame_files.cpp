@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
-#include <string>
 #include <system_error>
 
 #include <fmt/format.h>

@@ -1,11 +1,7 @@
 #include "core/fields/illumination.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>

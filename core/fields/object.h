@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/fields/blobs.h"
 #include "core/fields/field.h"
 #include "core/fields/illumination.h"
@@ -79,5 +80,11 @@ class ObjectFinder {
     std::optional<double> changed_{};     ///< seconds; when most of the picture changed, until that is learnt
     std::vector<media::Frame> learnt_{};  ///< since then
 };
+
+/// Copies the changed part of `object` to `changed`: tiles of 8 × 8 pixels that differ between two frames by more than
+/// the camera's noise, and their neighbours. The noise level comes from the quiet tiles of the same frames.
+/// \param other, here the frames, smoothed; `object` belongs to `here`
+void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& here, const Plane<std::uint8_t>& object,
+                  Plane<std::uint8_t>& changed);
 
 }  // namespace vvr::fields

@@ -19,7 +19,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
-#include "core/fields/scene_noise.h"
+#include "core/fields/median_scene.h"
 #include "core/fields/stabilizer.h"
 #include "core/fields/thresholds.h"
 #include "core/fields/views.h"

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>

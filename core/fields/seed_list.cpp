@@ -6,10 +6,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
-#include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

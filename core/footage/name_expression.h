@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace re2 {
 class RE2;
@@ -59,5 +60,35 @@ std::string expression_of(std::string_view pattern);
 inline constexpr std::string_view noon_expression = R"([AaPp]\.?[Mm]\.?)";
 inline constexpr std::string_view zone_expression = R"(Z|(?:UTC|GMT)(?:[-+](?:0\d|1[0-4]|\d)(?::?[0-5]\d)?)?|)"
                                                     R"([-+](?:0\d|1[0-4])(?:[:_]?[0-5]\d)?|[-+]\d(?::[0-5]\d)?)";
+
+// The naming schemes of known recorders.
+
+/// Why the time that a naming scheme reads may be ambiguous.
+enum class Ambiguity {
+    none,
+    day_or_month,   ///< day and month may be swapped, unless the day is after the 12th or other names tell
+    repeated_hour,  ///< 20/20-05 is 20:05 or 20:20:05
+    always          ///< the name has a date that is always ambiguous
+};
+
+/// How a naming scheme names cameras.
+enum class NamedCamera {
+    whole,  ///< by a name that is unique for the recorder
+    below,  ///< by the text before the time; unique only within the folder
+    folder  ///< by a folder; unique only within the parent folder
+};
+
+enum class NamedZone { local, utc };
+
+struct RecorderRow {
+    std::string_view recorder;
+    std::string expression;  ///< for `NameExpression`; without the file extension
+    NamedCamera camera = NamedCamera::whole;
+    Ambiguity doubt = Ambiguity::none;
+    NamedZone zone = NamedZone::local;
+};
+
+/// In the order in which they are tried: specific rows come first, because the last ones match many names.
+std::vector<RecorderRow> recorder_rows();
 
 }  // namespace vvr::footage

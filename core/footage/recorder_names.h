@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/footage/name_expression.h"
-#include "core/footage/recorder_rows.h"
 
 // Reads camera and time from the names of a recorder's files.
 namespace vvr::footage {

@@ -7,7 +7,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -19,8 +18,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/footage/input_files.h"
-#include "core/footage/one_camera.h"
-#include "core/footage/steady_rate.h"
 #include "core/media/container.h"
 #include "core/media/demuxer.h"
 #include "core/media/input.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/footage/recorder_names.h"
-#include "core/footage/segment.h"
+#include "core/footage/segments.h"
 
 // Recorders write files of seconds to an hour, called segments. A camera's segments, in order, are one recording.
 namespace vvr::footage {

@@ -1,6 +1,5 @@
 #include "core/image/picture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>

@@ -2,14 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,7 +13,6 @@
 #include "core/base/setting.h"
 #include "core/base/version.h"
 #include "core/image/jpeg.h"
-#include "core/image/picture.h"
 #include "core/image/picture_codec.h"
 #include "core/image/png.h"
 #include "core/image/webp.h"

@@ -1,26 +1,131 @@
 #include "core/image/text.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <set>
 #include <span>
-#include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
+#include <fontconfig/fontconfig.h>
+#include <ft2build.h>
 #include <raqm.h>
 
-#include "core/base/plane.h"
 #include "core/base/text.h"
-#include "core/image/fonts.h"
-#include "core/image/picture.h"
 
 namespace vvr::image {
+
 namespace {
+
+/// Releases what fontconfig and FreeType have made.
+struct ReleaseFont {
+    void operator()(FcConfig* config) const { FcConfigDestroy(config); }
+    void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
+    void operator()(FcFontSet* fonts) const { FcFontSetDestroy(fonts); }
+    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+    void operator()(FT_Face face) const { FT_Done_Face(face); }
+};
+
+template <class Handle>
+using FontHandle = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseFont>;
+
+/// fontconfig's sans serif font, and others for characters that it lacks, opened when they are needed. Not thread-safe.
+class Fonts {
+  public:
+    Fonts();
+
+    /// The file of the sans serif font. Empty if there is no font.
+    const std::string& file() const { return file_; }
+
+    /// Null if there is no font, or if FreeType can't read it.
+    FT_Face sans() const { return sans_; }
+
+    /// A font with the character; null if there is none.
+    FT_Face find(char32_t character);
+
+  private:
+    FT_Face open(const FcPattern& font);
+    FT_Face search(char32_t character);
+
+    FontHandle<FcConfig*> config_;
+    FontHandle<FcPattern*> pattern_;
+    FontHandle<FcFontSet*> sorted_;  ///< all fonts, the most similar first; made when the first character is missing
+    FontHandle<FT_Library> library_;
+    std::map<std::pair<std::string, int>, FontHandle<FT_Face>> opened_;  ///< by file and index; null if unreadable
+    std::map<char32_t, FT_Face> found_;                                  ///< of characters that `sans` lacks
+    std::string file_;
+    FT_Face sans_ = nullptr;
+};
+
+FontHandle<FcPattern*> sans_pattern(FcConfig* config) {
+    FontHandle<FcPattern*> pattern(FcNameParse(reinterpret_cast<const FcChar8*>("sans:scalable=true")));
+    if (!config || !pattern) return nullptr;
+    FcConfigSubstitute(config, pattern.get(), FcMatchPattern);
+    FcDefaultSubstitute(pattern.get());
+    return pattern;
+}
+
+std::string file_of(const FcPattern& font) {
+    FcChar8* file = nullptr;
+    if (FcPatternGetString(&font, FC_FILE, 0, &file) != FcResultMatch) return {};
+    return reinterpret_cast<const char*>(file);
+}
+
+bool has_character(const FcPattern& font, char32_t character) {
+    FcCharSet* characters = nullptr;
+    return FcPatternGetCharSet(&font, FC_CHARSET, 0, &characters) == FcResultMatch &&
+           FcCharSetHasChar(characters, character) == FcTrue;
+}
+
+Fonts::Fonts() : config_(FcInitLoadConfigAndFonts()), pattern_(sans_pattern(config_.get())) {
+    FT_Library library = nullptr;
+    if (!pattern_ || FT_Init_FreeType(&library) != 0) return;
+    library_.reset(library);
+    FcResult result = FcResultNoMatch;
+    const FontHandle<FcPattern*> font(FcFontMatch(config_.get(), pattern_.get(), &result));
+    if (!font) return;
+    file_ = file_of(*font);
+    sans_ = open(*font);
+}
+
+FT_Face Fonts::open(const FcPattern& font) {
+    int index = 0;  // in a collection of fonts
+    FcPatternGetInteger(&font, FC_INDEX, 0, &index);
+    const std::string file = file_of(font);
+    const auto [place, is_new] = opened_.try_emplace({file, index});
+    if (is_new) {
+        FT_Face face = nullptr;
+        if (FT_New_Face(library_.get(), file.c_str(), index, &face) == 0) place->second.reset(face);
+    }
+    return place->second.get();
+}
+
+FT_Face Fonts::find(char32_t character) {
+    if (sans_ == nullptr || FT_Get_Char_Index(sans_, character) != 0) return sans_;
+    const auto [place, is_new] = found_.try_emplace(character, nullptr);
+    if (is_new) place->second = search(character);
+    return place->second;
+}
+
+FT_Face Fonts::search(char32_t character) {
+    if (!sorted_) {
+        FcResult result = FcResultNoMatch;
+        sorted_.reset(FcFontSort(config_.get(), pattern_.get(), FcTrue, nullptr, &result));
+    }
+    if (!sorted_) return nullptr;
+    for (const FcPattern* const font : std::span(sorted_->fonts, static_cast<std::size_t>(sorted_->nfont))) {
+        if (!has_character(*font, character)) continue;
+        // fontconfig's caches may be out of date.
+        if (FT_Face face = open(*font); face != nullptr && FT_Get_Char_Index(face, character) != 0) return face;
+    }
+    return nullptr;
+}
 
 void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane<Rgba>& pixels) {
     const int columns = static_cast<int>(letter.width);

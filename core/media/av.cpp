@@ -2,10 +2,8 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdarg>
 #include <cstdio>
 #include <string_view>
-#include <utility>
 
 #include "core/base/error.h"
 

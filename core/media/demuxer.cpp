@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <fstream>
 #include <string_view>
-#include <vector>
 
 #include <unistd.h>
 

@@ -1,9 +1,7 @@
 #include "core/media/frame_sampler.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,8 +9,6 @@
 #include "core/media/container.h"
 #include "core/media/decoder.h"
 #include "core/media/demuxer.h"
-#include "core/media/key_frame_decoder.h"
-#include "core/media/video_reader.h"
 
 namespace vvr::media {
 

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/media/container.h"
-#include "core/media/demuxer.h"
 #include "core/media/input.h"
 #include "core/media/scaler.h"
 

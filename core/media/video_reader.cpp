@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/media/container.h"
-#include "core/media/key_frame_decoder.h"
 
 namespace vvr::media {
 

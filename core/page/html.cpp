@@ -1,9 +1,7 @@
 #include "core/page/html.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
-#include <string_view>
 
 #include <zlib.h>
 

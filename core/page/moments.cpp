@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -14,7 +13,6 @@
 
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/base/plane.h"
 #include "core/image/picture.h"
 
 namespace vvr::page {

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -16,7 +15,6 @@
 #include "core/base/wall_clock.h"
 #include "core/image/picture_file.h"
 #include "core/page/html.h"
-#include "core/page/page_data.h"
 #include "web_files.h"
 
 namespace vvr::page {

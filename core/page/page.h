@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/plane.h"
-#include "core/page/page_content.h"
+#include "core/page/page_data.h"
 
 namespace vvr::page {
 

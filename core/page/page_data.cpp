@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
-#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/image/picture_file.h"
 #include "core/page/html.h"

@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
-
-#include "core/scene/theme.h"
-#include "core/space/layout.h"
 
 namespace vvr::scene {
 

@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/space/layout.h"
-
 namespace vvr::scene {
 
 namespace {

@@ -1,7 +1,6 @@
 #include "core/scene/theme.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,6 @@
 #include "core/scene/transfer_function.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,5 @@
 #include "core/tracking/conclude.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,8 +10,6 @@
 #include "core/tracking/claim.h"
 #include "core/tracking/patch.h"
 #include "core/tracking/path.h"
-#include "core/tracking/proximity.h"
-#include "core/tracking/trajectory.h"
 
 namespace vvr::tracking {
 

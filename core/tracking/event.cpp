@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "core/tracking/event_options.h"
 

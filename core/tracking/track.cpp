@@ -1,12 +1,9 @@
 #include "core/tracking/track.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 #include <vector>
-
-#include "core/tracking/patch.h"
 
 namespace vvr::tracking {
 

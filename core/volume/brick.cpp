@@ -1,7 +1,6 @@
 #include "core/volume/brick.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 

@@ -1,7 +1,6 @@
 #include "core/volume/owners.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace vvr::volume {
 

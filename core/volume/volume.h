@@ -9,7 +9,6 @@
 
 #include "core/base/plane.h"
 #include "core/fields/field.h"
-#include "core/volume/flow_volume.h"
 #include "core/volume/layer.h"
 #include "core/volume/owners.h"
 

@@ -16,8 +16,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/draw/draw.h"
-#include "cli/plan/job.h"
 #include "cli/plan/make_plan.h"
+#include "cli/plan/settings.h"
 #include "core/fields/field_source.h"
 #include "gl/renderer.h"
 #include "tests/bench/in_turn.h"

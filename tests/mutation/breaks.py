@@ -28,7 +28,7 @@ BREAKS = [
     Break("core/kernels/colour_rows.cpp", "fixed(-2 * (1 - red) * red / green * stretch)", "fixed(-2 * (1 - red) * blue / green * stretch)",
           "ColourRows.AreTheStandardsMatrix"),
     # core/detector
-    Break("core/detector/letterbox.cpp", "pixel(box.left, image.width), pixel(box.top, image.height)",
+    Break("core/detector/formats.cpp", "pixel(box.left, image.width), pixel(box.top, image.height)",
           "pixel(box.left, image.height), pixel(box.top, image.width)",
           "Letterbox.ReturnsBoxesToTheImage"),
     Break("core/detector/model_file.cpp", "listed > 0 ? listed == elements", "listed > 0 ? listed <= elements",
@@ -70,7 +70,7 @@ BREAKS = [
     # core/tracking
     Break("core/tracking/association.cpp", "if (*most < thresholds.association.shared_part * tracks", "if (*most > thresholds.association.shared_part * tracks",
           "Associate.LetsTwoShareABlob"),
-    Break("core/tracking/proximity.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
+    Break("core/tracking/tracklet.cpp", "kind == EventKind::taken ? bearer.begin : bearer.end",
           "kind == EventKind::taken ? bearer.end : bearer.begin",
           "EventFinder.WhoStoodThereFromTheFirstFrameMayLeaveAThing"),
     Break("core/tracking/conclude.cpp", "span_.stretches[k - 1].view == stretch_of(tracklet).view", "k > 0",
@@ -81,7 +81,7 @@ BREAKS = [
           "Stays.ThatAreKnownExactlyReplaceThoseTheyMeet"),
     Break("core/tracking/track.cpp", "(std::ssize(moments) - 1) * 9 / 10", "(std::ssize(moments) - 1) * 1 / 10",
           "EventFinder.ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken"),
-    Break("core/tracking/proximity.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "static_cast<void>(field);",
+    Break("core/tracking/tracklet.cpp", "if (end.at_border && !touches_border(place, field)) return true;", "static_cast<void>(field);",
           "EventFinder.WhoLeavesThePictureIsNotTheThingThatStays"),
     Break("core/tracking/track.cpp", "!settled || !is_unchanged(", "!settled || is_unchanged(",
           "EventFinder.ABagThatWasHiddenForAnInstantIsTheSameBag"),

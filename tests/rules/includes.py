@@ -21,7 +21,7 @@ PROCESS_HEADERS = ("CLI/", "spdlog/")
 APPLICATION = ("cli/plan", "cli/observe", "cli/compose", "cli/draw", "cli/excerpt", "cli/write", "cli/app")
 NO_PROCESS = ("core", "gl", *APPLICATION, "cli/library")
 VERBS = ("cli/observe", "cli/compose", "cli/draw")
-OF_A_JOB = ("cli/plan/job.h", "cli/plan/settings.h", "cli/plan/input.h", "cli/plan/make_plan.h")
+OF_A_JOB = ("cli/plan/settings.h", "cli/plan/input.h", "cli/plan/make_plan.h")
 PUBLIC = "cli/library/vvr"
 OF_C = {"stddef.h", "stdint.h"}  # the headers of C that a public header may include
 

@@ -39,8 +39,8 @@ target_link_libraries(vvr_cli PUBLIC vvr_app CLI11::CLI11)
 add_executable(vvr main.cpp)
 target_link_libraries(vvr PRIVATE vvr_cli)
 """,
-    "cli/plan/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
-    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/plan/job.h"\n',
+    "cli/plan/settings.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
+    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/plan/settings.h"\n',
     "cli/draw/draw.cpp": '#include "cli/plan/plan.h"\n#include "gl/context.h"\n',
     "cli/app/render.cpp": '#include "cli/draw/draw.h"\n',
     "cli/main.cpp": '#include "cli/commands/render.h"\n',
@@ -120,7 +120,7 @@ def test_sources_in_order_pass(tmp_path, rules, sources):
     ("cli/app/late.h", "#include <CLI/CLI.hpp>\n", "cli/app/late.h:1: includes CLI/CLI.hpp, which only the rest of cli"),
     ("cli/app/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
     ("cli/app/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_app doesn't link"),
-    ("cli/draw/late.h", '#include "cli/plan/job.h"\n', "cli/draw/late.h:1: includes cli/plan/job.h: cli/draw sees cli/plan/plan.h, not the job"),
+    ("cli/draw/late.h", '#include "cli/plan/settings.h"\n', "cli/draw/late.h:1: includes cli/plan/settings.h: cli/draw sees cli/plan/plan.h, not the job"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
     ("core/media/late.h", '#include "core/media/later.h"\n', "cycle core/media/late -> core/media/later -> core/media/late: "
      "core/media/late.h:1, core/media/later.cpp:1"),

@@ -1,9 +1,6 @@
 #include "core/fields/flows/derivatives.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 
 #include "core/kernels/rows.h"

@@ -73,7 +73,7 @@
  * @property {TurningVolume | null} volume
  * @property {{type: string, begin: number, step: number, base64: string} | null} preview
  *
- * The volume that turns: TurningVolume of core/page/turning_volume.h.
+ * The volume that turns: cli/compose/page_content.cpp makes it.
  * @typedef {object} TurningVolume
  * @property {number[]} size in voxels: x, y and time
  * @property {number[]} scale from C-space to shares of the voxels

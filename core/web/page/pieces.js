@@ -11,7 +11,7 @@ const hasEnded = ([, begin, length], seconds) => seconds >= begin + length - lit
 
 /**
  * The file that shows a moment: the first that has not ended by then. In a gap it is the next one, after the end the
- * last. The program does the same (core/footage/file_moment.h).
+ * last. The program does the same (core/footage/segments.h).
  * @param {Segment[]} files in order
  * @param {number} seconds
  */

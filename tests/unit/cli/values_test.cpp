@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/exit_status.h"
-#include "cli/options/add_option.h"
+#include "cli/options/command_line.h"
 #include "cli/options/config_file.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/value.h"

@@ -1,9 +1,9 @@
-#include "core/detector/letterbox.h"
-
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/detector/formats.h"
 
 namespace vvr::detector {
 namespace {

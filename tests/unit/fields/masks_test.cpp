@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/blobs.h"
+#include "core/fields/median_scene.h"
 #include "core/fields/object.h"
 #include "core/fields/reference.h"
-#include "core/fields/scene_noise.h"
 #include "core/fields/shadows.h"
 #include "tests/unit/fields/pictures.h"
 

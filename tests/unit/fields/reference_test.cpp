@@ -13,7 +13,7 @@
 #include "core/fields/median_scene.h"
 #include "core/fields/object.h"
 #include "core/fields/running_reference.h"
-#include "core/media/memory_source.h"
+#include "core/media/picture_source.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/footage/file_moment.h"
 #include "core/footage/input_files.h"
+#include "core/footage/segments.h"
 #include "core/footage/unseen.h"
 #include "core/media/frame_gaps.h"
 #include "core/media/frame_sampler.h"

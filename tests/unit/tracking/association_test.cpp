@@ -11,7 +11,7 @@
 #include "core/tracking/event.h"
 #include "core/tracking/patch.h"
 #include "core/tracking/pixel_history.h"
-#include "core/tracking/trajectory.h"
+#include "core/tracking/tracklet.h"
 #include "tests/support/planes.h"
 
 namespace vvr {
