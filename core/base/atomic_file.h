@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/base/av_writer.h"
+#include "core/base/av_muxer.h"
 
 namespace vvr {
 

@@ -1,20 +1,16 @@
 #include "core/image/video_encoder.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <optional>
-#include <span>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.h"
-#include "core/base/av_writer.h"
+#include "core/base/av_muxer.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/image/picture.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -26,10 +22,6 @@ extern "C" {
 namespace vvr::image {
 
 namespace {
-
-struct FreeMuxer {
-    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
-};
 
 /// x264's own options. Its AVX-512 code reads uninitialised memory, so its output is not deterministic (x264 164).
 /// Therefore processors with AVX-512 use the AVX2 code. On other processors, requesting AVX2 could crash.
@@ -52,16 +44,14 @@ WriteAt into(std::vector<std::byte>& file) {
 }  // namespace
 
 struct VideoEncoder::Parts {
-    Parts(const VideoFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames)
-        : name(std::move(file_name)), size(format.palette ? picture_size : even(picture_size)), writer(into(memory)) {
-        const AVPixelFormat pixels = format.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
-        AVFormatContext* made = nullptr;
-        check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
-        container.reset(made);
-        container->pb = writer.context();
-        container->flags |= AVFMT_FLAG_BITEXACT;  // no library version, no random IDs
-
-        const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
+    Parts(const VideoRow& row, const std::string& settings, std::string file_name, Size picture_size, int ticks,
+          int rate, int key_frames)
+        : name(std::move(file_name)),
+          size(row.palette ? picture_size : even(picture_size)),
+          muxer(row.muxer, into(memory), [this](const char*, int code) { fail(code); }) {
+        const AVPixelFormat pixels = row.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
+        AVFormatContext& container = muxer.format();
+        const AVCodec* codec = avcodec_find_encoder_by_name(row.encoder);
         check(codec ? 0 : AVERROR_ENCODER_NOT_FOUND);
         context.reset(avcodec_alloc_context3(codec));
         context->width = size.width;
@@ -73,19 +63,18 @@ struct VideoEncoder::Parts {
         context->thread_count = 1;  // the output depends on the number of threads
         context->flags |= AV_CODEC_FLAG_BITEXACT;
         context->log_level_offset = 1000;  // keep encoders' messages off stderr
-        if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+        if ((container.oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
         AVDictionary* options = nullptr;
-        av_dict_parse_string(&options, format.options.c_str(), "=", ",", 0);
-        if (format.encoder == "libx264") av_dict_set(&options, "x264-params", x264_settings(), 0);
+        av_dict_parse_string(&options, settings.c_str(), "=", ",", 0);
+        if (std::string_view(row.encoder) == "libx264") av_dict_set(&options, "x264-params", x264_settings(), 0);
         const int opened = avcodec_open2(context.get(), codec, &options);
-        stream = avformat_new_stream(container.get(), nullptr);
+        stream = avformat_new_stream(&container, nullptr);
         const int described =
             stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
         if (stream) stream->time_base = context->time_base;
-        const int begun = opened < 0 || described < 0 ? 0 : avformat_write_header(container.get(), &options);
+        const int begun = opened < 0 || described < 0 ? 0 : muxer.begin(&options);
         av_dict_free(&options);
         for (const int result : {opened, described, begun}) check(result);
-        unfinished = true;
 
         packet.reset(av_packet_alloc());
         frame.reset(av_frame_alloc());
@@ -99,18 +88,11 @@ struct VideoEncoder::Parts {
         }
     }
 
-    /// Always writes the trailer, because muxers free their last packet only then.
-    ~Parts() {
-        if (unfinished) av_write_trailer(container.get());
-    }
-    Parts(const Parts&) = delete;
-    Parts& operator=(const Parts&) = delete;
-
     static Size even(Size size) { return {std::max(2, size.width & ~1), std::max(2, size.height & ~1)}; }
 
-    void check(int result) const {
-        if (result >= 0) return;
-        writer.check();
+    void check(int result) const { muxer.check("encode", result); }
+
+    [[noreturn]] void fail(int result) const {
         throw Error(ErrorCode::io, fmt::format("cannot encode '{}': {}", name, av_error_text(result)));
     }
 
@@ -135,9 +117,7 @@ struct VideoEncoder::Parts {
     void finish() {
         check(avcodec_send_frame(context.get(), nullptr));
         drain();
-        unfinished = false;
-        check(av_write_trailer(container.get()));
-        writer.flush();
+        muxer.close();
     }
 
     void paint_palette(const Picture& picture) {
@@ -194,18 +174,16 @@ struct VideoEncoder::Parts {
             av_packet_rescale_ts(packet.get(), context->time_base, stream->time_base);
             packet->duration = av_rescale_q(duration, context->time_base, stream->time_base);
             packet->stream_index = stream->index;
-            check(av_interleaved_write_frame(container.get(), packet.get()));
+            muxer.add(*packet);
         }
     }
 
-    bool unfinished = false;  ///< the header is written, the trailer is not
     std::string name;
     Size size;
     std::vector<std::byte> memory;  ///< the file
-    AvWriter writer;
-    std::unique_ptr<AVFormatContext, FreeMuxer> container;
+    AvMuxer muxer;
     AvPtr<AVCodecContext> context;
-    AVStream* stream = nullptr;  ///< the container's
+    AVStream* stream = nullptr;  ///< the muxer's
     AvPtr<AVPacket> packet;
     AvPtr<AVFrame> frame;
     AvPtr<SwsContext> scaler;
@@ -217,9 +195,9 @@ bool has_encoder(const std::string& encoder) {
     return avcodec_find_encoder_by_name(encoder.c_str()) != nullptr;
 }
 
-VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
-                           int key_frames)
-    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames)) {}
+VideoEncoder::VideoEncoder(const VideoRow& row, const std::string& options, const std::string& name, Size size,
+                           int ticks, int rate, int key_frames)
+    : parts_(std::make_unique<Parts>(row, options, name, size, ticks, rate, key_frames)) {}
 
 VideoEncoder::~VideoEncoder() = default;
 
@@ -234,7 +212,7 @@ void VideoEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
 }
 
 std::size_t VideoEncoder::bytes() const {
-    return static_cast<std::size_t>(parts_->writer.size());
+    return static_cast<std::size_t>(parts_->muxer.size());
 }
 
 std::vector<std::byte> VideoEncoder::finish() {
@@ -242,46 +220,47 @@ std::vector<std::byte> VideoEncoder::finish() {
     return std::move(parts_->memory);
 }
 
+std::span<const VideoRow> video_rows() {
+    // The options of previews disable B-frames, so that every player shows the frames in order.
+    static constexpr auto as_mp4 = "crf=17,preset=medium,b=12000000";
+    static constexpr auto as_webm = "crf=20,b=12000000,cpu-used=4,deadline=good";
+    static constexpr std::array rows{
+        VideoRow{"gif", "gif", "loop=0", "", {}, true},
+        VideoRow{"mp4", "libx264", as_mp4, "preset=veryfast,bf=0", {29, 32}},
+        VideoRow{"mp4", "mpeg4", as_mp4},
+        VideoRow{"webm", "libvpx-vp9", as_webm, "cpu-used=6,deadline=realtime", {36, 40}},
+        VideoRow{"webm", "libvpx", as_webm, "cpu-used=8,deadline=realtime", {22, 28}},
+    };
+    return rows;
+}
+
 namespace {
 
-/// An animation format. The first encoder that libav has is used.
-struct AnimationFormat {
-    std::string_view extension;
-    const char* muxer;
-    std::array<const char*, 2> encoders;
-    bool palette;
-    const char* quality;  ///< libav's options
-};
-
-constexpr std::array animation_formats{
-    AnimationFormat{".gif", "gif", {"gif", "gif"}, true, "loop=0"},
-    AnimationFormat{".mp4", "mp4", {"libx264", "mpeg4"}, false, "crf=17,preset=medium,b=12000000"},
-    AnimationFormat{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
-};
-
 /// \throws Error io if libav has none of the encoders
-VideoFormat film_format(const std::filesystem::path& path) {
-    const AnimationFormat& format =
-        *std::ranges::find(animation_formats, extension_of(path), &AnimationFormat::extension);
-    const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
-    if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
+const VideoRow& film_row(const std::filesystem::path& path) {
+    std::vector<std::string_view> lacking;
+    for (const VideoRow& row : video_rows()) {
+        if (extension_of(path) != row.extension()) continue;
+        if (has_encoder(row.encoder)) return row;
+        lacking.emplace_back(row.encoder);
+    }
     throw Error(ErrorCode::io,
                 fmt::format("cannot write '{}': libavcodec was built without the encoder {}; choose another file "
                             "extension, or write single pictures: out.{{frame:4}}.png",
-                            path.string(), fmt::join(format.encoders, " or ")));
+                            path.string(), fmt::join(lacking, " or ")));
 }
 
 }  // namespace
 
 std::vector<std::string> animation_extensions() {
     std::vector<std::string> extensions;
-    for (const AnimationFormat& format : animation_formats) extensions.emplace_back(format.extension);
+    for (const VideoRow& row : video_rows()) extensions.push_back(row.extension());
+    extensions.erase(std::unique(extensions.begin(), extensions.end()), extensions.end());
     return extensions;
 }
 
 bool is_animation(const std::filesystem::path& path) {
-    return std::ranges::find(animation_formats, extension_of(path), &AnimationFormat::extension) !=
-           animation_formats.end();
+    return std::ranges::find(video_rows(), extension_of(path), &VideoRow::extension) != video_rows().end();
 }
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
@@ -296,8 +275,9 @@ AnimationFile::~AnimationFile() = default;
 
 void AnimationFile::add(const Picture& picture) {
     if (!encoder_) {
-        encoder_ = std::make_unique<VideoEncoder>(film_format(path_), path_.string(), picture.pixels.size(), rate_,
-                                                  rate_, rate_);
+        const VideoRow& row = film_row(path_);
+        encoder_ =
+            std::make_unique<VideoEncoder>(row, row.film, path_.string(), picture.pixels.size(), rate_, rate_, rate_);
     }
     encoder_->add(picture, pictures_++);
 }

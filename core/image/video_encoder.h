@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,13 +14,18 @@
 
 namespace vvr::image {
 
-/// How libav encodes a video.
-struct VideoFormat {
-    std::string muxer;
-    std::string encoder;
-    std::string options;   ///< libav's options for encoder and muxer: "crf=17,preset=medium"
-    bool palette = false;  ///< 256 colours, chosen from the first picture
+/// A container, an encoder for it, and libav's options. The first whose encoder is installed is used.
+struct VideoRow {
+    const char* muxer;  ///< libav's name, also the file extension
+    const char* encoder;
+    const char* film;                  ///< options for animations
+    const char* preview = "";          ///< options for small videos in pages; empty = no such videos
+    std::array<int, 2> preview_crf{};  ///< constant rate factors for such videos, large and small; lower is better
+    bool palette = false;              ///< 256 colours, chosen from the first picture
+
+    std::string extension() const { return std::string(".") + muxer; }
 };
+std::span<const VideoRow> video_rows();
 
 /// Whether the installed libav has an encoder.
 bool has_encoder(const std::string& encoder);
@@ -27,12 +34,14 @@ bool has_encoder(const std::string& encoder);
 /// an odd last row or column is dropped. The output is deterministic.
 class VideoEncoder {
   public:
+    /// \param options libav's options for encoder and muxer: "crf=17,preset=medium"
     /// \param name file name for messages
     /// \param ticks time base: ticks per second
     /// \param rate approximate pictures per second
     /// \param key_frames pictures per key frame
     /// \throws Error io if libav fails
-    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
+    VideoEncoder(const VideoRow& row, const std::string& options, const std::string& name, Size size, int ticks,
+                 int rate, int key_frames);
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;

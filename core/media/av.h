@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/av_writer.h"
+#include "core/base/av_muxer.h"
 #include "core/media/frame.h"
 
 extern "C" {

@@ -1,10 +1,8 @@
 #include "core/media/container.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/setting.h"
-#include "core/media/demuxer.h"
 
 extern "C" {
 #include <libavutil/display.h>
@@ -128,8 +125,12 @@ double share_of_sound(const Demuxer& demuxer) {
 namespace {
 
 constexpr std::array table{
-    ContainerRow{".mp4", "mp4"},      ContainerRow{".mov", "mov"},   ContainerRow{".m4v", "mp4"},
-    ContainerRow{".mkv", "matroska"}, ContainerRow{".webm", "webm"}, ContainerRow{".avi", "avi"},
+    ContainerRow{".mp4", "mp4", {AV_CODEC_ID_H264, AV_CODEC_ID_HEVC, AV_CODEC_ID_AV1}},
+    ContainerRow{".mov", "mov"},
+    ContainerRow{".m4v", "mp4"},
+    ContainerRow{".mkv", "matroska"},
+    ContainerRow{".webm", "webm", {AV_CODEC_ID_VP8, AV_CODEC_ID_VP9}},
+    ContainerRow{".avi", "avi"},
 };
 
 bool holds(const char* muxer, AVCodecID codec) {
@@ -195,17 +196,12 @@ std::string_view extension_for(const Input& clip, double rate) {
 }
 
 std::string_view extension_to_play(const Input& clip, double rate) {
-    static constexpr std::array played{
-        std::pair{AV_CODEC_ID_H264, std::string_view(".mp4")}, std::pair{AV_CODEC_ID_HEVC, std::string_view(".mp4")},
-        std::pair{AV_CODEC_ID_AV1, std::string_view(".mp4")},  std::pair{AV_CODEC_ID_VP8, std::string_view(".webm")},
-        std::pair{AV_CODEC_ID_VP9, std::string_view(".webm")},
-    };
     const Demuxer demuxer(clip, Demuxer::Kind::video, rate);
-    const auto* const row =
-        std::ranges::find(played, demuxer.stream().codecpar->codec_id, &decltype(played)::value_type::first);
-    if (row == played.end()) return extension_for(clip, rate);
-    const auto container = std::ranges::find(table, row->second, &ContainerRow::name);
-    return holds_all(*container, demuxer.format()) ? container->name : extension_for(clip, rate);
+    const AVCodecID codec = demuxer.stream().codecpar->codec_id;
+    const auto row = std::ranges::find_if(table, [&](const ContainerRow& each) {
+        return std::ranges::count(each.played, codec) > 0 && holds_all(each, demuxer.format());
+    });
+    return row == table.end() ? extension_for(clip, rate) : row->name;
 }
 
 }  // namespace vvr::media

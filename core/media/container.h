@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -48,8 +49,9 @@ inline constexpr std::string_view encode_with_ffmpeg =
 
 /// A container format that clips can be written in.
 struct ContainerRow {
-    std::string_view name;  ///< file extension, with its dot
-    const char* muxer;      ///< libav's name of the muxer
+    std::string_view name;              ///< file extension, with its dot
+    const char* muxer;                  ///< libav's name of the muxer
+    std::array<AVCodecID, 3> played{};  ///< codecs that browsers play in it; AV_CODEC_ID_NONE = no more
 };
 
 std::span<const ContainerRow> containers();

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/base/av_writer.h"
+#include "core/base/av_muxer.h"
 #include "core/base/plane.h"
 #include "core/condition/condition.h"
 

@@ -5,9 +5,6 @@
 #include <cstring>
 #include <limits>
 #include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,10 +17,6 @@ namespace {
 
 /// Audio is interleaved with video, but some recorders write it seconds later.
 constexpr double interleaving = 10;  // seconds
-
-struct FreeMuxer {
-    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
-};
 
 /// The codec tag for the new container: the old tag if the container supports it or has no tag for the codec, else 0.
 std::uint32_t tag_for(const AVOutputFormat& format, const AVCodecParameters& codec) {
@@ -55,33 +48,24 @@ void copy_tag(AVDictionary*& to, const AVDictionary* from, const char* key) {
     if (entry != nullptr) av_dict_set(&to, key, entry->value, 0);
 }
 
-/// Writes packets to a container.
-class Muxer {
+/// Writes packets of several files to a container.
+class Joiner {
   public:
-    Muxer(const AVFormatContext& from, const ContainerRow& container, const std::filesystem::path& path,
-          const WriteAt& write_at)
-        : path_(path), writer_(write_at) {
-        AVFormatContext* made = nullptr;
-        check(avformat_alloc_output_context2(&made, nullptr, container.muxer, nullptr));
-        format_.reset(made);
-        log_.attach(*format_);
-        format_->pb = writer_.context();
-        format_->flags |= AVFMT_FLAG_BITEXACT;  // no library version, no random IDs
+    Joiner(const AVFormatContext& from, const ContainerRow& container, const std::filesystem::path& path,
+           const WriteAt& write_at)
+        : muxer_(container.muxer, write_at, [&, this](const char* what, int code) {
+              const bool is_mkv = container.name == ".mkv";
+              throw Error(ErrorCode::io,
+                          fmt::format("cannot {} '{}': {}; {}", what, path.string(), log_.text(code),
+                                      is_mkv ? encode_with_ffmpeg : "try another container, such as .mkv"));
+          }) {
+        log_.attach(muxer_.format());
         for (const AVStream* stream : media_of(from)) streams_.push_back({add(*stream)});
     }
 
-    /// Always writes the trailer, because muxers free their last packet only then.
-    ~Muxer() {
-        if (begun_) av_write_trailer(format_.get());
-    }
-    Muxer(const Muxer&) = delete;
-    Muxer& operator=(const Muxer&) = delete;
-
     void begin(const Tags& tags) {
-        for (const auto& [key, value] : tags) av_dict_set(&format_->metadata, key.c_str(), value.c_str(), 0);
-        const int code = avformat_write_header(format_.get(), nullptr);
-        if (code < 0) fail("write the header of", code);
-        begun_ = true;
+        for (const auto& [key, value] : tags) av_dict_set(&muxer_.format().metadata, key.c_str(), value.c_str(), 0);
+        muxer_.check("write the header of", muxer_.begin());
     }
 
     /// Continues with the packets of another file.
@@ -130,16 +114,10 @@ class Muxer {
         }
         packet.stream_index = place.to->index;
         packet.pos = -1;
-        const int code = av_interleaved_write_frame(format_.get(), &packet);
-        if (code < 0) fail("write to", code);
+        muxer_.add(packet);
     }
 
-    void close() {
-        begun_ = false;
-        const int code = av_write_trailer(format_.get());
-        if (code < 0) fail("finish", code);
-        writer_.flush();
-    }
+    void close() { muxer_.close(); }
 
   private:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -162,27 +140,17 @@ class Muxer {
                 name, text(is), text(was), settings ? " with other settings" : ""));
     }
 
-    void check(int code) const {
-        if (code < 0) fail("write", code);
-    }
-
-    [[noreturn]] void fail(const char* what, int code) const {
-        writer_.check();
-        const bool is_mkv = std::string_view(format_->oformat->name) == "matroska";
-        throw Error(ErrorCode::io, fmt::format("cannot {} '{}': {}; {}", what, path_.string(), log_.text(code),
-                                               is_mkv ? encode_with_ffmpeg : "try another container, such as .mkv"));
-    }
-
     AVStream* add(const AVStream& from) {
-        AVStream* const to = avformat_new_stream(format_.get(), nullptr);
+        AVFormatContext& format = muxer_.format();
+        AVStream* const to = avformat_new_stream(&format, nullptr);
         if (to == nullptr || avcodec_parameters_copy(to->codecpar, from.codecpar) < 0) {
             throw Error(ErrorCode::out_of_memory, "out of memory for copying a video; give vvr more memory");
         }
-        to->codecpar->codec_tag = tag_for(*format_->oformat, *from.codecpar);
+        to->codecpar->codec_tag = tag_for(*format.oformat, *from.codecpar);
         to->time_base = from.time_base;
         // AVI stores an entry for every tick of the time base, so a tick must be a frame.
         const bool counts_frames = from.codecpar->codec_type == AVMEDIA_TYPE_VIDEO && from.r_frame_rate.num > 0;
-        if (std::string_view(format_->oformat->name) == "avi" && counts_frames) {
+        if (std::string_view(format.oformat->name) == "avi" && counts_frames) {
             to->time_base = av_inv_q(from.r_frame_rate);
         }
         to->avg_frame_rate = from.avg_frame_rate;
@@ -199,13 +167,10 @@ class Muxer {
         return to;
     }
 
-    const std::filesystem::path& path_;
-    AvWriter writer_;
     av::Log log_;
-    std::unique_ptr<AVFormatContext, FreeMuxer> format_;
+    AvMuxer muxer_;
     std::vector<Place> streams_;           ///< in the order of media_of
     std::vector<std::size_t> place_of_{};  ///< by stream index of the current file; none = omitted
-    bool begun_ = false;
 };
 
 std::vector<std::string> names_left_out(const AVFormatContext& from) {
@@ -224,7 +189,7 @@ class PartCopy {
     PartCopy(const CopyPart& part, Demuxer& demuxer, double seconds)
         : piece_(part.piece), demuxer_(demuxer), video_(demuxer.stream()), seconds_(seconds) {}
 
-    void operator()(Muxer& muxer, bool joined, bool is_last, CopyResult& copied,
+    void operator()(Joiner& joiner, bool joined, bool is_last, CopyResult& copied,
                     const std::function<void()>& check_stop) {
         const AVFormatContext& from = demuxer_.format();
         const auto packet = av::make_packet();
@@ -238,10 +203,10 @@ class PartCopy {
                 if (number > piece_.last && is_over(stamp)) break;
                 if (number < piece_.first || number > piece_.last || stamp < piece_.first_stamp) continue;
                 ++copied.packets;
-            } else if (!muxer.copies(packet->stream_index) || !is_in_range(stream, stamp, is_last)) {
+            } else if (!joiner.copies(packet->stream_index) || !is_in_range(stream, stamp, is_last)) {
                 continue;
             }
-            muxer.add(*packet, stream, zero_of(stream), joined);
+            joiner.add(*packet, stream, zero_of(stream), joined);
         }
     }
 
@@ -277,24 +242,23 @@ CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::
                        const Tags& tags, const WriteAt& write_at, const std::function<void()>& check_stop) {
     const ContainerRow& container = container_of(path);
     const double zero = parts.front().begin + parts.front().piece.begin;
-    std::unique_ptr<Muxer> muxer;
+    std::optional<Joiner> joiner;
     CopyResult copied;
     for (const CopyPart& part : parts) {
         Demuxer demuxer(part.input, Demuxer::Kind::video, rate);
         demuxer.select_all_streams();
         const AVFormatContext& from = demuxer.format();
-        if (!muxer) {
+        if (!joiner) {
             check_container(container, from, path);
             copied.left_out = names_left_out(from);
-            muxer = std::make_unique<Muxer>(from, container, path, write_at);
-            muxer->begin(tags);
+            joiner.emplace(from, container, path, write_at).begin(tags);
         }
-        muxer->begin_file(from, part.input.name);
+        joiner->begin_file(from, part.input.name);
         const bool is_last = &part == &parts.back();
-        PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*muxer, &part != &parts.front(), is_last, copied,
+        PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*joiner, &part != &parts.front(), is_last, copied,
                                                                       check_stop);
     }
-    muxer->close();
+    joiner->close();
     return copied;
 }
 

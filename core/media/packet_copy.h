@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/av_writer.h"
+#include "core/base/av_muxer.h"
 #include "core/media/frame_span.h"
 #include "core/media/input.h"
 

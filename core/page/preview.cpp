@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,22 +16,6 @@ namespace {
 
 constexpr int ticks = 1000;  // per second, as in WebM
 
-/// A container and its encoder. The options disable B-frames, so that every player shows the frames in order.
-struct Kind {
-    const char* type;
-    const char* muxer;
-    const char* encoder;
-    const char* options;
-    std::array<int, 2> crf;  ///< constant rate factor per Use; lower is better
-};
-
-/// The first with an installed encoder is used.
-constexpr std::array kinds{
-    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0", {29, 32}},
-    Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
-    Kind{"video/webm", "webm", "libvpx", "cpu-used=8,deadline=realtime", {22, 28}},
-};
-
 std::int64_t step_for(const ExpectedLength& expected) {
     return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
 }
@@ -44,16 +27,19 @@ std::size_t place_of(Preview::Use use) {
     return static_cast<std::size_t>(use);
 }
 
-/// The first kind with an installed encoder; the end if there is none.
-auto installed_kind() {
-    return std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
+/// The first row with an installed encoder; null if there is none.
+const image::VideoRow* installed_row() {
+    const auto row = std::ranges::find_if(image::video_rows(), [](const auto& each) {
+        return *each.preview != '\0' && image::has_encoder(each.encoder);
+    });
+    return row == image::video_rows().end() ? nullptr : &*row;
 }
 
 }  // namespace
 
 std::string_view preview_encoder() {
-    const auto kind = installed_kind();
-    return kind == kinds.end() ? std::string_view() : kind->encoder;
+    const image::VideoRow* const row = installed_row();
+    return row == nullptr ? std::string_view() : row->encoder;
 }
 
 Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
@@ -64,8 +50,8 @@ Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
 }
 
 void Preview::begin() {
-    const auto kind = installed_kind();
-    if (kind == kinds.end()) {
+    const image::VideoRow* const row = installed_row();
+    if (row == nullptr) {
         given_up_ = true;
         return;
     }
@@ -75,14 +61,13 @@ void Preview::begin() {
     const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
     const double rate = static_cast<double>(expected_.frames) / static_cast<double>(video_.step) / seconds;
     const int pictures = static_cast<int>(std::clamp(std::round(rate), 1.0, 60.0));
-    const bool constrained_by_rate = std::string_view(kind->muxer) == "webm";
+    const bool constrained_by_rate = std::string_view(row->muxer) == "webm";
     const std::string limit =
         constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
-    video_.type = kind->type;
+    video_.type = fmt::format("video/{}", row->muxer);
     encoder_ = std::make_unique<image::VideoEncoder>(
-        image::VideoFormat{kind->muxer, kind->encoder,
-                           fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
-        "preview", size_, ticks, pictures, key_seconds * pictures);
+        *row, fmt::format("crf={},{},{}", row->preview_crf[place_of(use_)], row->preview, limit), "preview", size_,
+        ticks, pictures, key_seconds * pictures);
 }
 
 void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
