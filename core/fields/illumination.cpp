@@ -193,6 +193,14 @@ struct GradientProducts {
     cv::Mat both;
 };
 
+/// At half the size, which is enough for the texture and needs a quarter of the time.
+cv::Mat halved(const Plane<std::uint8_t>& plane) {
+    cv::Mat small;
+    cv::resize(cv_view(plane), small, {(plane.width() + 1) / 2, (plane.height() + 1) / 2}, 0, 0, cv::INTER_AREA);
+    small.convertTo(small, CV_32F);
+    return small;
+}
+
 /// Means over each block, and then over its neighbours too.
 cv::Mat around_blocks(const cv::Mat& plane, cv::Size grid) {
     cv::Mat means;
@@ -223,13 +231,11 @@ GradientProducts gradient_products(const cv::Mat& reference, const cv::Mat& fram
 LocalLight local_light(const Planes& reference, const Planes& frame, const Plane<std::uint8_t>& object) {
     constexpr auto& t = thresholds.light;
     const cv::Size grid(std::max(1, frame.grey.width() / t.block), std::max(1, frame.grey.height() / t.block));
-    const GradientProducts sums = gradient_products(cv_view(reference.grey), cv_view(frame.grey), grid);
-    cv::Mat before;
-    cv::Mat now;
-    cv_view(reference.grey).convertTo(before, CV_32F);
-    cv_view(frame.grey).convertTo(now, CV_32F);
-    before = around_blocks(before, grid);
-    now = around_blocks(now, grid);
+    const cv::Mat small_reference = halved(reference.grey);
+    const cv::Mat small_frame = halved(frame.grey);
+    const GradientProducts sums = gradient_products(small_reference, small_frame, grid);
+    const cv::Mat before = around_blocks(small_reference, grid);
+    const cv::Mat now = around_blocks(small_frame, grid);
     cv::Mat weights(grid, CV_32F, cv::Scalar(0));
     cv::Mat logs(grid, CV_32F, cv::Scalar(0));
     cv::Mat covered;

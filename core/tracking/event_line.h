@@ -51,9 +51,8 @@ struct TableClip {
 /// The first line of the table.
 std::string events_table_heading();
 
-/// A line for each event of a report (`vvr render --report`), and for each interval in which the recording was at fault.
-/// Places are in pixels of the video.
-/// \throws nlohmann::json::exception for an invalid report
+/// A line for each event of a report (`vvr render --report`), and for each interval in which the recording was at
+/// fault. Places are in pixels of the video. \throws nlohmann::json::exception for an invalid report
 std::string events_table_lines(const nlohmann::ordered_json& report, const TableClip& place);
 
 /// The line of a clip without events.
