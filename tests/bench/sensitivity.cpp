@@ -85,7 +85,7 @@ Clip read(const std::string& name) {
 /// In the form of the report of `vvr render`, of which it has what the measures need.
 json events_of(const Clip& clip) {
     tracking::EventFinder finder(clip.size, {.labels = false});
-    finder.set_scene(clip.scene);
+    finder.set_scenes({clip.scene});
     for (const Clip::Frame& one : clip.frames) finder.add({one.field, one.frame->grey, one.frame->colour}, one.at);
     json all = json::array();
     const auto place = [&](double pixel) { return (pixel + 0.5) * clip.scale - 0.5; };
