@@ -74,7 +74,7 @@ struct TraceStyle {
 
 /// How to draw a picture.
 struct RenderOptions {
-    Size size{1280, 800};
+    Size size{1280, 960};
     space::View view;
     std::optional<space::Camera> camera;  ///< overrides the camera that fits the volume from `view`
     int slices = 0;                       ///< 0 = one per two voxels

@@ -189,6 +189,8 @@ class Annotator {
         if (plan_.look.shows(Part::ends)) {
             add_end("first frame", *seen_.first, seen_.begin.seconds, sheet_.first, false);
             add_end("last frame", *seen_.last, seen_.end().seconds, sheet_.last, true);
+            annotation::label_stills(composed_.objects, seen_.stills, plan_.read.clip.field_size, sheet_, pale_, lines_,
+                                     lettering_);
         }
         add_objects();
         return std::move(lettering_);
@@ -266,13 +268,15 @@ class Annotator {
         Plane<Bgr> picture = media::picture_of(frame);
         if (picture.empty() || box.empty()) return;
         lettering_.pictures.push_back({box.inflated(-1, -1), std::move(picture), lines_, 1});
-        const std::string text =
-            fmt::format("{}, {}", what, annotation::format_moment_and_day(seconds, plan_.read.clock));
-        const auto label_at = [&](int x) {
-            return annotation::make_label(text, sheet_.small, x, box.top - sheet_.small / 2, pale_);
-        };
-        const annotation::Label label = label_at(box.left);
-        lettering_.labels.push_back(right ? label_at(box.right - label.box.width()) : label);
+        const std::string time = annotation::format_moment_and_day(seconds, plan_.read.clock);
+        annotation::Label label = annotation::make_label(fmt::format("{}, {}", what, time), sheet_.small, box.left,
+                                                         box.top - sheet_.small / 2, pale_);
+        // Between stills there is less room, and their order says which one it is.
+        if (!sheet_.stills.empty() && label.box.width() > box.width())
+            label = annotation::make_label(time, sheet_.small, box.left, label.y, pale_);
+        if (right)
+            label = annotation::make_label(label.text, sheet_.small, box.right - label.box.width(), label.y, pale_);
+        lettering_.labels.push_back(label);
     }
 
     /// Portraits, map and strip beside the volume, and numbers inside it.

@@ -126,6 +126,7 @@ void conclude(const ObservePlan& plan, fields::FieldSource& source, ObservationB
     take_stills_again(seen, source);
     take_stills_from_scene(seen);
     builder.identify();
+    builder.take_stills();
     const std::vector<tracking::Event> events = take_chosen_events(seen, plan.field.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);
@@ -228,6 +229,9 @@ ObservationBuilder::ObservationBuilder(const ObservePlan& plan, volume::VolumeOp
         finder.emplace(plan.read.clip.field_size,
                        tracking::EventOptions{.scene_is_learnt = plan.field.reference != nullptr,
                                               .labels = plan.volume.colours_objects() || keeps_boxes_});
+    constexpr int longer_side = 480;     // pixels of a still, of which a picture may show a part
+    constexpr std::size_t moments = 64;  // about 30 MB
+    if (plan.field.keeps_stills) stills_.emplace(fit_into(plan.read.clip.info.size, longer_side), moments);
     if (plan.field.finds_objects && plan.field.detector) {
         classifier_.emplace(*plan.field.detector, plan.read.threads);
         seen.crops = annotation::Crops(most_looks);
@@ -237,6 +241,23 @@ ObservationBuilder::ObservationBuilder(const ObservePlan& plan, volume::VolumeOp
 void ObservationBuilder::set_findings(tracking::Findings findings) {
     seen.findings = std::move(findings);
     for (const PixelBox& overlay : seen.findings.overlays) seen.volume.clear(overlay);
+}
+
+void ObservationBuilder::take_stills() {
+    if (stills_) seen.stills = stills_->take();
+}
+
+void ObservationBuilder::add_still(const media::SharedFrame& frame) {
+    if (!stills_) return;
+    std::vector<TrackBox> boxes;
+    add_boxes(labels_, boxes);
+    std::vector<annotation::ObjectInStill> objects;
+    std::int64_t area = 0;
+    for (const TrackBox& one : boxes) {
+        objects.push_back({one.track, one.box});
+        area += std::int64_t{one.box.width()} * one.box.height();
+    }
+    stills_->add(frame, area, std::move(objects));
 }
 
 void ObservationBuilder::identify() {
@@ -281,6 +302,7 @@ const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& f
         labels_ = std::move(tracked.labels);
         busy_since = tracked.busy_since;
         if (keeps_boxes_) add_boxes(labels_, seen.track_boxes);
+        add_still(frame);
         for (const tracking::TrackPortrait& best : tracked.portraits) {
             if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
         }

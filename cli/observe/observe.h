@@ -13,6 +13,7 @@
 #include "cli/plan/observer.h"
 #include "cli/plan/plan.h"
 #include "core/annotation/portraits.h"
+#include "core/annotation/stills.h"
 #include "core/annotation/time_strip.h"
 #include "core/fields/field.h"
 #include "core/fields/field_source.h"
@@ -47,6 +48,7 @@ struct Observation {
     std::vector<annotation::Period> not_chosen{};           ///< when objects were there whose events weren't chosen
     volume::VoxelStyleLookup identify = volume::no_styles;  ///< maps voxels to objects
     annotation::Crops crops{};                              ///< pictures of the objects
+    std::vector<annotation::Still> stills{};                ///< of the whole clip, if the picture shows some
     std::optional<DetectorUse> detector{};                  ///< none = no detector looked at the events
     Plane<Bgr> scene{};                                     ///< the scene without objects
     std::vector<media::FrameGap> gaps{};                    ///< where frames are missing
@@ -114,6 +116,9 @@ class ObservationBuilder {
     /// Lets the detector look at the events that were found, if there is one.
     void identify();
 
+    /// Takes the stills that were kept.
+    void take_stills();
+
     /// Gives the empty scene to the search for events. It refers to this object.
     fields::SceneSink scene_sink();
 
@@ -125,12 +130,15 @@ class ObservationBuilder {
     std::optional<tracking::EventFinder> finder;  ///< none = objects are not tracked
 
   private:
+    void add_still(const media::SharedFrame& frame);
+
     media::FrameGaps find_gap_;
     const ObservePlan& plan_;
     bool keeps_crops_;
     bool keeps_boxes_;
     VoxelColours voxel_colours_;
     tracking::FrameLabels labels_;  ///< of the last field
+    std::optional<annotation::Stills> stills_;
     std::optional<ObjectClassifier> classifier_;
 };
 

@@ -362,6 +362,12 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose, std::shared_ptr<d
     plan.look.backend = job.backend;
     plan.field.keeps_frames = plan.look.shows(Part::frames) && job.look.keyframes > 0;
     plan.field.keeps_portraits = plan.field.keeps_portraits || plan.look.shows(Part::portraits);
+    plan.look.stills = plan.look.shows(Part::ends) && plan.volume.colours_objects() && !plan.volume.series;
+    // Without stills, the room for them would be empty.
+    constexpr int without_stills = 800;
+    if (!plan.look.stills && plan.look.picture.size == gl::RenderOptions().size)
+        plan.look.picture.size.height = without_stills;
+    plan.field.keeps_stills = plan.look.stills && !plan.look.framing().sheet.stills.empty();
 
     plan.read.span = job.fields.span;
     plan.read.threads = job.fields.threads;

@@ -32,6 +32,7 @@ Framing LookPlan::framing() const {
                                                .explanation = shows(Part::explanation),
                                                .portraits = shows(Part::portraits),
                                                .ends = shows(Part::ends),
+                                               .stills = stills,
                                                .strip = shows(Part::strip),
                                                .large_captions = only_page},
                                               static_cast<double>(field.width) / field.height);

@@ -60,6 +60,7 @@ struct FieldPlan {
     bool lists_events = false;                       ///< a report or a page lists the events
     bool keeps_portraits = false;                    ///< a picture or a page shows a still of each event
     bool keeps_boxes = false;                        ///< of the objects in each frame
+    bool keeps_stills = false;                       ///< a picture shows frames of the moments that tell most
     bool keeps_frames = false;                       ///< frames are shown inside the volume
     bool keeps_moments = false;                      ///< a page or a still shows frames of all times
 };
@@ -123,6 +124,7 @@ struct Framing {
 /// How it is drawn.
 struct LookPlan {
     Parts show{};
+    bool stills = false;      ///< there are frames between the first and the last
     bool only_page = false;   ///< the picture is only shown in a page, which writes the text over it
     bool pixel_data = false;  ///< pictures have the frame, time and depth of each pixel
     scene::Theme theme{};

@@ -60,7 +60,11 @@ inline constexpr Setting layout{"layout", "NAME", "shape of the volume in space"
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
 inline constexpr Setting height{"height", "UNITS", "height of a frame; default: square pixels", {0.001, 100}};
 inline constexpr Setting size{
-    .name = "size", .unit = "WxH", .help = "width and height of the picture in pixels", .range = {1, 16'384}};
+    .name = "size",
+    .unit = "WxH",
+    .help =
+        "width and height of the picture in pixels; the default is 1280x800 where there are no stills, as in a page",
+    .range = {1, 16'384}};
 inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
                                 "direction of the camera: degrees to the right, degrees above the floor"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};

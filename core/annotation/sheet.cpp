@@ -33,6 +33,29 @@ bool shares_band(const PixelBox& inside, const SheetParts& parts, const Sheet& s
     return parts.legend && parts.title && inside.width() >= min_width_to_share * sheet.text;
 }
 
+/// Whether there is a row of stills below the volume, and room for it.
+bool has_stills(const PixelBox& inside, const SheetParts& parts) {
+    constexpr double least = 0.7;  // height divided by width
+    return parts.ends && parts.stills && inside.height() >= least * inside.width();
+}
+
+/// Divides a band into the first frame, stills and the last frame, all of one size.
+void arrange_stills(const PixelBox& band, double aspect, Sheet& sheet) {
+    const int gap = sheet.text / 2;
+    constexpr int fewest = 7;
+    const int count = std::max(fewest, static_cast<int>((band.width() + gap) / (band.height() * aspect + gap)));
+    const int width = (band.width() - (count - 1) * gap) / count;
+    const int height = static_cast<int>(std::lround(width / aspect));
+    const auto place = [&](int k) {
+        // The last one ends at the margin.
+        const int left = k + 1 == count ? band.right - width : band.left + k * (width + gap);
+        return PixelBox{left, band.bottom - height, left + width, band.bottom};
+    };
+    sheet.first = place(0);
+    for (int k = 1; k + 1 < count; ++k) sheet.stills.push_back(place(k));
+    sheet.last = place(count - 1);
+}
+
 /// Arranges the bottom of the picture: the end frames and the strip between them.
 void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspect, Sheet& sheet) {
     const int gap = sheet.text;
@@ -42,8 +65,18 @@ void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspe
         floor -= sheet.text * 3 / 2;
         sheet.legend = {inside.left, floor, inside.right, inside.bottom};
     }
+    const int inside_floor = floor;
     int top = floor;
     PixelBox middle{inside.left, 0, inside.right, floor};
+    if (has_stills(inside, parts)) {
+        if (parts.strip) floor -= 8 * sheet.text + gap / 2;
+        arrange_stills({inside.left, floor - inside.height() * 2 / 15, inside.right, floor}, aspect, sheet);
+        top = sheet.first.top - caption;
+        if (parts.strip) sheet.strip = {inside.left, inside_floor - 8 * sheet.text, inside.right, inside_floor};
+        sheet.between.bottom = top;
+        sheet.map_area = {inside.left, 0, inside.right, top};
+        return;
+    }
     if (parts.ends) {
         // Large enough to recognise people in the frames.
         const int height = std::min(inside.height() * 9 / 50, static_cast<int>(inside.width() * 0.22 / aspect));
@@ -73,7 +106,7 @@ void arrange_top(const PixelBox& inside, const SheetParts& parts, Sheet& sheet) 
     if (shares_band(inside, parts, sheet)) sheet.legend = sheet.title;
     if (parts.explanation) sheet.explanation = take(sheet.small * 3 / 2);
     if (parts.portraits) {
-        const int still = std::min(inside.height() * 4 / 25, inside.width() / 6);
+        const int still = std::min(inside.height() * 4 / 25, inside.width() / (has_stills(inside, parts) ? 10 : 6));
         take(sheet.small / 2);
         sheet.captions = (parts.large_captions ? 4 : 2) * (sheet.small * 4 / 3);
         sheet.portraits = take(still + sheet.captions);

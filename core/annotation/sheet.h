@@ -16,13 +16,15 @@ struct SheetParts {
     bool legend = false;
     bool explanation = false;
     bool portraits = false;
-    bool ends = false;  ///< first and last frame
+    bool ends = false;    ///< first and last frame
+    bool stills = false;  ///< between these, if the picture is tall enough
     bool strip = false;
     bool large_captions = false;  ///< above portraits: for a picture that is shown smaller than it is
 };
 
 /// Layout of a picture. From the top: title and legend, explanation, portraits, volume. At the bottom: the first frame
-/// on the left, the last on the right, the time strip between them.
+/// on the left, the last on the right, the time strip between them. In a tall picture there are stills between the
+/// frames, and the time strip is below them.
 struct Sheet {
     Size picture;
     int text = 0;    ///< text size in pixels; 0 = the picture is too small for text
@@ -31,9 +33,10 @@ struct Sheet {
     PixelBox title;  ///< bands; empty if not shown
     PixelBox explanation;
     PixelBox portraits;
-    int captions = 0;  ///< height of the portraits' text, in the upper part of `portraits`
-    PixelBox first;    ///< the first frame
-    PixelBox last;     ///< the last frame
+    int captions = 0;              ///< height of the portraits' text, in the upper part of `portraits`
+    PixelBox first;                ///< the first frame
+    PixelBox last;                 ///< the last frame
+    std::vector<PixelBox> stills;  ///< between these, of the same size
     PixelBox strip;
     PixelBox legend;    ///< the title's band if they share it; then it doesn't overlap the title
     PixelBox map_area;  ///< where the map may be: above the strip, below the ruler's labels

@@ -17,42 +17,6 @@
 
 namespace vvr::page {
 
-void Stills::add(const media::SharedFrame& frame, std::int64_t activity) {
-    if (in_last_ == stretch_) end_stretch();
-    if (in_last_ == 0 && kept_.size() == most_) merge_neighbours();
-    ++in_last_;
-    if (best_ && activity <= best_activity_) return;
-    best_ = frame;
-    best_activity_ = activity;
-}
-
-void Stills::end_stretch() {
-    if (!best_) return;
-    kept_.push_back({{best_->index, best_->pts, image::resized(media::picture_of(*best_), size_)}, best_activity_});
-    best_.reset();
-    in_last_ = 0;
-}
-
-std::vector<Still> Stills::take() {
-    end_stretch();
-    std::vector<Still> stills;
-    stills.reserve(kept_.size());
-    for (Kept& kept : kept_) stills.push_back(std::move(kept.still));
-    kept_.clear();
-    return stills;
-}
-
-void Stills::merge_neighbours() {
-    for (std::size_t k = 0; k < most_ / 2; ++k) {
-        Kept& a = kept_[2 * k];
-        Kept& b = kept_[2 * k + 1];
-        Kept better = std::move(b.activity > a.activity ? b : a);
-        kept_[k] = std::move(better);
-    }
-    kept_.resize(most_ / 2);
-    stretch_ *= 2;
-}
-
 namespace {
 
 /// The frame that shows an event best. What was taken is seen until it goes.

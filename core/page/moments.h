@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/annotation/stills.h"
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
 #include "core/fields/field_source.h"
@@ -18,48 +19,8 @@
 
 namespace vvr::page {
 
-/// A small picture of one frame.
-struct Still {
-    std::int64_t frame = 0;  ///< index in the clip
-    double seconds = 0;
-    Plane<Bgr> picture;
-};
-
-/// Keeps stills spread evenly over a stream of unknown length. It divides the stream into stretches of equal length and
-/// keeps the most active frame of each. When there are too many stretches, it merges neighbours in pairs.
-class Stills {
-  public:
-    /// Maximum number of stills. For at least as many frames, more than half of it are kept.
-    static constexpr std::size_t most = 160;
-
-    /// \param size size of the stills
-    /// \param most_kept maximum number of stills, even
-    explicit Stills(Size size, std::size_t most_kept = most) : size_(size), most_(most_kept) {}
-
-    /// \param frame has its index in the clip; kept until the end of its stretch
-    /// \param activity any measure, such as the number of moving pixels
-    void add(const media::SharedFrame& frame, std::int64_t activity);
-
-    /// The stills in order of time. Call it once.
-    std::vector<Still> take();
-
-  private:
-    struct Kept {
-        Still still;
-        std::int64_t activity = 0;
-    };
-
-    void end_stretch();
-    void merge_neighbours();
-
-    Size size_;
-    std::size_t most_;
-    std::int64_t stretch_ = 1;  ///< frames
-    std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
-    media::SharedFrame best_;   ///< the most active frame of the last stretch; resized only at its end
-    std::int64_t best_activity_ = 0;
-    std::vector<Kept> kept_;  ///< of the stretches before
-};
+using annotation::Still;
+using annotation::Stills;
 
 /// The most informative still of a clip. Events are ranked by kind, then by how long the object stood, then by
 /// duration. Without events, it is the middle still.

@@ -29,8 +29,8 @@ def test_config_file_is_found(t, places):
         (places | {"XDG_CONFIG_HOME": "xdg"}, [], "40x30"),  # a relative one counts for nothing
         (named, [], "60x30"),
         (named, ["--config", "own.toml"], "70x30"),
-        (named, ["--config", "none"], "1280x800"),
-        (named | {"VVR_CONFIG": ""}, [], "1280x800"),
+        (named, ["--config", "none"], "1280x960"),
+        (named | {"VVR_CONFIG": ""}, [], "1280x960"),
     ]:
         said = t.vvr("config", "render", *arguments, env=environment).expect(0, out=None).out
         check(re.search(rf"^size +{expected} ", said, flags=re.MULTILINE), f"{arguments}: not {expected}: {said}")

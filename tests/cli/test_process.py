@@ -50,7 +50,7 @@ def test_signals_at_any_time_leave_all_or_nothing(t):
         done = [name for name in t.files() if name != "long.avi"]
         check(done in ([], ["out.png"]), f"left behind: {done}")
         if done:
-            t.expect_picture(size=(1280, 800))
+            t.expect_picture(size=(1280, 960))
             t.path("out.png").unlink()
         check(status in (0, -signal.SIGTERM), f"status {status}")
 
