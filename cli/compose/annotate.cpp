@@ -214,7 +214,8 @@ class Annotator {
         double idle = 0;
         for (const volume::CompressedIdle& stretch : composed_.compressed_idle) idle += stretch.seconds;
         if (idle > 0) text += fmt::format("; {} without motion are shortened", annotation::format_duration(idle));
-        for (const std::string& words : words_of(unseen_of(plan_, seen_))) text += "; " + words;
+        const auto moment = [this](double seconds) { return annotation::format_moment(seconds, plan_.read.clock); };
+        for (const std::string& words : words_of(unseen_of(plan_, seen_), moment)) text += "; " + words;
         return text;
     }
 

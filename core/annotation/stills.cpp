@@ -56,7 +56,11 @@ void Stills::merge_neighbours() {
 
 namespace {
 
-/// The boxes of events in a still, with the event's index as the track. Tracks of one event are joined.
+double area(const PixelBox& box) {
+    return static_cast<double>(box.width()) * box.height();
+}
+
+/// The boxes of events in a still, with the event's index as the track.
 std::vector<ObjectInStill> events_in(const Still& still, std::span<const std::optional<std::size_t>> event_of_track,
                                      std::span<const tracking::Event> events) {
     std::vector<ObjectInStill> found;
@@ -68,8 +72,14 @@ std::vector<ObjectInStill> events_in(const Still& still, std::span<const std::op
         const auto same = std::ranges::find(found, event, &ObjectInStill::track);
         if (same == found.end()) {
             found.push_back({event, box});
-        } else {
-            same->box = bounding_box(same->box, box);
+            continue;
+        }
+        // Parts of one object lie side by side; of people who walk apart, the larger one is marked.
+        const PixelBox both = bounding_box(same->box, box);
+        if (area(both) <= 2 * (area(same->box) + area(box))) {
+            same->box = both;
+        } else if (area(box) > area(same->box)) {
+            same->box = box;
         }
     }
     return found;
@@ -78,7 +88,7 @@ std::vector<ObjectInStill> events_in(const Still& still, std::span<const std::op
 /// How well an object can be seen: its size, less if the border cuts it off.
 double visibility(const PixelBox& box, Size field) {
     const bool cut = box.left <= 0 || box.top <= 0 || box.right >= field.width || box.bottom >= field.height;
-    return std::sqrt(static_cast<double>(box.width()) * box.height()) * (cut ? 0.5 : 1);
+    return std::sqrt(area(box)) * (cut ? 0.5 : 1);
 }
 
 /// A window of the frame's shape around some boxes: four times the smallest of them, so that their surroundings can be

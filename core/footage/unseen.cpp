@@ -16,26 +16,31 @@ namespace {
 
 constexpr double little = 1;  // seconds; less is lost in any network
 
-std::vector<std::string> faults_of(std::span<const condition::Interval> intervals) {
+std::vector<std::string> faults_of(std::span<const condition::Interval> intervals, const MomentText& moment) {
     std::vector<std::string> words;
     for (const condition::ConditionRow& row : condition::condition_rows) {
         if (row.cause.empty()) continue;
         double seconds = 0;
-        bool any = false;
+        int count = 0;
+        double begin = 0;  // of the only one
         for (const condition::Interval& interval : intervals) {
             if (interval.kind != row.kind) continue;
             seconds += interval.end - interval.begin;
-            any = true;
+            begin = interval.begin;
+            ++count;
         }
-        if (!any) continue;
-        words.push_back(seconds < little ? std::string(row.words) : fmt::format("{} for {:.1f} s", row.words, seconds));
+        if (count == 0) continue;
+        const bool is_moment = seconds < little;
+        std::string text = is_moment ? std::string(row.words) : fmt::format("{} for {:.1f} s", row.words, seconds);
+        if (count == 1 && moment) text += fmt::format(" {} {}", is_moment ? "at" : "from", moment(begin));
+        words.push_back(std::move(text));
     }
     return words;
 }
 
 }  // namespace
 
-std::vector<std::string> words_of(const Unseen& unseen) {
+std::vector<std::string> words_of(const Unseen& unseen, const MomentText& moment) {
     std::vector<std::string> words;
     if (!unseen.masked) {
         words.emplace_back("a part of the scene masked");
@@ -45,7 +50,7 @@ std::vector<std::string> words_of(const Unseen& unseen) {
     double lost = 0;
     for (const media::FrameGap& gap : unseen.gaps) lost += gap.numbered ? 0 : gap.end - gap.begin;
     if (lost >= little) words.push_back(fmt::format("no frames for {:.1f} s", lost));
-    std::ranges::move(faults_of(unseen.intervals), std::back_inserter(words));
+    std::ranges::move(faults_of(unseen.intervals, moment), std::back_inserter(words));
     if (unseen.damaged > 0) words.push_back(counted(unseen.damaged, "damaged packet"));
     if (unseen.dropped > 0) words.push_back(counted(unseen.dropped, "frame") + " dropped");
     return words;
@@ -85,7 +90,7 @@ std::vector<std::string> faults_from(const Json& json) {
         intervals.push_back({interval.at("begin").at("seconds").get<double>(),
                              interval.at("end").at("seconds").get<double>(), row->kind});
     }
-    return faults_of(intervals);
+    return faults_of(intervals, {});
 }
 
 Unseen unseen_areas_from(const Json& json) {

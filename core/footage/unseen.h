@@ -30,9 +30,13 @@ struct Unseen {
     std::int64_t dropped = 0;                      ///< frames of a live stream that came too fast
 };
 
-/// In a few words each: "50 % of the scene masked", "no new pictures for 20.0 s". Gaps that the ruler shows are left
-/// out.
-std::vector<std::string> words_of(const Unseen& unseen);
+/// A time in seconds as a text.
+using MomentText = std::function<std::string(double)>;
+
+/// In a few words each: "50 % of the scene masked", "no new pictures for 20.0 s from 0:30". Gaps that the ruler shows
+/// are left out.
+/// \param moment empty = no times
+std::vector<std::string> words_of(const Unseen& unseen, const MomentText& moment = {});
 
 /// \param moment a time in seconds as JSON
 nlohmann::ordered_json json_of(const Unseen& unseen, const std::function<nlohmann::ordered_json(double)>& moment);

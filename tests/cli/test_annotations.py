@@ -126,7 +126,7 @@ def test_parts_of_each_night(t):
     t.copy("2026-11-20_22-00-00.avi", "2026-11-21_21-59-50.avi", "2026-11-21_22-00-10.avi", "2026-11-22_12-00-00.avi")
     t.zone("UTC")
     files = sorted(path.name for path in t.path(".").glob("*.avi"))
-    t.vvr("render", *files, "-o", "out.png", "--size", "1000x700", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
+    t.vvr("render", *files, "-o", "out.png", "--size", "900x700", "--show", "volume,outline,ruler", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
     report = t.json("r.json")
     check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
     check("left out, no footage" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
