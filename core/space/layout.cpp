@@ -5,7 +5,7 @@ namespace vvr::space {
 const std::vector<LayoutRow>& layouts() {
     static const std::vector<LayoutRow> table = {
         {"horseshoe", "the volume bent into a half circle, time from left to right (§5.1)",
-         "around the horseshoe, from its left end to its right", make_horseshoe},
+         "along the arc, from left to right", make_horseshoe},
         {"box", "the volume undistorted, time along x", "from left to right", make_box},
     };
     return table;

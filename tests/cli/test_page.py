@@ -348,7 +348,7 @@ def test_page_of_hostile_names(t):
             check(page.run("return document.title") == name, page.run("return document.title"))
             check(page.source() == "the original clip", f"{name}: {page.source()} {page.run('return data.clip')}")
             count = page.run("return [document.scripts.length, document.images.length, document.querySelectorAll('b').length]")
-            plain = page.run("return [10, 3 + document.querySelectorAll('#events img, #letters img, #map img').length, document.querySelectorAll('#help b, #events b, #strip b, #letters b, #transport b').length + 1]")
+            plain = page.run("return [10, 4 + document.querySelectorAll('#events img, #letters img, #map img').length, document.querySelectorAll('#help b, #events b, #strip b, #letters b, #transport b').length + 1]")
             check(count == plain, f"{name}: the name made {count} of {plain} elements")
             check(page.complaints() == [], str(page.complaints()))
 

@@ -58,13 +58,13 @@ def test_page_is_readable_light_and_dark(t):
         page.run("choose(3); tell('Copied a link'); tip.hidden = false; askPlace({kind: 'box', from: [0, 0], to: [1, 1]})")
         expect_readable(page, 60)
         expect_names(page)
-        # Tab goes from the picture to the strip, the player and the list, as they stand.
+        # Tab goes from the film to the picture, the strip and the list, as they stand.
         order = []
         page.run("document.activeElement.blur(); getSelection().removeAllRanges(); scrollTo(0, 0)")
         for _ in range(44):
             page.key("\ue004")
             order.append(page.run("return document.activeElement.closest('[id]')?.id ?? ''"))
-        wanted = ["view", "divider", "previous", "play", "speed", "clock", "playall", "askbox", "share", "filters", "events", "strip"]
+        wanted = ["playall", "previous", "play", "speed", "clock", "divider", "view", "strip", "filters", "askbox", "share", "events"]
         stops = [name for name, before in zip(order, ["", *order]) if name in wanted and name != before]
         check(stops[:len(wanted)] == wanted, f"{order}")
 
@@ -139,13 +139,30 @@ def test_page_fits_every_window(t):
             ends = page.run("""const boxes = [...document.querySelectorAll('#ticks span')].map(e => e.getBoundingClientRect());
                 return boxes.map(b => [b.left, b.right]);""")
             check(all(left <= a and b <= right for a, b in ends), f"{width}x{height}: times in the strip are cut off: {ends}")
+            if width < 760:
+                expect_phone(page)
+                page.press("#tabvolume")
             high = page.run("return view.getBoundingClientRect().height")
             check(high > 90, f"{width}x{height}: the picture has {high} pixels")
             # The picture is cropped to its contents.
             used = page.run("""const b = picture.getBoundingClientRect();
                 const [left, top, right, bottom] = contents;
-                return [(right - left) / pictureSize[0] * b.width / view.clientWidth, (bottom - top) / pictureSize[1] * b.height / view.clientHeight];""")
+                return [(right - left) / pictureSize[0] * b.width / view.clientWidth, (bottom - top) / pictureSize[1] * b.height / room[1]];""")
             check(0.97 < max(used) < 1.03, f"{width}: what is drawn takes {used} of the view")
+
+
+def expect_phone(page):
+    """The film is on top, and the first event is in the upper half; each tab shows what it says."""
+    check(page.box("#screen")[3] < page.box("#strip")[1] < page.box("#tabs")[1], "another order")
+    top = page.box("#events .card")[1]
+    check(top < 450, f"the first event begins at {top}")
+    for tab, part in (("volume", "view"), ("map", "sheet"), ("events", "side")):
+        if tab == "map" and not page.run("return data.overlay.map"):
+            check(page.hidden("tabmap"), "a map that is not there")
+            continue
+        page.press(f"#tab{tab}")
+        shown = page.run("return ['view', 'sheet', 'side'].filter(id => document.getElementById(id).checkVisibility())")
+        check(shown == [part], f"{tab} shows {shown}")
 
 
 def expect_in_sight(page):
@@ -159,6 +176,8 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
     with Page(t, "out.html") as page:
         page.window(width, height, mobile=True)
         page.wait("the window", f"return innerWidth === {width}")
+        if width == 390:
+            page.press("#tabvolume")
         page.run("scrollTo(0, 0)")
         pixel, wide, high = page.run("return [pixels.frames.findIndex((frame, k) => k > pixels.frames.length / 2 && frame >= 0), ...pictureSize]")
         left, top, right, bottom = page.box("#picture")
@@ -167,9 +186,10 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
         page.touch("touchEnd")
         page.wait("it goes there", "return moved", 5)
         expect_in_sight(page)
-        page.run("scrollTo(0, document.documentElement.scrollHeight)")
+        page.run("set({tab: 'events'}); scrollTo(0, document.documentElement.scrollHeight)")
         page.run("document.querySelector('#events li:last-child .row').click()")
         expect_in_sight(page)
+        page.run("set({tab: 'volume'})")
         # Two fingers zoom, about the place between them.
         page.run("scrollTo(0, 0)")
         left, top, right, bottom = page.box("#view")

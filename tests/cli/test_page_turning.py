@@ -71,6 +71,8 @@ def turnable(t, name="out.html", width=390, height=844):
     """A page whose volume can be turned, in a window in which the software rasteriser is quick enough."""
     with Page(t, name, *SOFTWARE) as page:
         page.window(width, height)
+        if width < 760:
+            page.run("set({tab: 'volume'})")
         ready(page)
         yield page
 
@@ -188,6 +190,7 @@ def test_volume_has_the_film_inside(t):
         with Served(t.folder) as served, Page(t, served.url("out.html") if address == "http" else "out.html", *SOFTWARE) as page:
             page.window(390, 844)
             ready(page)
+            page.run("set({tab: 'volume'})")
             page.run("show(200, false)")
             page.wait("it is there", "return !video.seeking && now === 200")
             turn_to(page, (-35, 40))

@@ -270,7 +270,7 @@ test('keys', () => {
     const keys = [['ArrowRight', 'step', 1], ['ArrowDown', 'step', 1], ['ArrowLeft', 'step', -1], ['ArrowUp', 'step', -1], [' ', 'togglePlaying'],
                   ['k', 'togglePlaying'], ['K', 'togglePlaying'], ['j', 'goBy', -5], ['L', 'goBy', 5], [',', 'stepFrame', -1], ['.', 'stepFrame', 1],
                   ['0', 'showWhole'], ['<', 'changeSpeed', -1], ['>', 'changeSpeed', 1], ['e', 'toggleTour'], ['g', 'askTime'], ['f', 'toggleFullScreen'],
-                  ['x', 'swapPlaces'], ['a', 'searchByArea'], ['d', 'searchByLine'], ['?', 'showHelp'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
+                  ['x', 'changeShares'], ['a', 'searchByArea'], ['d', 'searchByLine'], ['?', 'showHelp'], ['Escape', 'leave'], ['+', 'zoom', 1.5], ['-', 'zoom', 1 / 1.5]];
     for (const [key, ...action] of keys) assert.deepEqual(pageAction({key}), action, key);
     assert.deepEqual(pageAction({key: 'ArrowRight', shiftKey: true}), ['pan', -80, 0]);
     assert.deepEqual(pageAction({key: 'ArrowUp', shiftKey: true}), ['pan', 0, 80]);
@@ -378,11 +378,11 @@ test('a still that has not come', () => {
 test('the legend says what the picture has, and no more', () => {
     const words = (settings, events, live = null) => entriesOf({settings, live}, events).map(entry => entry.words);
     const all = {color: 'object', show: 'volume,directions,legend'};
-    assert.deepEqual(words(all, [{stays: []}, {stays: [[3, 9]]}]), ['it stood', 'other changes', 'way it went']);
-    assert.deepEqual(words(all, [{stays: []}]), ['other changes', 'way it went']);
-    assert.deepEqual(words(all, []), ['other changes']);
-    assert.deepEqual(words({...all, show: 'volume'}, [{stays: [[3, 9]]}]), ['it stood', 'other changes']);
-    assert.deepEqual(words(all, [{stays: [[3, 9]]}], {state: 'watching'}), ['other changes', 'way it went']);
+    assert.deepEqual(words(all, [{stays: []}, {stays: [[3, 9]]}]), ['moved', 'stood or left', 'other change']);
+    assert.deepEqual(words(all, [{stays: []}]), ['moved', 'other change']);
+    assert.deepEqual(words(all, []), ['other change']);
+    assert.deepEqual(words({...all, show: 'volume'}, [{stays: [[3, 9]]}]), ['moved', 'stood or left', 'other change']);
+    assert.deepEqual(words(all, [{stays: [[3, 9]]}], {state: 'watching'}), ['moved', 'other change']);
     assert.deepEqual(words({...all, color: 'time'}, [{stays: [[3, 9]]}]), []);
     assert.deepEqual(words({color: 'object', show: 'map'}, [{stays: [[3, 9]]}]), []);
     assert.deepEqual(words({}, []), []);

@@ -24,7 +24,7 @@ const pageKeys = {
     e: ['toggleTour'],
     g: ['askTime'],
     f: ['toggleFullScreen'],
-    x: ['swapPlaces'],
+    x: ['changeShares'],
     a: ['searchByArea'],
     d: ['searchByLine'],
     '?': ['showHelp'],

@@ -4,7 +4,7 @@ import {askBy, askByKeys, askPlace} from './asking.js';
 import {choose, step} from './choice.js';
 import {pageAction} from './key_table.js';
 import {askTime, changeSpeed, goBy, stepFrame, togglePlaying, toggleTour} from './player.js';
-import {endFilling, swapPlaces, toggleFullScreen} from './layout.js';
+import {endFilling, changeShares, toggleFullScreen} from './layout.js';
 import {at} from '../shared/dom.js';
 import {state} from './state.js';
 import {turn, turnBack} from './turning.js';
@@ -23,7 +23,7 @@ function leave() {
 
 /** @type {Record<string, (...values: number[]) => void>} */
 const actions = {zoom: factor => zoom(factor), showWhole: () => { showWhole(); turnBack(); }, turn, togglePlaying, goBy, stepFrame, leave, step, pan,
-    changeSpeed, toggleTour, askTime, toggleFullScreen, swapPlaces, searchByArea: () => askByKeys('box'), searchByLine: () => askByKeys('line'),
+    changeSpeed, toggleTour, askTime, toggleFullScreen, changeShares, searchByArea: () => askByKeys('box'), searchByLine: () => askByKeys('line'),
     showHelp: () => at('help').toggleAttribute('open')};
 
 /**

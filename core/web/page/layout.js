@@ -1,4 +1,4 @@
-// How large the film is: the border that is dragged, picture and film that change places, full screen, zoom into the film.
+// How large the film is: the border that is dragged, full screen, zoom into the film; and what a phone shows below it.
 
 import {at, press, sharesWithin} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
@@ -8,10 +8,13 @@ import {set, state} from './state.js';
 const main = /** @type {HTMLElement} */ (document.querySelector('main'));
 const screen = at('screen');
 const divider = at('divider');
-const kept = 'vvr-side';  // the name under which the browser keeps the width
+const kept = 'vvr-film';  // the name under which the browser keeps the share
+const equal = 0.5;
 
-export function swapPlaces() {
-    if (!state.fills) set({large: state.large === 'film' ? 'picture' : 'film'});
+/** Equal halves, then a larger film, then a larger volume. */
+export function changeShares() {
+    if (state.fills) return;
+    setShare(state.filmShare === equal ? 0.68 : state.filmShare > equal ? 0.32 : equal);
 }
 
 /**
@@ -35,28 +38,42 @@ export function endFilling() {
 
 export const drawFilling = () => document.documentElement.toggleAttribute('data-filling', state.fills);
 
-/** @param {number} wide pixels */
-function setSide(wide) {
-    const side = clamp(Math.round(wide), 260, Math.max(260, innerWidth - 320));
-    set({side});
+/** @param {number} share of the film */
+function setShare(share) {
+    const near = Math.abs(share - equal) < 0.015 ? equal : share;  // the border stays in the middle when it is near
+    set({filmShare: clamp(Math.round(near * 1000) / 1000, 0.2, 0.8)});
     try {
-        localStorage.setItem(kept, String(side));
+        localStorage.setItem(kept, String(state.filmShare));
     } catch {
         // Nothing is kept then.
     }
 }
 
-export function drawPlaces() {
-    main.dataset.large = state.large;
-    press(at('larger'), state.large === 'film');
+export function drawShares() {
+    const {filmShare} = state;
+    main.style.setProperty('--film', filmShare + 'fr');
+    main.style.setProperty('--volume', 1 - filmShare + 'fr');
+    main.toggleAttribute('data-uneven', Math.abs(filmShare - equal) > 0.1);
+    press(at('larger'), filmShare !== equal);
+    divider.ariaValueNow = String(Math.round(100 * filmShare));
 }
 
-export function drawSide() {
-    if (state.side === null) main.style.removeProperty('--side');
-    else main.style.setProperty('--side', state.side + 'px');
-    main.toggleAttribute('data-sized', state.side !== null);
-    divider.ariaValueNow = String(Math.round(100 * at('side').clientWidth / Math.max(1, main.clientWidth)));
+export const drawTab = () => {
+    main.dataset.tab = state.tab;
+    for (const tab of tabs) press(at('tab' + tab), tab === state.tab);
+};
+
+/** @type {(typeof state.tab)[]} */
+const tabs = ['events', 'volume', 'map'];
+
+/** On a phone, the bar has no room for the kinds and the source. */
+function moveParts() {
+    const isPhone = narrow.matches;
+    if (isPhone) at('filters').querySelector('div')?.prepend(at('kinds'));
+    else at('heading').after(at('kinds'));
+    (isPhone ? at('side') : at('bar')).append(at('filmnow'));
 }
+const narrow = matchMedia('(max-width: 760px)');
 
 export function drawReel() {
     const {filmScale, filmMiddle} = state;
@@ -119,12 +136,15 @@ function listenToReel() {
 
 export function listenToLayout() {
     try {
-        const wide = Number(localStorage.getItem(kept));
-        if (wide > 0 && wide < innerWidth) setSide(wide);
+        const share = Number(localStorage.getItem(kept));
+        if (share > 0) setShare(share);
     } catch {
         // Nothing was kept.
     }
-    at('larger').addEventListener('click', swapPlaces);
+    for (const tab of tabs) at('tab' + tab).addEventListener('click', () => set({tab}));
+    moveParts();
+    narrow.addEventListener('change', moveParts);
+    at('larger').addEventListener('click', changeShares);
     at('fullscreen').addEventListener('click', toggleFullScreen);
     document.addEventListener('fullscreenchange', () => { if (!document.fullscreenElement) set({fills: false}); });
     divider.addEventListener('pointerdown', event => {
@@ -132,19 +152,15 @@ export function listenToLayout() {
         event.preventDefault();
     });
     divider.addEventListener('pointermove', event => {
-        if (divider.hasPointerCapture(event.pointerId)) setSide(main.getBoundingClientRect().right - event.clientX - 7);
+        if (divider.hasPointerCapture(event.pointerId)) setShare(sharesWithin(main, event)[0]);
     });
-    divider.addEventListener('dblclick', () => {
-        localStorage.removeItem(kept);
-        set({side: null});
-    });
+    divider.addEventListener('dblclick', () => setShare(equal));
     divider.addEventListener('keydown', event => {
-        const by = {ArrowLeft: 40, ArrowRight: -40}[event.key];
+        const by = {ArrowLeft: -0.03, ArrowRight: 0.03}[event.key];
         if (!by) return;
-        setSide(at('side').clientWidth + by);
+        setShare(state.filmShare + by);
         event.preventDefault();
         event.stopPropagation();
     });
-    addEventListener('resize', () => { if (state.side !== null) setSide(state.side); });
     listenToReel();
 }

@@ -1,4 +1,4 @@
-// What the picture's colours and marks mean, as the legend of a picture without a page says it.
+// What the picture's colours mean.
 
 /**
  * The entries for what the picture has; none if its colours are not those of objects.
@@ -9,9 +9,9 @@ export function entriesOf({settings, live}, events) {
     const shows = (settings.show ?? '').split(',');
     if (settings.color !== 'object' || !shows.includes('volume')) return [];
     return [
+        {sign: 'plain', words: 'moved', is: events.length > 0},
         // In a stream, the picture has its colours before it is known what stands.
-        {sign: 'stripes', words: 'it stood', is: !live && events.some(({stays}) => stays?.length)},
-        {sign: 'grey', words: 'other changes', is: true},
-        {sign: 'arrow', words: 'way it went', is: shows.includes('directions') && events.length > 0},
+        {sign: 'stripes', words: 'stood or left', is: !live && events.some(({stays}) => stays?.length)},
+        {sign: 'grey', words: 'other change', is: true},
     ].filter(({is}) => is);
 }

@@ -113,7 +113,7 @@ function portraitOf({event: place, box, to, place: at}) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
         caption.append(number, element('span', 'deed', ' ' + (event.deed ?? event.kind)));
-        if (overlayNow().captions * scaleNow() >= 32) caption.append(element('br'), element('span', 'times', time.clockOf(event.begin, false)));
+        if (overlayNow().captions * scaleNow() >= 40) caption.append(element('br'), element('span', 'times', time.fromTo(event.begin, event.end)));
         made.append(caption);
     } else {
         made.append(number);
@@ -261,15 +261,12 @@ export function drawRib() {
 
 export function drawLegend() {
     const {data, events} = state;
-    const stood = events.findIndex(({stays}) => stays?.length);
+    /** @type {Record<string, number>} */
+    const shows = {plain: 0, stripes: events.findIndex(({stays}) => stays?.length)};
     at('legend').replaceChildren(...entriesOf(data, events).map(({sign, words}) => {
         const entry = element('span', '', words);
         const swatch = element('i', sign);
-        if (sign === 'stripes') ofEvent(swatch, stood);
-        if (sign === 'arrow') {
-            const svg = appendShape('svg', {viewBox: '0 0 24 10', 'aria-hidden': true}, swatch);
-            appendShape('path', {d: 'M0 4h13V1l11 4-11 4V6H0z'}, svg);
-        }
+        if (sign !== 'grey') ofEvent(swatch, shows[sign]);
         entry.prepend(swatch);
         return entry;
     }));

@@ -120,10 +120,11 @@ function itemOf(place) {
     row.tabIndex = -1;
     const words = element('span', 'words');
     const [lasts, ...facts] = factsOf(event, kind, answerOf(event));
-    const head = element('b', '', time.clockOf(event.begin, false));
+    const head = element('b', '', time.fromTo(event.begin, event.end));
     head.prepend(ofEvent(element('span', 'number', String(numberOf(events, place))), place), ' ');
-    head.append(element('span', 'lasts', ' · ' + lasts));
-    words.append(head, element('span', 'kind ' + kind.emphasis, deedOf(event)));
+    const deed = element('span');
+    deed.append(element('span', 'kind ' + kind.emphasis, deedOf(event)), element('span', 'lasts', ' · ' + lasts));
+    words.append(head, deed);
     if (facts.length) words.append(element('small', '', facts.join(' · ')));
     if (marked?.note) words.append(element('small', 'noted', '✎ ' + marked.note));
     row.append(portraitOf(event), words);
@@ -164,6 +165,7 @@ export function drawList() {
     const count = events.length;
     const all = count ? count + (count === 1 ? ' event' : ' events') : 'Events';
     const hidden = state.showsHidden ? 0 : hiddenCount();
+    at('tabevents').textContent = `${places.length} event${places.length === 1 ? '' : 's'}`;
     at('heading').textContent = (places.length === count ? all : `${places.length} of ${all}`) + (hidden ? `, ${hidden} hidden` : '');
     at('previous', HTMLButtonElement).disabled = at('next', HTMLButtonElement).disabled = at('playall', HTMLButtonElement).disabled = places.length === 0;
     const items = count ? places.slice(0, mostListed).map(itemOf) : [element('li', 'none', data.events

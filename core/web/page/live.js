@@ -86,11 +86,11 @@ async function takeOver(text) {
 
 /** Before the page opens itself again. */
 function keepState() {
-    const {now, follows, scale, middle, large, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
+    const {now, follows, scale, middle, tab, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
         speed, chosen, events, stripFrom, stripLasts, time} = state;
     const strip = stripLasts < time.lasts * 0.999 ? {stripFrom, stripLasts} : {};
     sessionStorage.setItem(kept, JSON.stringify({
-        state: {now, follows, scale, middle, large, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
+        state: {now, follows, scale, middle, tab, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
             speed, ...strip},
         plays: isPlaying(), number: chosen === null ? null : numberOf(events, chosen)}));
 }

@@ -9,10 +9,11 @@ import {besideNow, choose, drawBeside, followAddress, leaveUnfound} from './choi
 import {drawCommands, listenToExport} from './export.js';
 import {wantedEvents} from './filters.js';
 import {listenToKeys} from './keys.js';
-import {drawFilling, drawPlaces, drawReel, drawSide, listenToLayout} from './layout.js';
+import {drawFilling, drawReel, drawShares, drawTab, listenToLayout} from './layout.js';
 import {drawLegend, drawLetters, drawLit, drawRib} from './letters.js';
 import {drawChips, drawChosen, drawClasses, drawFilters, drawList, drawLitRow, listenToList} from './list.js';
 import {drawAge, drawFollowing, followStream, takeKeptState} from './live.js';
+import {drawSheet, listenToSheet} from './map.js';
 import {takeArrived} from './parts.js';
 import {drawGround, drawVeil, readPicture} from './picture.js';
 import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, drawTour, followPlayer, isPlaying, listenToPlayer, openFilm, openWaiting, showsStill} from './player.js';
@@ -21,7 +22,7 @@ import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
 import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {inSentence} from './timeline.js';
-import {drawStage, listenToView, playCandidate, roomOf} from './view.js';
+import {drawFirst, drawStage, listenToView, playCandidate, roomOf} from './view.js';
 import {overlayNow} from './turned.js';
 import {drawTurning, followView, listenToTurning} from './turning.js';
 import {drawColours, drawDensity, drawLook, drawVolume, listenToVolume, prepareVolume} from './volume_view.js';
@@ -70,9 +71,11 @@ const parts = [
     {draw: drawAge, from: () => [state.data]},
     {draw: drawFollowing, from: () => [state.data, state.follows]},
     {draw: drawFilling, from: () => [state.fills]},
-    {draw: drawPlaces, from: () => [state.large]},
     {draw: drawLegend, from: () => [state.data, state.events]},
-    {draw: drawSide, from: () => [state.side]},
+    {draw: drawShares, from: () => [state.filmShare]},
+    {draw: drawTab, from: () => [state.tab]},
+    {draw: drawSheet, from: () => [state.tab, state.data, state.events, state.chosen, state.lightened, wantedEvents()]},
+    {draw: drawFirst, from: () => [state.isFirst, state.turnable]},
     {draw: leaveUnfound, from: () => [wantedEvents()]},
     {draw: drawChips, from: () => [state.events, state.kind]},
     {draw: drawClasses, from: () => [state.events, state.what]},
@@ -152,7 +155,7 @@ document.documentElement.dataset.script = '';
 state.room = roomOf();
 state.stripWidth = strip.clientWidth;
 drawAll(parts);
-for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToWhich, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToTurning, listenToVolume, listenToNeighbours]) listen();
+for (const listen of [listenToLayout, listenToPlayer, listenToPeeker, listenToView, listenToSheet, listenToWhich, listenToStrip, listenToList, listenToTools, listenToExport, listenToKeys, listenToTurning, listenToVolume, listenToNeighbours]) listen();
 linkIndex();
 takeArrival();
 addEventListener('hashchange', followAddress);

@@ -249,7 +249,7 @@ function followTour() {
 }
 
 export function drawTour() {
-    at('playall').textContent = state.touring ? 'Stop playing' : 'Play events';
+    at('playall').textContent = state.touring ? '■ Stop' : '▶ Play events';
     at('playall').setAttribute('aria-pressed', String(state.touring));
 }
 

@@ -41,8 +41,9 @@ export const {state, set, render, drawAll} = store({
     filmScale: 1,          // 1 = the whole film
     filmMiddle: [0.5, 0.5],
     fills: false,          // whether film and strip fill the window or the screen
-    large: /** @type {'picture' | 'film'} */ ('picture'),
-    side: /** @type {number | null} */ (null),  // width of the player in pixels; null = by the window
+    filmShare: 0.5,        // of the width that film and volume have
+    tab: /** @type {'events' | 'volume' | 'map'} */ ('events'),  // what a phone shows below the film
+    isFirst: false,        // whether nobody has dragged yet
     follows: data.live !== null,  // whether a stream's page shows the newest frame
     until: /** @type {number | null} */ (null),  // the frame at which playing ends; null = none
 

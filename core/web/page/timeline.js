@@ -191,6 +191,16 @@ export class Timeline {
     }
 
     /**
+     * From when to when, as short as it can be said.
+     * @param {number} begin
+     * @param {number} end
+     */
+    fromTo(begin, end) {
+        const [from, to] = [begin, end].map(seconds => this.clockOf(seconds, false));
+        return from === to ? from : `${from}–${to}`;
+    }
+
+    /**
      * Both times, that of the day first.
      * @param {number} seconds
      */

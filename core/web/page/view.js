@@ -153,6 +153,7 @@ function move(event) {
         if (press.drag) {
             Object.assign(finger, {x: event.clientX, y: event.clientY});
             view.classList.add('dragging');
+            endFirst();
             if (press.held) dragNow(press.held, pixelUnder(event));
             else if (event.shiftKey || !startTurning()) pan(byX, byY);
             else turnBy(byX, byY);
@@ -197,8 +198,8 @@ function playUnder(event, byFinger) {
     askWhich(/** @type {import('./which.js').Candidate[]} */ (meant), event);
 }
 
-/** The buttons of a narrow window have a row of their own. */
-export const roomOf = () => [view.clientWidth, view.clientHeight - parseFloat(getComputedStyle(view).getPropertyValue('--buttons') || '0')];
+/** Legend and buttons have a row of their own. */
+export const roomOf = () => [view.clientWidth, view.clientHeight - parseFloat(getComputedStyle(view).getPropertyValue('--buttons') || '0')].map(side => Math.max(1, side));
 
 /**
  * Where the frame of now is held; null = the pointer is on something else.
@@ -216,7 +217,30 @@ function showDefault() {
     turnBack();
 }
 
+const kept = 'vvr-dragged';  // the name under which the browser keeps that nothing needs to be said any more
+
+/** What to do here is said until it has been done. */
+export function drawFirst() {
+    at('first').hidden = !state.isFirst;
+    at('firstturn').hidden = !state.turnable;
+}
+
+function endFirst() {
+    if (!state.isFirst) return;
+    set({isFirst: false});
+    try {
+        localStorage.setItem(kept, '1');
+    } catch {
+        // It is said again then.
+    }
+}
+
 export function listenToView() {
+    try {
+        set({isFirst: !localStorage.getItem(kept)});
+    } catch {
+        set({isFirst: true});
+    }
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;
         fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});

@@ -83,7 +83,8 @@ async function prepare() {
 /** Pixels of the screen in the view. */
 function sizeOfView() {
     const dense = Math.min(devicePixelRatio || 1, 2);
-    const size = [view.clientWidth * dense, view.clientHeight * dense];
+    // On a phone it may not be shown yet.
+    const size = [(view.clientWidth || innerWidth) * dense, (view.clientHeight || innerWidth * 0.7) * dense];
     const factor = Math.min(1, Math.sqrt(mostPixels / Math.max(1, size[0] * size[1])));
     return size.map(side => Math.max(1, Math.round(side * factor)));
 }
