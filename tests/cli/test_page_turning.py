@@ -226,6 +226,38 @@ def test_volume_of_a_piece_of_time(t):
         check(abs(ends[0] - first) < 0.2 and abs(ends[1] - last) < 0.2, f"{ends}, not {first} to {last}")
         page.press("#bend")
         check(page.run("return piece") is None, "all again")
+        # A brush along the strip's times chooses a piece without a zoom, and the volume follows it.
+        page.press("#stripwhole")
+        page.drag("#rail", (0.25, 0.5), (0.4, 0.5), (0.5, 0.5))
+        begins, lasts = page.run("return [time.begins, time.lasts]")
+        chosen = page.run("return [(brush[0] - arguments[0]) / arguments[1], (brush[1] - arguments[0]) / arguments[1]]", begins, lasts)
+        check(abs(chosen[0] - 0.25) < 0.02 and abs(chosen[1] - 0.5) < 0.02, f"{chosen}")
+        check(page.run("return [now, piece]")[1] is None, "a brush alone cuts")
+        page.press("#cut")
+        check(page.run("return piece") == page.run("return brush"), "another piece")
+        page.drag("#rail", (0.5, 0.5), (0.6, 0.5), (0.75, 0.5))
+        check(page.run("return piece") == page.run("return brush") and page.run("return (piece[0] - time.begins) / time.lasts > 0.45"), "it does not follow")
+        page.run("document.activeElement.blur()")
+        page.key("\ue00c")
+        check(page.run("return [brush, piece]") == [None, None], "Escape does not end it")
+
+
+def test_volume_shows_only_what_the_list_has(t):
+    bag(t)
+    events = """const {clientWidth, clientHeight} = document.getElementById('view');
+        const found = new Set();
+        for (let y = 4; y < clientHeight; y += 8) for (let x = 4; x < clientWidth; x += 8) found.add(vvr.pickedAround(x, y, 0).objects[0]);
+        return [...found].filter(place => place >= 0).sort();"""
+    with turnable(t) as page:
+        turn_to(page, (-30, 40))
+        everything = page.run(events)
+        check(len(everything) > 1, f"{everything}")
+        kind, wanted = page.run("const kind = events[arguments[0]].kind; return [kind, [...events.keys()].filter(place => events[place].kind === kind)]", everything[0])
+        page.run("set({kind: arguments[0]})", kind)
+        settled(page)
+        check(set(page.run(events)) == set(wanted) & set(everything), f"{page.run(events)}, not {wanted}")
+        shown = page.run("return [...document.querySelectorAll('#letters [data-event]')].filter(e => e.checkVisibility()).map(e => Number(e.dataset.event))")
+        check(set(shown) <= set(wanted), f"numbers of {shown}")
 
 
 def test_volume_gives_way_to_the_picture(t):

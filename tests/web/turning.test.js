@@ -10,7 +10,7 @@ import {angleBetween, angleWithin, framingOf, timesOf} from '../../core/web/page
 import {pageAction} from '../../core/web/page/key_table.js';
 import {edgeLines, layouts, markAt, outerEdge, outlinePoints} from '../../core/web/page/layouts.js';
 import {Timeline} from '../../core/web/page/timeline.js';
-import {distances, unpacked} from '../../core/web/page/volume_data.js';
+import {distances, extinctionAt, unpacked} from '../../core/web/page/volume_data.js';
 
 const near = (value, wanted, reach = 1e-9) => assert.ok(Math.abs(value - wanted) < reach, `${value}, not ${wanted}`);
 const allNear = (values, wanted, reach) => values.forEach((value, k) => near(value, wanted[k], reach));
@@ -160,4 +160,13 @@ test('the command that draws what is seen', () => {
     assert.equal(renderCommand(data, time, {...turned, unbent: true, density: 2, piece: [1, 2.5], bends: true}),
                  "vvr render './a b.mp4' --camera -30,12.5 --layout box --opacity 2.00 --start 1.000s --end 2.500s -o turned.png");
     assert.equal(renderCommand({...data, clip: null}, time, turned), null);
+});
+
+test('fainter is a smaller opacity and a higher threshold', () => {
+    const extinction = Array.from({length: 256}, (_, k) => k < 50 ? 0 : k);
+    for (const scalar of [0, 10, 50, 99.5, 255]) near(extinctionAt(extinction, scalar, 1), scalar < 50 ? 0 : scalar);
+    assert.equal(extinctionAt(extinction, 55, 0.5), 0);
+    near(extinctionAt(extinction, 100, 0.5), 45);
+    near(extinctionAt(extinction, 45, 2), 110);
+    assert.equal(extinctionAt(extinction, 0, 16), 0);
 });

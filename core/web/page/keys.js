@@ -7,6 +7,7 @@ import {askTime, changeSpeed, goBy, stepFrame, togglePlaying, toggleTour} from '
 import {endFilling, changeShares, toggleFullScreen} from './layout.js';
 import {at} from '../shared/dom.js';
 import {state} from './state.js';
+import {endBrush} from './strip.js';
 import {turn, turnBack} from './turning.js';
 import {pan, showWhole, zoom} from './view.js';
 import {endWhich} from './which.js';
@@ -18,6 +19,7 @@ function leave() {
     else if (endWhich() || endFilling()) return;
     else if (state.asking) askBy(state.asking);
     else if (state.chosen !== null) choose(null);
+    else if (endBrush()) return;
     else askPlace(null);
 }
 

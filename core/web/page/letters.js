@@ -5,6 +5,7 @@ import {appendShape, at, element} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {overlap, pointIn, roomFor, sectionAt, trailOf} from './arc.js';
 import {numberOf, pointAt} from './events.js';
+import {asksForSome, wantedEvents} from './filters.js';
 import {entriesOf} from './legend.js';
 import {litEvents} from './picture.js';
 import {pictureSize, state} from './state.js';
@@ -225,8 +226,10 @@ export function drawLetters() {
 export function drawLit() {
     const {events} = state;
     const shown = litEvents();
+    const wanted = state.turns && asksForSome() ? wantedEvents() : null;
     for (const root of [letters, lines]) {
         for (const child of root.querySelectorAll('[data-event]')) {
+            child.classList.toggle('off', wanted !== null && !wanted.includes(Number(child.getAttribute('data-event'))));
             child.classList.toggle('pale', shown !== null && !shown.includes(Number(child.getAttribute('data-event'))));
         }
         for (const child of root.querySelectorAll('.lit')) child.classList.remove('lit');

@@ -20,7 +20,7 @@ import {drawClocks, drawJump, drawPlayButton, drawPlayer, drawSpeed, drawStill, 
 import {drawPeek, drawTip, listenToPeeker, openPeeker} from './pointing.js';
 import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
-import {drawBars, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
+import {drawBars, drawBrush, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {inSentence} from './timeline.js';
 import {drawFirst, drawStage, listenToView, playCandidate, roomOf} from './view.js';
 import {overlayNow} from './turned.js';
@@ -89,6 +89,7 @@ const parts = [
     {draw: drawRange, from: () => [state.time]},
     {draw: followNow, from: () => [state.now, state.chosen, state.moved]},
     {draw: drawPart, from: () => [state.time, state.stripFrom, state.stripLasts]},
+    {draw: drawBrush, from: () => [state.brush, state.piece, state.turnable, state.stripFrom, state.stripLasts]},
     {draw: drawTicks, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
     {draw: drawGaps, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth]},
     {draw: drawBars, from: () => [state.time, state.stripFrom, state.stripLasts, state.stripWidth, wantedEvents()]},
@@ -110,9 +111,9 @@ const parts = [
     {draw: drawDensity, from: () => [state.density]},
     {draw: drawVolume, from: () => [state.turns, ...state.angle, state.unbent, state.density, state.piece, state.bends, state.now, state.moved, state.scale,
                                     ...state.middle, ...state.room, state.contents, state.dark, state.ground, state.chosen, state.lightened, wantedEvents()]},
-    {draw: drawTurning, from: () => [state.turnable, state.turns, state.piece, state.bends, state.stripLasts]},
+    {draw: drawTurning, from: () => [state.turnable, state.turns, state.brush, state.piece, state.bends, state.stripLasts]},
     {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked, overlayNow()]},
-    {draw: drawLit, from: () => [state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
+    {draw: drawLit, from: () => [state.turns, state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, showsStill()]},
     {draw: drawCommands, from: () => [state.data, state.chosen, state.gone, state.now]},

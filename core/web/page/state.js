@@ -79,6 +79,7 @@ export const {state, set, render, drawAll} = store({
     unbent: false,            // whether it is straight
     density: 1,               // a factor on its extinction
     piece: /** @type {[number, number] | null} */ (null),  // of the time, in seconds; null = all
+    brush: /** @type {[number, number] | null} */ (null),  // the part of the strip that is chosen for it
     bends: false,             // whether the piece has all of the arc
 
     // the strip of time, in seconds

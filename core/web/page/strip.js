@@ -192,16 +192,47 @@ export function drawRange() {
 /** @type {Record<string, (value: number) => void>} */
 const actions = {goBy, zoomStrip: zoomAtNow, goToFirst: () => goTo(state.time.firstFrame), goToLast: () => goTo(state.time.lastFrame)};
 
+/** The piece of time that is chosen for the volume. */
+export function drawBrush() {
+    const {brush, piece, turnable} = state;
+    const chosen = brush ?? piece;
+    at('rail').hidden = !turnable;
+    at('brush').hidden = !chosen;
+    if (!chosen) return;
+    const [from, to] = chosen.map(seconds => clamp(shareOnStrip(seconds), 0, 1));
+    at('brush').style.left = from * 100 + '%';
+    at('brush').style.width = (to - from) * 100 + '%';
+}
+
 /**
- * Where the pointer went down, and whether it was dragged from there.
- * @type {{x: number, far: boolean, down: boolean} | null}
+ * Chooses a piece of time; the volume that is cut or bent already follows.
+ * @param {number} from seconds
+ * @param {number} to
+ */
+function brushOver(from, to) {
+    /** @type {[number, number]} */
+    const brush = from < to ? [from, to] : [to, from];
+    set(state.piece ? {brush, piece: brush} : {brush});
+}
+
+/** @returns {boolean} whether there was anything to end */
+export function endBrush() {
+    const had = state.brush !== null || state.piece !== null;
+    if (had) set({brush: null, piece: null, bends: false});
+    return had;
+}
+
+/**
+ * Where the pointer went down, and whether it was dragged from there; from: seconds, where it chooses a piece.
+ * @type {{x: number, far: boolean, down: boolean, from: number | null} | null}
  */
 let rubbing = null;
 
 export function listenToStrip() {
     strip.addEventListener('pointerdown', event => {
         if (event.button !== 0) return;
-        rubbing = {x: event.clientX, far: false, down: true};
+        const brushes = state.turnable && (event.shiftKey || event.target === at('rail'));
+        rubbing = {x: event.clientX, far: false, down: true, from: brushes ? secondsOnStrip(event) : null};
         strip.setPointerCapture(event.pointerId);
     });
     strip.addEventListener('pointermove', event => {
@@ -209,7 +240,8 @@ export function listenToStrip() {
         const seconds = secondsOnStrip(event);
         const frame = state.time.frameAt(seconds);
         const reason = state.time.reasonAt(seconds);
-        if (drags) goTo(frame);
+        if (drags && rubbing && rubbing.from !== null) brushOver(rubbing.from, seconds);
+        else if (drags) goTo(frame);
         point(frame, event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOf(event.target),
               reason ? `${inSentence(reason)} after ` : '');
     });
@@ -219,6 +251,10 @@ export function listenToStrip() {
     strip.addEventListener('pointerleave', () => point(null));
     strip.addEventListener('click', event => {
         if (rubbing?.far) return;  // it was a drag
+        if (rubbing && rubbing.from !== null) {
+            endBrush();
+            return;
+        }
         const place = barAt(event);
         choose(place);  // nothing is there: all again
         show(state.time.frameAt(secondsOnStrip(event)), true, {until: place === null ? null : state.events[place].last});

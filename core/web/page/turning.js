@@ -136,23 +136,24 @@ export function heldAt(pixel) {
 }
 
 /**
- * A piece of time: what is zoomed in the strip, or all.
+ * A piece of time: what is chosen in the strip, or what is zoomed there; again, all.
  * @param {boolean} bends
  */
 function choosePiece(bends) {
     if (!startTurning()) return;
-    const {stripFrom, stripLasts} = state;
+    const {stripFrom, stripLasts, brush} = state;
+    const [from, to] = brush ?? [stripFrom, stripFrom + stripLasts];
     const isOn = state.piece !== null && state.bends === bends;
-    set(isOn ? {piece: null, bends: false} : {piece: [stripFrom, stripFrom + stripLasts], bends});
-    if (!isOn && !isPlaying() && state.moved && tOf(state.now) !== Math.min(1, Math.max(0, tOf(state.now)))) goTo(state.time.frameAt(stripFrom));
+    set(isOn ? {piece: null, bends: false} : {piece: [from, to], bends});
+    if (!isOn && !isPlaying() && state.moved && tOf(state.now) !== Math.min(1, Math.max(0, tOf(state.now)))) goTo(state.time.frameAt(from));
 }
 
 export function drawTurning() {
-    const {turnable, turns, piece, bends, stripLasts, time} = state;
+    const {turnable, turns, brush, piece, bends, stripLasts, time} = state;
     at('turning').hidden = !turnable;
     at('copyview').hidden = !turnable;
     const isWhole = stripLasts >= time.lasts * 0.999;
-    at('piece').hidden = !turnable || isWhole && !piece;
+    at('piece').hidden = !turnable || isWhole && !brush && !piece;
     press(at('cut'), turns && piece !== null && !bends);
     press(at('bend'), turns && piece !== null && bends);
 }

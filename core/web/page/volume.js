@@ -4,6 +4,7 @@ import {bytesOf} from './base64.js';
 import {matrixOf, plus, toLight} from './camera.js';
 import {layouts} from './layouts.js';
 import {arrowSources, lineSources, marchSources} from './shaders.js';
+import {extinctionAt} from './volume_data.js';
 
 /**
  * @typedef {import('./camera.js').Camera} Camera
@@ -185,8 +186,7 @@ export class Volume {
         const {gl, data: {extinction}} = this;
         const table = new Float32Array(1021 * 4);
         for (let k = 0; k < 1021; ++k) {
-            const [low, share] = [k >> 2, (k & 3) / 4];
-            table[4 * k + 3] = (extinction[low] + share * ((extinction[low + 1] ?? extinction[low]) - extinction[low])) * Math.LOG2E * factor;
+            table[4 * k + 3] = extinctionAt(extinction, k / 4, factor) * Math.LOG2E;
         }
         gl.activeTexture(gl.TEXTURE0 + units.transfer);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 1021, 1, 0, gl.RGBA, gl.FLOAT, table);

@@ -95,3 +95,17 @@ export function distances(owners, [width, height, layers]) {
     }
     return {cells, far};
 }
+
+const reach = 10;  // scalars by which the threshold moves while the opacity doubles
+
+/**
+ * The extinction of a scalar. Fainter is a smaller opacity and a higher threshold, more solid the opposite.
+ * @param {number[]} extinction of each scalar
+ * @param {number} scalar
+ * @param {number} factor 1 = as the program draws it
+ */
+export function extinctionAt(extinction, scalar, factor) {
+    const from = Math.min(extinction.length - 1, Math.max(0, scalar + reach * Math.log2(factor)));
+    const low = Math.floor(from);
+    return scalar === 0 ? extinction[0] : (extinction[low] + (from - low) * ((extinction[low + 1] ?? extinction[low]) - extinction[low])) * factor;
+}

@@ -4,6 +4,7 @@
 import {at} from '../shared/dom.js';
 import {cropped, plus} from './camera.js';
 import {stillNear} from './events.js';
+import {asksForSome, wantedEvents} from './filters.js';
 import {edgeLines, markAt} from './layouts.js';
 import {litEvents} from './picture.js';
 import {previewUrl, showsStill, video} from './player.js';
@@ -173,6 +174,7 @@ export function drawLook() {
     const {palette} = schemeNow();
     const count = 4 * (state.events.length + 1);
     const faint = 0.06;  // of what is not lit
+    const wanted = asksForSome() ? wantedEvents() : null;  // what the list does not have is off
     // What the pointer lights must not decide what it is on.
     for (const [name, lit] of /** @type {const} */ ([['palette', litEvents()], ['picks', litEvents(null)]])) {
         const table = new Float32Array(Math.ceil(count / 256) * 1024);
@@ -181,7 +183,8 @@ export function drawLook() {
             const look = place < 0 ? 0 : 1 + 3 * (colours[place] ?? 0) + Math.min(owner & 3, 2);
             const [red, green, blue, factor] = palette[look];
             const isLit = lit === null || lit.includes(place);
-            table.set([red, green, blue, factor * (isLit ? 1 : faint)], 4 * owner);
+            const isOff = wanted !== null && !wanted.includes(place);
+            table.set([red, green, blue, factor * (isOff ? 0 : isLit ? 1 : faint)], 4 * owner);
         }
         volume.setPalette(table, name);
     }
