@@ -97,11 +97,19 @@ Json json_of(const tracking::Evidence& evidence) {
             {"refuted", evidence.refuted ? Json(tracking::name_of(*evidence.refuted)) : Json()}};
 }
 
+Json json_of(const tracking::Signs& signs) {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < signs.size(); ++k) json[std::string(tracking::sign_table[k].name)] = rounded(signs[k]);
+    return json;
+}
+
 Json json_of(const tracking::Change& change, const VideoScale& scale) {
     return {{"first", json_of(change.first)},
             {"last", json_of(change.last)},
             {"box", json_of_box(scale(change.box))},
             {"field_box", json_of_box(change.box)},
+            {"probability", rounded(tracking::probability_of(change.signs))},
+            {"signs", json_of(change.signs)},
             {"evidence", json_of(change.evidence)}};
 }
 
@@ -124,6 +132,8 @@ Json json_of(const ShownEvents& shown, std::size_t place, const VideoScale& scal
               {"into", number_of(event.into)},
               {"by", number_of(event.by)},
               {"alone_since", event.alone_since ? json_of(*event.alone_since) : Json()},
+              {"probability", rounded(tracking::probability_of(event.signs))},
+              {"signs", json_of(event.signs)},
               {"evidence", event.evidence ? json_of(*event.evidence) : Json()},
               {"portrait", json_of(event.portrait, scale)},
               {"box", json_of_box(scale(event.box))},

@@ -162,10 +162,11 @@ double confidence_of(const Evidence& evidence) {
     return std::min({
         at_least(evidence.difference, thresholds.claim.difference),
         at_least(stronger - weaker, thresholds.claim.outline),
+        at_least(stronger / std::max(1.0, weaker), thresholds.claim.ratio),
         at_least(evidence.thickness, thresholds.claim.thickness),
         at_least(evidence.alone, thresholds.bearer),
         at_most(evidence.moved, thresholds.claim.moved),
-        at_least(evidence.novelty, thresholds.event.novelty),
+        at_least(evidence.novelty, thresholds.claim.novelty),
         at_most(evidence.flicker, thresholds.pixel.flicker),
         at_most(evidence.changed, thresholds.claim.changed),
         evidence.carried ? 1.0 : 0.0,

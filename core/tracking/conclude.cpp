@@ -19,6 +19,7 @@ namespace {
 struct Candidate {
     std::vector<std::size_t> tracks;
     Tracklet whole;
+    Signs signs{};
     EventKind kind = EventKind::moved;
     bool wanted = true;
     bool is_claim = false;                // nobody saw it move: the evidence decides
@@ -27,6 +28,25 @@ struct Candidate {
     bool from_first = false;              // it was there when its stretch began
     bool to_last = false;
 };
+
+Signs signs_of(const Tracklet& tracklet, Size field) {
+    return {std::max(0.0, tracklet.difference.texture),
+            std::max(-0.5, straightness_of(tracklet.path)),
+            std::log(std::clamp(tracklet.seconds(), 0.1, 20.0)),
+            std::log(std::max(1e-4, tracklet.area / field.width / field.height)),
+            tracklet.seen,
+            tracklet.begin.at_border || tracklet.end.at_border ? 1.0 : 0.0,
+            tracklet.from ? 1.0 : 0.0,
+            tracklet.settled ? 1.0 : 0.0};
+}
+
+bool has_moved(const Tracklet& tracklet) {
+    return tracklet.moved >= thresholds.most * tracklet.length;
+}
+
+bool is_likely(const Candidate& candidate) {
+    return probability_of(candidate.signs) >= thresholds.event.probability;
+}
 
 class Conclusion {
   public:
@@ -114,7 +134,7 @@ class Conclusion {
 
     /// Whether it stood there in all frames of all stretches of this view that are long enough to tell.
     bool was_always_there(const Candidate& candidate) const {
-        if (!candidate.from_first || !candidate.to_last) return false;
+        if (has_moved(candidate.whole) || !candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
             const Stretch& stretch = span_.stretches[k];
             if (stretch.view != stretch_of(candidate.whole).view) continue;
@@ -136,17 +156,12 @@ class Conclusion {
         Tracklet& tracklet = candidate.whole;
         std::erase_if(tracklet.stays,
                       [this](const Stay& stay) { return was_damaged(stay.first.seconds, stay.last.seconds); });
-        const bool went =
-            tracklet.moved >= thresholds.event.own_lengths * tracklet.length && tracklet.seen >= thresholds.most;
         const bool stands_only = tracklet.settled && tracklet.stood_from_start;
-        const bool jumps = tracklet.continuous < thresholds.event.continuous ||
-                           (!tracklet.settled && straightness_of(tracklet.path) < thresholds.event.steady_way);
-        const bool inside = !tracklet.begin.at_border && !tracklet.end.at_border && !tracklet.settled;
-        const double least = tracklet.from || inside ? thresholds.stationary.stay : thresholds.event.least;
         candidate.wanted =
-            tracklet.seconds() >= least && !jumps && (went || tracklet.settled) && !is_overlay(tracklet.box);
+            tracklet.is_confirmed() && (has_moved(tracklet) || tracklet.settled) && !is_overlay(tracklet.box);
         if (!candidate.wanted) return;
-        if (tracklet.novelty < thresholds.event.novelty) {
+        candidate.signs = signs_of(tracklet, span_.field);
+        if (tracklet.difference.novelty < thresholds.claim.novelty || (!stands_only && !is_likely(candidate))) {
             demote_to_change(candidate);
             return;
         }
@@ -311,9 +326,14 @@ class Conclusion {
             evidence.moved = 0;
         }
         evidence.carried = candidate.carried;
-        evidence.novelty = candidate.whole.novelty;
+        evidence.novelty = candidate.whole.difference.novelty;
         evidence.confidence = confidence_of(evidence);
-        if (evidence.confidence < 0.5) demote_to_change(candidate);
+        if (evidence.confidence >= 0.5 && !touches_border(candidate.whole.settled->patch.box, span_.field)) return;
+        if (!candidate.from_first || is_ghost(candidate.whole) || !is_likely(candidate)) {
+            demote_to_change(candidate);
+            return;
+        }
+        candidate.kind = EventKind::stood;
     }
 
     /// Lists it as a change instead of an event.
@@ -322,8 +342,8 @@ class Conclusion {
         const Tracklet& tracklet = candidate.whole;
         const PixelBox& box = tracklet.settled ? tracklet.settled->patch.box : tracklet.box;
         Evidence evidence = tracklet.settled ? tracklet.settled->evidence : Evidence{};
-        evidence.novelty = tracklet.novelty;
-        found_.changes.push_back({tracklet.begin.at, tracklet.end.at, box, evidence});
+        evidence.novelty = tracklet.difference.novelty;
+        found_.changes.push_back({tracklet.begin.at, tracklet.end.at, box, evidence, candidate.signs});
     }
 
     /// Whether the bearer came, stayed within one length and left with the thing: then it is a part of the bearer.
@@ -381,6 +401,7 @@ class Conclusion {
             if (!row_of(event.kind).is_of_scene) event.portrait = tracklet.portrait;
             event.open_ended = lasts_to_end(candidate);
             event.view = stretch_of(tracklet).view;
+            event.signs = candidate.signs;
             if (tracklet.in_scene && tracklet.settled) {
                 event.in_scene = ScenePatch{tracklet.settled->patch.box, tracklet.settled->patch.values};
             }

@@ -13,6 +13,7 @@
 #include "core/base/wall_clock.h"
 #include "core/detector/classes.h"
 #include "core/tracking/event_kind.h"
+#include "core/tracking/signs.h"
 
 namespace vvr::tracking {
 
@@ -72,6 +73,7 @@ struct Change {
     Moment last;
     PixelBox box;  ///< field pixels
     Evidence evidence;
+    Signs signs{};
 };
 
 /// One object in the space-time volume, from its first to its last frame.
@@ -90,6 +92,7 @@ struct Event {
     std::optional<Portrait> portrait;
     std::optional<ScenePatch> in_scene;  ///< none if the fields show it while it was there
     std::optional<Evidence> evidence;    ///< for what was left or taken
+    Signs signs{};                       ///< what speaks for it
     std::optional<Identity> identity;    ///< none without a detector, or if it knows no such object
     bool open_ended = false;             ///< it lasted until a gap or the end of the clip: what came then is unknown
     std::size_t view = 0;                ///< of the camera, as `fields::Field::view`

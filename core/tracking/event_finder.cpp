@@ -97,7 +97,7 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
         }
         const bool whole = part >= thresholds.stationary.undisturbed;
         standing->uncovered.reset();
-        track.update_stationary(sight, now, whole, about(track).has_value());
+        track.update_stationary(sight, scene(), now, whole, about(track).has_value());
         // The rim of an object is never quite still. If somebody is near, the rim may be theirs, and stays.
         const int rim = whole ? reach_ + 1 : 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t value) {
@@ -180,6 +180,10 @@ bool EventFinder::moves_again(std::size_t k, Blobs& blobs, std::vector<Appearanc
         if (any && !assignment.fragment_of[b]) own.push_back(b);
     }
     if (own.empty()) return false;
+    if (tracks_[k].shows_scene(scene())) {
+        end(tracks_[k], false, now);
+        return true;
+    }
     const std::size_t place = *std::ranges::max_element(own, {}, [&](std::size_t b) { return blobs.patches[b].area; });
     for (const std::size_t b : own) {
         for (const std::size_t piece : assignment.tracks[b]) tracks_[piece].end();
@@ -324,7 +328,7 @@ void EventFinder::settle(const FrameView& sight, const Moment& now) {
         if (!track.is<Moving>() || track.seen().frame != now.frame) continue;
         if (!track.has_settled(steadiness_, flicker_, now)) continue;
         part_with_bearer(track, sight, now);
-        track.settle(steadiness_, flicker_, sight, now);
+        track.settle(steadiness_, flicker_, sight, scene(), now);
         track.set_changed(share_at(track.still_since()));
         merge_stationary(track);
     }

@@ -65,7 +65,8 @@ struct Thresholds {
         double settled_part = 0.6;  ///< share of its pixels that must be steady
         double apart = 0.6;         ///< lengths; largest gap between two parts of one object, or shift of its place
         double near_place = 0.75;   ///< widths or heights; an object that moved less was there from the start
-        double undisturbed = 0.8;   ///< share of its pixels; with more visible, nobody occludes it
+        double uncovered = 3;      ///< ratio of its place's outline in the empty scene to that in its stay: it had left
+        double undisturbed = 0.8;  ///< share of its pixels; with more visible, nobody occludes it
     } stationary;
 
     /// Which tracklet continues another after a gap. The cost is the mean of the distance, the gap and the looks, each
@@ -84,10 +85,9 @@ struct Thresholds {
 
     /// What counts as an event.
     struct {
-        double least = 0.8;  ///< seconds, `stationary.stay` inside the picture; shorter ones are flashes or fragments
+        double least = 0.8;        ///< seconds; shorter ones are flashes or fragments
+        double probability = 0.4;  ///< from its signs, at least: see signs.h
         double own_lengths = 1.5;  ///< lengths; a moving object goes at least this far, a flag flutters in place
-        double steady_way = 0.5;   ///< mean cosine between steps of its path, at least; leaves and rain turn back
-        double novelty = 0.18;     ///< Hellinger distance to the scene's looks, at least; a door or a flag has less
         double continuous = 0.75;  ///< share of its detections without a jump, at least; raindrops jump each time
     } event;
 
@@ -97,8 +97,10 @@ struct Thresholds {
         double sampled = 0.2;     ///< seconds between two frames of a mean picture, or between two portraits
         double difference = 7;    ///< grey levels, at least, between the stay and the empty scene
         double outline = 6;       ///< grey levels, at least, between both outlines: a thing has one in one picture only
+        double ratio = 2;         ///< of both outlines, at least: leaves and reflections have some in both pictures
         double thickness = 0.15;  ///< share of its length, at least: a thing that was only shifted is a sliver
         double moved = 0.8;       ///< lengths that it moved by itself, at most; from twice as many on, it is no thing
+        double novelty = 0.18;    ///< Hellinger distance to the scene's looks, at least; a door or a flag has less
         double changed = 0.4;     ///< share of the picture that differed when it appeared, at most: a train, a lamp
         std::array<int, 9> levels{6, 8, 11, 16, 22, 32, 45, 64, 90};  ///< grey levels that compete for the outline
     } claim;

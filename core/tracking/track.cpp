@@ -97,7 +97,7 @@ void Track::update(const Patch& patch, const Appearance& appearance, const Frame
     ++alone_;
     record_position(now, patch.box, patch.centre, patch.area);
     take_portrait(sight, patch, now);
-    measure_novelty(sight, scene, now);
+    measure(sight, scene, now);
 }
 
 void Track::detect_departure(const Patch& patch, const Plane<std::uint8_t>& field) {
@@ -111,16 +111,14 @@ void Track::detect_departure(const Patch& patch, const Plane<std::uint8_t>& fiel
     departed_ = tracklet(false, {}, seen());
 }
 
-/// Compares the looks of its box with those of the same box in the empty scene.
-void Track::measure_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
-    if (scene.grey.empty() || now.seconds < novelty_due_) return;
-    novelty_due_ = now.seconds + thresholds.claim.sampled;
-    const PixelBox box = intersection(patch_.box, {0, 0, field_.width, field_.height});
-    const Patch all{box, Plane<std::uint8_t>(box.size(), 1), box.width() * box.height(), {}};
-    const FrameView empty{sight.field, scene.grey, scene.colour};
-    const double value = distance(Appearance(all, sight), Appearance(all, empty));
-    double& mean = tracklet_.novelty;
-    mean = ++novelties_ == 1 ? value : mean + (value - mean) / novelties_;
+void Track::measure(const FrameView& sight, const fields::Planes& scene, const Moment& now) {
+    if (scene.grey.empty() || now.seconds < measure_due_) return;
+    measure_due_ = now.seconds + thresholds.claim.sampled;
+    const Difference now_differs = difference_of(patch_, sight, scene);
+    Difference& mean = tracklet_.difference;
+    const double weight = 1.0 / ++tracklet_.differences;
+    mean.novelty += weight * (now_differs.novelty - mean.novelty);
+    mean.texture += weight * (now_differs.texture - mean.texture);
 }
 
 void Track::move_to(const glm::dvec2& place, const Moment& now) {
@@ -196,7 +194,8 @@ bool Track::is_unchanged(const Patch& before, const Plane<std::uint8_t>& field) 
     return both.area >= stationary.undisturbed * patch_.area && part_alike(before, field) >= stationary.undisturbed;
 }
 
-void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now) {
+void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight,
+                   const fields::Planes& scene, const Moment& now) {
     auto& settled = tracklet_.settled;
     const bool young = now.seconds - first().seconds < 2 * stationary.stay;
     const bool small = patch_.area < thresholds.most * origin_.area;
@@ -238,7 +237,7 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
     }
     state_ = Standing{{still, now, patch_.centre, patch_.box}, StillPicture(patch_, field_)};
     motion_ = {.place = patch_.centre, .at = now};
-    update_stationary(sight, now, true, true);
+    update_stationary(sight, scene, now, true, true);
 }
 
 bool Track::belongs_to(const Track& other) const {
@@ -266,7 +265,8 @@ double Track::visible_part(const Plane<std::uint8_t>& field) const {
     return part_alike(patch_, field);
 }
 
-void Track::update_stationary(const FrameView& sight, const Moment& now, bool whole, bool beside) {
+void Track::update_stationary(const FrameView& sight, const fields::Planes& scene, const Moment& now, bool whole,
+                              bool beside) {
     Standing& standing = std::get<Standing>(state_);
     standing.stay.last = now;
     pixels_ = patch_;
@@ -280,8 +280,31 @@ void Track::update_stationary(const FrameView& sight, const Moment& now, bool wh
         standing.picture.add(sight, now);
         standing.whole_at = now;
         standing.near.reset();
+        measure(sight, scene, now);
         take_portrait(sight, patch_, now);
     }
+}
+
+bool Track::shows_scene(const fields::Planes& scene) const {
+    const auto* const standing = std::get_if<Standing>(&state_);
+    if (standing == nullptr || standing->stay.first.seconds - first().seconds < thresholds.event.least) return false;
+    const auto differs = compare_with_scene(standing->picture, tracklet_.settled->patch, scene);
+    return differs && differs->scene_edges >= thresholds.stationary.uncovered * differs->edges;
+}
+
+/// Leaves the last stay out.
+void Track::end_before_stay(Tracklet& result) const {
+    const Moment& end = std::get<Standing>(state_).stay.first;
+    while (result.path.size() > 1 && result.path.back().at.frame > end.frame) {
+        result.path.pop_back();
+        result.areas.pop_back();
+    }
+    result.end.at = end;
+    result.end.place = result.path.back().place;
+    result.end.at_border = touches_border(result.box, field_);
+    if (result.portrait && result.portrait->at.frame > end.frame) result.portrait.reset();
+    result.settled.reset();
+    result.seen = 1;
 }
 
 void Track::move_again(const Moment& now) {
@@ -313,7 +336,8 @@ Tracklet Track::tracklet(bool taken, const fields::Planes& scene, const Moment& 
     Tracklet result = tracklet_;
     Stays stays = stays_;
     if (const auto* const merged = std::get_if<Merged>(&state_); merged && taken) result.into = merged->near;
-    if (const auto* const standing = std::get_if<Standing>(&state_)) {
+    const bool gone_before = shows_scene(scene);
+    if (const auto* const standing = std::get_if<Standing>(&state_); standing && !gone_before) {
         if (taken) result.into = standing->near;
         stays.add_exactly(standing->stay);
         result.stood_to_end = true;
@@ -340,6 +364,7 @@ Tracklet Track::tracklet(bool taken, const fields::Planes& scene, const Moment& 
     result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
     result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
     result.moved = glm::distance(bounds_min_, bounds_max_);
+    if (gone_before) end_before_stay(result);
     return result;
 }
 

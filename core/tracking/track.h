@@ -154,7 +154,8 @@ class Track {
 
     /// Makes the object stationary: from now on it consists of its steady pixels. If it split from another object, as a
     /// bag does, it begins when it became still.
-    void settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight, const Moment& now);
+    void settle(const Steadiness& steadiness, const Flicker& flicker, const FrameView& sight,
+                const fields::Planes& scene, const Moment& now);
 
     /// Whether both are parts of one stationary object: side by side, and still within `stationary.stay` of each other.
     /// \param other stationary, as this one
@@ -169,13 +170,18 @@ class Track {
     /// Continues a stationary object that is visible.
     /// \param whole nobody occludes it
     /// \param beside somebody is near it
-    void update_stationary(const FrameView& sight, const Moment& now, bool whole, bool beside);
+    void update_stationary(const FrameView& sight, const fields::Planes& scene, const Moment& now, bool whole,
+                           bool beside);
 
     /// When it became still. Only for a stationary object.
     const Moment& still_since() const { return tracklet_.settled->since; }
 
     /// Records the share of the picture that differed from the empty scene when it became still.
     void set_changed(double share) { tracklet_.settled->evidence.changed = share; }
+
+    /// Whether it had left when its stay began: the place has an outline in the empty scene, and hardly one in the mean
+    /// picture of the stay, as where a door or a thing is uncovered.
+    bool shows_scene(const fields::Planes& scene) const;
 
     /// Ends the stationary state: the object moves.
     void move_again(const Moment& now);
@@ -192,8 +198,9 @@ class Track {
 
   private:
     double length() const { return std::max({thresholds.least_length, tracklet_.size.x, tracklet_.size.y}); }
+    void end_before_stay(Tracklet& result) const;
     void record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
-    void measure_novelty(const FrameView& sight, const fields::Planes& scene, const Moment& now);
+    void measure(const FrameView& sight, const fields::Planes& scene, const Moment& now);
     void move_to(const glm::dvec2& place, const Moment& now);
     void detect_departure(const Patch& patch, const Plane<std::uint8_t>& field);
     const Moment& steady_since(const Steadiness::Pixel& pixel) const;
@@ -223,8 +230,7 @@ class Track {
     Path path_;
     Stays stays_{thresholds.stationary.stay};
     double portrait_due_ = 0;  ///< seconds: time of the next candidate
-    int novelties_ = 0;        ///< values in the mean `tracklet_.novelty`
-    double novelty_due_ = 0;   ///< seconds: time of the next value
+    double measure_due_ = 0;   ///< seconds: time of the next value of `tracklet_.difference`
 };
 
 }  // namespace vvr::tracking

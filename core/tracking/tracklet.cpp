@@ -120,7 +120,11 @@ void append(const Tracklet& later, Tracklet& whole) {
     whole.area = mean(whole.area, later.area);
     whole.length = mean(whole.length, later.length);
     whole.size = glm::max(whole.size, later.size);
-    whole.novelty = std::max(whole.novelty, later.novelty);
+    const auto both = static_cast<double>(whole.differences + later.differences);
+    const double weight = both > 0 ? later.differences / both : 0;
+    whole.difference.novelty = std::max(whole.difference.novelty, later.difference.novelty);
+    whole.difference.texture += weight * (later.difference.texture - whole.difference.texture);
+    whole.differences += later.differences;
     whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
     whole.box = bounding_box(whole.box, later.box);
     while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {
@@ -170,7 +174,11 @@ void begin_with_group(std::size_t k, Trajectories& trajectories) {
 /// Whether `part` is where `whole` went. Somebody who stands for long is often seen as two: what is still, and what
 /// moves. What was still doesn't go anywhere by itself: it vanishes when the other part goes.
 bool leaves_with(const Tracklet& part, const Tracklet& whole) {
-    if (!whole.stood_to_end || whole.stood_from_start || part.stretch != whole.stretch || part.path.empty()) {
+    // Nobody saw it come: a thing, unless what came out of it stands as well and is as large, as a car that shunts.
+    const double larger = std::max(part.area, whole.area);
+    const bool is_same = part.stood_from_start && std::min(part.area, whole.area) >= thresholds.most * larger;
+    const bool is_thing = whole.stood_from_start && !is_same;
+    if (!whole.stood_to_end || is_thing || part.stretch != whole.stretch || part.path.empty()) {
         return false;
     }
     const double gone = whole.end.at.seconds;

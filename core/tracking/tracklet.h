@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/tracking/appearance.h"
+#include "core/tracking/difference.h"
 #include "core/tracking/event.h"
 #include "core/tracking/event_options.h"
 
@@ -43,11 +44,10 @@ struct Tracklet {
     double area_of_parent = 0;  ///< of `from` before the split if that was alone, else 0; field pixels
     double seen = 0;            ///< share of its frames in which it was seen
     double continuous = 1;      ///< share of its detections without a jump
-    /// Hellinger distance between the looks of its box in the frames and in the empty scene. A person brings colours of
-    /// its own. A door, balloons or leaves only move those that are there.
-    double novelty = 1;
-    double moved = 0;  ///< diagonal of the box around all its places, field pixels
-    PixelBox box;      ///< around all its places
+    Difference difference;      ///< mean over its sightings
+    int differences = 0;        ///< values in the mean
+    double moved = 0;           ///< diagonal of the box around all its places, field pixels
+    PixelBox box;               ///< around all its places
     Appearance appearance;
     std::vector<PathPoint> path;
     std::vector<int> areas;  ///< field pixels, one per point of the path
