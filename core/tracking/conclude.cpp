@@ -41,7 +41,7 @@ Signs signs_of(const Tracklet& tracklet, Size field) {
 }
 
 bool has_moved(const Tracklet& tracklet) {
-    return tracklet.moved >= thresholds.most * tracklet.length;
+    return tracklet.moved >= thresholds.event.own_lengths * tracklet.length;
 }
 
 bool is_likely(const Candidate& candidate) {

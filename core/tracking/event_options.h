@@ -87,7 +87,7 @@ struct Thresholds {
     struct {
         double least = 0.8;        ///< seconds; shorter ones are flashes or fragments
         double probability = 0.4;  ///< from its signs, at least: see signs.h
-        double own_lengths = 1.5;  ///< lengths; a moving object goes at least this far, a flag flutters in place
+        double own_lengths = 0.8;  ///< lengths; a moving object goes at least this far, a flag flutters in place
         double continuous = 0.75;  ///< share of its detections without a jump, at least; raindrops jump each time
     } event;
 
