@@ -143,5 +143,5 @@ def test_anchors_are_there(t):
 def test_scripts_are_sound(t):
     jobs = sorted((t.source / "scripts" / "cluster").iterdir())
     for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "lib.sh", "fuzz", "package",
-                                                          "figures", "reading-figures", "page-figures")] + jobs:
+                                                          "figures", "reading-figures", "page-figures", "page-film")] + jobs:
         t.run(["bash", "-n", str(script)]).expect(0)
