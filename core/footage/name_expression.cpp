@@ -157,7 +157,7 @@ std::optional<NameFields> NameExpression::read(std::string_view path) const {
         const re2::StringPiece& group = groups[static_cast<std::size_t>(index)];
         if (group.data() == nullptr) continue;
         std::string field = name.substr(0, name.find_last_not_of("0123456789") + 1);
-        if (field.size() == 1) end = std::max(end, static_cast<std::size_t>(group.end() - text.begin()));
+        if (field.size() == 1) end = std::max(end, static_cast<std::size_t>(group.data() + group.size() - text.data()));
         const auto [known, is_new] = fields.try_emplace(field, group);
         if (!is_new && field != "camera" && known->second != group) return std::nullopt;
     }

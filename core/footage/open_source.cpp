@@ -39,9 +39,9 @@ struct Snapshots {
 std::vector<double> spread_times(const std::vector<Segment>& segments) {
     std::vector<double> times;
     for (auto next = segments.begin(); next != segments.end();) {
-        const auto end =
-            std::find_if(next, segments.end(), [&](const Segment& one) { return one.begin != next->begin; });
-        const auto second = static_cast<double>(*next->begin - *segments.front().begin);
+        const std::int64_t begin = next->begin.value();
+        const auto end = std::find_if(next, segments.end(), [=](const Segment& one) { return one.begin != begin; });
+        const auto second = static_cast<double>(begin - segments.front().begin.value());
         const auto count = static_cast<double>(end - next);
         for (double k = 0; next != end; ++next, ++k) times.push_back(second + k / count);
     }
