@@ -6,10 +6,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <opencv2/core.hpp>
 
 #include "core/annotation/time_ticks.h"
-#include "core/base/cv_view.h"
 #include "core/image/picture.h"
 #include "core/tracking/patch.h"
 
@@ -112,16 +110,12 @@ PixelBox window_around(std::span<const ObjectInStill> objects, Size field, doubl
 }
 
 /// The part of a still's picture that shows a part of the field.
-Plane<Bgr> cropped(const Still& still, const PixelBox& part, Size field, Size size) {
+Plane<Bgr> picture_of(const Still& still, const PixelBox& part, Size field, Size size) {
     const double x = static_cast<double>(still.picture.width()) / field.width;
     const double y = static_cast<double>(still.picture.height()) / field.height;
-    const cv::Rect from(static_cast<int>(part.left * x), static_cast<int>(part.top * y),
-                        std::max(1, static_cast<int>(part.width() * x)),
-                        std::max(1, static_cast<int>(part.height() * y)));
-    const cv::Mat source = cv_view(still.picture)(from & cv::Rect(0, 0, still.picture.width(), still.picture.height()));
-    Plane<Bgr> copy({source.cols, source.rows});
-    source.copyTo(cv_view(copy));
-    return image::resized(copy, size);
+    const PixelBox box{static_cast<int>(part.left * x), static_cast<int>(part.top * y),
+                       static_cast<int>(part.right * x), static_cast<int>(part.bottom * y)};
+    return image::resized(cropped(still.picture, box), size);
 }
 
 /// A frame around an object with its number at the corner.
@@ -173,15 +167,17 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
         for (const ObjectInStill& object : found.back())
             largest[object.track] = std::max(largest[object.track], visibility(object.box, field));
     }
-    constexpr double first_sight = 1;  // worth of an event that was not shown yet, at its best …
-    constexpr double again = 0.15;     // … and of one that was
+    constexpr double again = 0.15;  // worth of an event that was shown, relative to one that was not
+    const auto share_of = [&](const ObjectInStill& object) {  // of its best sight
+        return visibility(object.box, field) / std::max(1.0, largest[object.track]);
+    };
     std::vector<double> best(events.size());
     std::vector<std::size_t> chosen;
     const auto worth = [&](std::size_t k) {
         double sum = 0;
         for (const ObjectInStill& object : found[k]) {
-            const double seen = visibility(object.box, field) / std::max(1.0, largest[object.track]);
-            sum += std::max(first_sight * (seen - best[object.track]), again * seen);
+            const double seen = share_of(object);
+            sum += std::max(seen - best[object.track], again * seen);
         }
         // Two moments soon after each other look alike.
         const double span = std::max(1e-9, stills.back().seconds - stills.front().seconds);
@@ -204,7 +200,7 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
         chosen.push_back(*next);
         for (const ObjectInStill& object : found[*next]) {
             double& known = best[object.track];
-            known = std::max(known, visibility(object.box, field) / std::max(1.0, largest[object.track]));
+            known = std::max(known, share_of(object));
         }
     }
     std::ranges::sort(chosen);
@@ -224,7 +220,7 @@ void label_stills(const Objects& objects, std::span<const Still> stills, Size fi
         // Fewer than there is room for lie in the middle.
         const PixelBox& place = sheet.stills[(sheet.stills.size() - shown.size()) / 2 + k];
         lettering.pictures.push_back(
-            {place.inflated(-1, -1), cropped(*shown[k].still, shown[k].part, field, size), lines, 1});
+            {place.inflated(-1, -1), picture_of(*shown[k].still, shown[k].part, field, size), lines, 1});
         const Label time = make_label(format_moment_and_day(shown[k].still->seconds, objects.clock), sheet.small,
                                       place.left, place.top - sheet.small / 2, pale);
         lettering.add(time, {place.left, 0, place.right, place.top}, 0);

@@ -94,7 +94,7 @@ Filter make_temporal(const FieldOptions& options) {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
         const IlluminationChange light =
             illumination.compensates ? estimate_illumination(*input.previous, input.smooth) : IlluminationChange{};
-        const std::optional<Planes> lit = illumination.relit(*input.previous, input.smooth, light);
+        const std::optional<Planes> lit = relit(*input.previous, input.smooth, light);
         return norm_for(norm, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
     };
 }

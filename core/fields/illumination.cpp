@@ -115,10 +115,6 @@ Plane<T> relight_plane(const Plane<T>& plane, const IlluminationChange& light) {
     return result;
 }
 
-std::optional<Planes> unchanged(const Planes&, const Planes&, const IlluminationChange&) {
-    return std::nullopt;
-}
-
 std::span<const std::uint8_t> bytes(const Plane<std::uint8_t>& plane) {
     return plane.pixels();
 }
@@ -140,16 +136,6 @@ void allow_for_clipping(const Plane<T>& reference, const Plane<T>& frame, Plane<
     }
 }
 
-std::optional<Planes> relit_globally(const Planes& reference, const Planes& frame, const IlluminationChange& light) {
-    if (!light.is_visible()) return std::nullopt;
-    Planes lit = relight(reference, light);
-    if (light(255) < 255) {
-        allow_for_clipping(reference.grey, frame.grey, lit.grey);
-        allow_for_clipping(reference.colour, frame.colour, lit.colour);
-    }
-    return lit;
-}
-
 template <class T>
 Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     constexpr std::size_t channels = std::is_same_v<T, Bgr> ? 3 : 1;
@@ -163,10 +149,9 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
 
 constexpr std::array illumination_rows{
     IlluminationRow{"global", "one change for the whole picture: exposure, lamps; where much of it changes, as local",
-                    true, relit_globally, 0.03},
-    IlluminationRow{"local", "a change that varies over the picture: clouds, shadows, a lamp at one side", true,
-                    relit_globally, 0},
-    IlluminationRow{"none", "compensate nothing", false, unchanged, 1},
+                    true, 0.03},
+    IlluminationRow{"local", "a change that varies over the picture: clouds, shadows, a lamp at one side", true, 0},
+    IlluminationRow{"none", "compensate nothing", false, 0},
 };
 
 }  // namespace
@@ -309,6 +294,16 @@ Planes relight(const Planes& picture, const IlluminationChange& light) {
     if (!light.is_visible()) return picture;
     return {relight_plane(picture.grey, light),
             picture.colour.empty() ? Plane<Bgr>{} : relight_plane(picture.colour, light)};
+}
+
+std::optional<Planes> relit(const Planes& reference, const Planes& frame, const IlluminationChange& light) {
+    if (!light.is_visible()) return std::nullopt;
+    Planes lit = relight(reference, light);
+    if (light(255) < 255) {
+        allow_for_clipping(reference.grey, frame.grey, lit.grey);
+        allow_for_clipping(reference.colour, frame.colour, lit.colour);
+    }
+    return lit;
 }
 
 std::span<const IlluminationRow> illuminations() {

@@ -40,6 +40,9 @@ bool illumination_jumps(const Quantiles& from, const Quantiles& to);
 /// A picture under changed light.
 Planes relight(const Planes& picture, const IlluminationChange& light);
 
+/// `reference` in the light of `frame`, whose global change is `light`; nothing where it would not change.
+std::optional<Planes> relit(const Planes& reference, const Planes& frame, const IlluminationChange& light);
+
 /// Light that differs over the picture: the shadow of a cloud, a lamp at one side.
 struct LocalLight {
     Plane<float> gains;    ///< of blocks all over the picture
@@ -59,8 +62,6 @@ struct IlluminationRow {
     std::string_view name;
     std::string_view help;
     bool compensates;
-    /// `reference` in the light of `frame`, whose global change is `light`; nothing where it would not change.
-    std::optional<Planes> (*relit)(const Planes& reference, const Planes& frame, const IlluminationChange& light);
     double local;  ///< share of the picture that must have changed before the light is estimated block by block
 };
 

@@ -117,9 +117,10 @@ IlluminationChange ObjectFinder::light_of(const Planes& frame, const Planes& ref
 }
 
 FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const {
-    const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
+    const std::optional<Planes> lit = relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
     FoundObject found = compare_in_light(frame, empty);
+    if (!illumination_.compensates) return found;
     const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
     if (share < illumination_.local || share == 0 || is_other_mode(frame, reference)) return found;
     const LocalLight local = local_light(empty, frame, found.values);
