@@ -305,27 +305,41 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     fields_ = std::move(opened.source);
 }
 
-tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size_t number) const {
-    const media::VideoInfo& info = stream_->info();
+tracking::EventLine StreamWatch::line_of_time(double first, double last, std::string_view kind) const {
     const WallClock& clock = plan_->read.clock;
     const auto time = [&](double seconds) {
         return clock ? std::optional(clock->iso(seconds)) : std::optional<std::string>();
     };
-    tracking::EventLine line{.camera = options_.camera,
-                             .clip = redact_secrets(info.name),
-                             .number = number,
-                             .kind = tracking::name_of(event.kind)};
+    tracking::EventLine line{.camera = options_.camera, .clip = redact_secrets(stream_->info().name), .kind = kind};
+    line.first = first;
+    line.last = last;
+    line.begin = time(first);
+    line.end = time(last);
+    return line;
+}
+
+tracking::EventLine StreamWatch::line_of(const tracking::Event& event, std::size_t number) const {
+    tracking::EventLine line = line_of_time(event.first.seconds, event.last.seconds, tracking::name_of(event.kind));
+    line.number = number;
     if (event.identity) line.what = event.identity->what;
-    line.first = event.first.seconds;
-    line.last = event.last.seconds;
-    line.begin = time(line.first);
-    line.end = time(line.last);
     line.open_ended = event.open_ended;
-    line.box = VideoScale(plan_->read.clip.field_size, info.size)(event.box);
+    line.box = VideoScale(plan_->read.clip.field_size, stream_->info().size)(event.box);
     line.direction = tracking::direction_of(event);
     if (const fs::path& page = page_of(plan_->output.files); !page.empty())
         line.page = fmt::format("{}#event={}", page::url_of_path(page.filename().string()), number);
     return line;
+}
+
+/// Reports the intervals in which the recording was at fault, each once.
+/// \param until time at which they must have ended, seconds
+void StreamWatch::report_intervals(const Observation& seen, double until) {
+    if (!options_.on_event) return;
+    for (const condition::Interval& interval : unseen_of(*plan_, seen).intervals) {
+        double& reported = reported_[static_cast<std::size_t>(interval.kind)];
+        if (interval.end <= reported || interval.end > until) continue;
+        reported = interval.end;
+        options_.on_event(line_of_time(interval.begin, interval.end, row_of(interval.kind).name));
+    }
 }
 
 std::int64_t StreamWatch::run() {
@@ -342,8 +356,14 @@ std::int64_t StreamWatch::run() {
         ended = [this](const tracking::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };
     }
     const Outcome done = render_series(
-        *plan_, *fields_, observer_, [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); }, ended,
-        watch);
+        *plan_, *fields_, observer_,
+        [&](FinishedPicture&& picture) {
+            constexpr double at_once = 1;  // seconds; an interval that goes on is one
+            report_intervals(picture.context.seen, picture.context.seen.end().seconds - at_once);
+            pictures.add(std::move(picture));
+        },
+        ended, watch);
+    report_intervals(done.seen, done.seen.end().seconds);
     pictures.end();
     observer_.info(pictures.summary(done.seen));
     return pictures.count();

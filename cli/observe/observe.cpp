@@ -283,11 +283,10 @@ const tracking::FrameLabels& ObservationBuilder::add(const media::SharedFrame& f
     if (field.before != condition::Kind::no_signal && seen.volume.frames() > 0)
         seen.missing.push_back(
             {std::min(seen.last->pts, field.absent_since.value_or(seen.last->pts)), field.pts, field.before});
-    if (field.other_light >= condition::thresholds.other_light && seen.volume.frames() > 0) {
-        const bool goes_on = !seen.other_light.empty() && seen.other_light.back().end == seen.last->pts;
-        if (!goes_on) seen.other_light.push_back({seen.last->pts, field.pts, condition::Kind::light});
-        seen.other_light.back().end = field.pts;
-    }
+    const double before = seen.volume.frames() > 0 ? seen.last->pts : field.pts;
+    if (frame->damaged) lengthen(seen.damaged, {before, field.pts, condition::Kind::damaged});
+    if (field.other_light >= condition::thresholds.other_light)
+        lengthen(seen.other_light, {before, field.pts, condition::Kind::light});
     if (field.scene) {
         seen.relearnt.push_back(fmt::format(
             "most of the picture changed at {}; the empty scene was learnt anew until {}, and nothing is known of what "
@@ -336,10 +335,15 @@ fields::FieldNeeds needs_of(const ObservePlan& plan, const fields::FieldSource& 
 footage::Unseen unseen_of(const ObservePlan& plan, const Observation& seen) {
     footage::Unseen unseen{.areas = plan.field.areas, .masked = plan.field.masked};
     unseen.intervals = seen.missing;
-    const auto& damaged = seen.summary.damaged_pictures;
-    unseen.intervals.insert(unseen.intervals.end(), damaged.begin(), damaged.end());
+    std::ranges::copy(seen.damaged, std::back_inserter(unseen.intervals));
+    for (const condition::Interval& times : seen.summary.doubtful_times) {
+        const double begin = std::max(times.begin, seen.begin.seconds);
+        const double end = std::min(times.end, seen.end().seconds);
+        if (begin < end) unseen.intervals.push_back({begin, end, times.kind});
+    }
     std::ranges::copy_if(joined(seen.other_light), std::back_inserter(unseen.intervals), [](const auto& interval) {
-        return interval.end - interval.begin <= condition::thresholds.passing;
+        const double seconds = interval.end - interval.begin;
+        return seconds >= condition::thresholds.flash && seconds <= condition::thresholds.passing;
     });
     for (const media::FrameGap& gap : seen.gaps) {
         if (gap.end <= seen.begin.seconds || gap.begin >= seen.end().seconds) continue;

@@ -53,6 +53,7 @@ struct Observation {
     Plane<Bgr> scene{};                                     ///< the scene without objects
     std::vector<media::FrameGap> gaps{};                    ///< where frames are missing
     std::vector<condition::Interval> missing{};             ///< whose reason is known
+    std::vector<condition::Interval> damaged{};             ///< when pictures were damaged
     std::vector<condition::Interval> other_light{};         ///< when much of the picture was in another light
     std::vector<std::string> relearnt{};                    ///< when the empty scene was learnt anew, one sentence each
     fields::FieldSummary summary{};

@@ -76,8 +76,9 @@ void Window::drop_oldest() {
     // Nobody lists those of a stream of days.
     if (!plan_.field.lists_events)
         std::erase_if(seen_.gaps, [&](const media::FrameGap& gap) { return gap.end < seen_.begin.seconds; });
-    if (!first_of_bricks_.empty())
-        std::erase_if(seen_.missing, [&](const auto& some) { return some.end < first_of_bricks_.front()->pts; });
+    if (first_of_bricks_.empty()) return;
+    for (auto* const intervals : {&seen_.missing, &seen_.damaged, &seen_.other_light})
+        std::erase_if(*intervals, [&](const auto& some) { return some.end < first_of_bricks_.front()->pts; });
 }
 
 /// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is

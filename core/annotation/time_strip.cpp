@@ -45,6 +45,7 @@ class Strip {
         // Without events, the clip may still have motion that was too short to be an object.
         if (content_.nothing_moved || !objects_.events.empty()) label_idle();
         label_heading(objects_.events.size() - bars.size());
+        for (const condition::Interval& interval : content_.intervals) label_interval(interval);
         return with_bar;
     }
 
@@ -98,9 +99,13 @@ class Strip {
         lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
     }
 
-    /// Hatches a time in which nobody could be seen, and says why where there is room.
+    PixelBox room_of(const condition::Interval& interval) const {
+        return {column(interval.begin), rows_.top, column(interval.end), rows_.bottom};
+    }
+
+    /// Hatches a time in which nobody could be seen.
     void hatch(const condition::Interval& interval) {
-        const PixelBox room{column(interval.begin), rows_.top, column(interval.end), rows_.bottom};
+        const PixelBox room = room_of(interval);
         const double thin = std::max(1.0, sheet_.small / 14.0);
         const int apart = std::max(4, sheet_.small / 2);
         for (int x = room.left - room.height(); x < room.right; x += apart) {
@@ -113,14 +118,22 @@ class Strip {
         // What takes no time, such as a knock, is a line.
         if (room.width() < apart)
             lettering_.strokes.push_back({{room.left, room.top}, {room.left, room.bottom}, 2 * thin, style_.pale});
+    }
+
+    /// Says why a time is hatched: beside the heading, where no bars are, or else in the hatching.
+    void label_interval(const condition::Interval& interval) {
+        const PixelBox room = room_of(interval);
         const std::string words(row_of(interval.kind).words);
-        annotation::Label label = annotation::make_centred_label(words, sheet_.small, (room.left + room.right) / 2.0,
-                                                                 room.top + sheet_.small, style_.pale);
-        if (label.box.width() > room.width())
-            label = annotation::make_label(words, sheet_.small, room.right + number_gap, room.top + sheet_.small,
-                                           style_.pale);
-        label.halo = style_.background;
-        lettering_.add(label, sheet_.strip, 2);
+        const int width = annotation::make_label(words, sheet_.small, 0, 0, style_.pale).box.width();
+        const int middle = (room.left + room.right - width) / 2;
+        const int inside = width > room.width() ? room.right + number_gap : middle;
+        const int beside = sheet_.strip.top + sheet_.small;
+        for (const glm::ivec2& place : {glm::ivec2(middle, beside), glm::ivec2(room.right - width, beside),
+                                        glm::ivec2(inside, room.top + sheet_.small)}) {
+            annotation::Label label = annotation::make_label(words, sheet_.small, place.x, place.y, style_.pale);
+            label.halo = style_.background;
+            if (lettering_.add(label, sheet_.strip, 2)) return;
+        }
     }
 
     /// \returns whether the bar has a number

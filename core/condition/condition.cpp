@@ -20,4 +20,13 @@ std::vector<Interval> joined(std::vector<Interval> intervals) {
     return result;
 }
 
+void lengthen(std::vector<Interval>& intervals, const Interval& more) {
+    const double half = (more.end - more.begin) / 2;
+    if (!intervals.empty() && more.begin <= intervals.back().end + half) {
+        intervals.back().end = more.end;
+    } else {
+        intervals.push_back(more);
+    }
+}
+
 }  // namespace vvr::condition

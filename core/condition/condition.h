@@ -22,6 +22,7 @@ enum class Kind {
     moved,      ///< from here on, the camera shows another view
     infrared,   ///< the camera changes to infrared or back
     light,      ///< much of the picture is in another light for a while
+    times,      ///< the frames have almost the same timestamps, so that their times are guessed
 };
 
 /// One row of the table of conditions.
@@ -46,6 +47,7 @@ inline constexpr std::array condition_rows{
     ConditionRow{Kind::moved, "camera_moved", "camera moved", "somebody knocked against the camera or turned it"},
     ConditionRow{Kind::infrared, "infrared", "infrared on or off"},
     ConditionRow{Kind::light, "light_changed", "light changed", "a cloud, a lamp or the camera's exposure"},
+    ConditionRow{Kind::times, "times_doubtful", "times doubtful", "the camera's clock went back, or frames came late"},
 };
 
 constexpr const ConditionRow& row_of(Kind kind) {
@@ -61,5 +63,8 @@ struct Interval {
 
 /// In order, with those of one kind joined that follow each other at once.
 std::vector<Interval> joined(std::vector<Interval> intervals);
+
+/// Adds the time from one frame to the next to the intervals of its kind: it may continue the last one.
+void lengthen(std::vector<Interval>& intervals, const Interval& more);
 
 }  // namespace vvr::condition

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <utility>
@@ -126,6 +127,26 @@ double FreezeFinder::begin() const {
         begin = some->seconds;
     }
     return begin;
+}
+
+bool LightFinder::operator()(double level, double seconds) {
+    constexpr double lately = 2;    // seconds …
+    constexpr double enough = 1.5;  // … of which so many tell what is usual
+    if (usual_) {
+        const bool is_back = std::abs(level - usual_->level) < thresholds.jump / 2;
+        if (!is_back && seconds - usual_->seconds <= thresholds.passing) return true;
+        usual_.reset();
+        recent_.clear();
+    }
+    std::vector<double> levels;
+    for (const Level& one : recent_) levels.push_back(one.level);
+    if (!levels.empty() && seconds - recent_.front().seconds >= enough) {
+        const double usual = median_of(std::move(levels));
+        if (std::abs(level - usual) >= thresholds.jump) usual_ = {seconds, usual};
+    }
+    recent_.push_back({seconds, level});
+    while (seconds - recent_.front().seconds > lately) recent_.pop_front();
+    return usual_.has_value();
 }
 
 Verdict ConditionFinder::operator()(const FrameSigns& now, const Agreement& view, double seconds) {

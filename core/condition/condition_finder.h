@@ -57,6 +57,22 @@ class FreezeFinder {
     std::optional<double> same_since_{};  ///< seconds; the first frame that repeats the one before
 };
 
+/// Tells when all of the picture is in another light for a while: the camera's exposure jumps, or a lamp goes on.
+class LightFinder {
+  public:
+    /// \param level of the scene's middle grey in the next frame
+    bool operator()(double level, double seconds);
+
+  private:
+    struct Level {
+        double seconds = 0;
+        double level = 0;
+    };
+
+    std::deque<Level> recent_;      ///< of the last two seconds in the usual light
+    std::optional<Level> usual_{};  ///< theirs, while there is another light since then
+};
+
 /// Tells the condition of each frame, in order.
 class ConditionFinder {
   public:

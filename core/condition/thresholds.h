@@ -23,7 +23,10 @@ struct Thresholds {
 
     // Light.
     double other_light = 1.0 / 3;  ///< share of the picture in another light than the scene, from which on it is said …
-    double passing = 60;           ///< … for so many seconds, at most: what lasts longer is the day
+    double passing = 60;           ///< … for so many seconds, at most: what lasts longer is the day …
+    double flash = 1;              ///< … or for so many, at least
+    double jump = 32;  ///< levels by which middle grey changes within a second, if all is in another light; in footage
+                       ///< without that, 23 at most
 
     // Frozen pictures. Differences are means over two consecutive pictures.
     double equal = 0.01;  ///< levels; in footage, pictures that differ less follow each other for a second at most

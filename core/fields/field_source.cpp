@@ -47,9 +47,6 @@ class ClipReader {
     /// Damage in the span, and next to it.
     std::vector<media::Damage>& damage() { return damage_; }
 
-    /// When pictures were damaged: from lost packets to the next key frame.
-    std::vector<condition::Interval>& damaged_pictures() { return damaged_pictures_; }
-
     /// Whether the clip has no further frame.
     bool has_ended() const { return has_ended_; }
 
@@ -69,7 +66,6 @@ class ClipReader {
     double last_pts_ = 0;
     std::int64_t damaged_ = 0;  ///< packets so far
     std::vector<media::Damage> damage_;
-    std::vector<condition::Interval> damaged_pictures_;
     bool is_damaged_ = false;
     bool has_ended_ = false;
     std::deque<std::shared_ptr<media::DecodedFrame>> waiting_;
@@ -98,12 +94,9 @@ std::shared_ptr<media::DecodedFrame> ClipReader::read() {
     if (more > 0 && is_wanted) add_damage(damage_, {before, last_pts_, more});
     if (more > 0) {
         is_damaged_ = true;
-        const bool goes_on = !damaged_pictures_.empty() && damaged_pictures_.back().end >= before;
-        if (is_wanted && !goes_on) damaged_pictures_.push_back({before, last_pts_, condition::Kind::damaged});
     } else if (frame && media::is_key_frame(*frame->image)) {
         is_damaged_ = false;
     }
-    if (is_damaged_ && is_wanted && !damaged_pictures_.empty()) damaged_pictures_.back().end = last_pts_;
     has_ended_ = frame == nullptr;
     return frame;
 }
@@ -360,8 +353,8 @@ FieldSummary compute_fields(media::FrameSource& source, const FieldOptions& opti
     if (read.has_ended()) check_no_more_files(options, read.last_index() + 1);
     summary.damage = std::move(read.damage());
     for (const media::Damage& damage : summary.damage) summary.damaged += damage.packets;
-    summary.damaged_pictures = std::move(read.damaged_pictures());
     summary.problems = source.problems();
+    summary.doubtful_times = source.doubtful_times();
     summary.reference = std::move(scene.reference);
     // A stream may end with the frames from which the reference was learnt.
     if (summary.frames == 0 && options.span != media::FrameSpan{}) {

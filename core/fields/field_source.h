@@ -21,12 +21,12 @@ using SceneSink = std::function<void(const Reference&)>;
 
 /// The result of a pass over a clip.
 struct FieldSummary {
-    std::int64_t frames = 0;                              ///< frames that reached the sink
-    std::int64_t damaged = 0;                             ///< packets that failed to decode
-    std::vector<media::Damage> damage{};                  ///< when; empty for an extraction, which does not know it
-    std::vector<condition::Interval> damaged_pictures{};  ///< from the damage to the next key frame
-    Reference reference;                                  ///< empty if none was needed
-    std::vector<std::string> problems{};                  ///< problems of the files that were read, one sentence each
+    std::int64_t frames = 0;                            ///< frames that reached the sink
+    std::int64_t damaged = 0;                           ///< packets that failed to decode
+    std::vector<media::Damage> damage{};                ///< when; empty for an extraction, which does not know it
+    Reference reference;                                ///< empty if none was needed
+    std::vector<std::string> problems{};                ///< problems of the files that were read, one sentence each
+    std::vector<condition::Interval> doubtful_times{};  ///< as of the source
 };
 
 /// Reads every frame of `source` once and passes its field to `sink` (§3, video processing sub-system): decodes in

@@ -118,6 +118,7 @@ void FieldStages::store_object(PipelineFrame& shot, FoundObject&& found) {
     shot.object = std::move(found.values);
     shot.darker = std::move(found.darker);
     shot.other_light = found.other_light;
+    shot.middle_grey = found.middle_grey;
     if (shot.visible) clear_outside_overlap(*shot.visible, shot.object);
 }
 
@@ -163,6 +164,8 @@ void FieldStages::judge(PipelineFrame& shot) {
     }
     const bool was_withheld = std::exchange(withheld_, shot.verdict.kind != Kind::normal);
     if (withheld_) return;
+    if (shot.view != view_ || shot.scene) light_ = {};
+    if (light_(shot.middle_grey, now) && shows(shot.agreement)) shot.other_light = 1;
     const bool infrared = scenes_[std::exchange(view_, shot.view)].infrared;
     if (view_ == before) return;
     shot.before = infrared != scene.infrared ? Kind::infrared : was_withheld ? Kind::turning : Kind::moved;

@@ -28,6 +28,7 @@ struct PipelineFrame {
     Plane<std::uint8_t> darker;        ///< as FoundObject::darker
     std::size_t view = 0;              ///< as Field::view
     double other_light = 0;            ///< as Field::other_light
+    double middle_grey = 0;            ///< as FoundObject::middle_grey
     condition::FrameSigns signs{};     ///< empty if it is compared with no empty scene
     condition::Agreement agreement{};  ///< with the view of its empty scene
     condition::Verdict verdict{};
@@ -108,6 +109,7 @@ class FieldStages {
     bool whole_frame_flow_;
     std::vector<SceneStage> scenes_;  ///< of the camera's views, as Reference::of_view
     condition::ConditionFinder condition_;
+    condition::LightFinder light_;
     bool needs_age_ = false;
     bool stateful_ = false;
     bool withheld_ = false;               ///< the last gathered frame shows nothing of the scene

@@ -120,6 +120,8 @@ FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, 
     const std::optional<Planes> lit = relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
     FoundObject found = compare_in_light(frame, empty);
+    constexpr double middle = 128;
+    found.middle_grey = light(middle);
     if (!illumination_.compensates) return found;
     const double share = cv::countNonZero(cv_view(found.values)) / looked_at_;
     if (share < illumination_.local || share == 0 || is_other_mode(frame, reference)) return found;
@@ -127,6 +129,7 @@ FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, 
     if (local.explained < thresholds.light.least_explained) return found;
     found = compare_in_light(frame, relight(empty, local));
     found.other_light = local.changed;
+    found.middle_grey = light(middle);
     return found;
 }
 

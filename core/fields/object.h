@@ -23,6 +23,7 @@ struct FoundObject {
     bool learning = false;       ///< most of the picture has changed, so nothing is known of objects
     std::shared_ptr<const NewScene> scene{};  ///< as Field::scene
     double other_light = 0;                   ///< share of the picture that is in another light than the rest
+    double middle_grey = 0;                   ///< level of the scene's middle grey in the light of the whole picture
 };
 
 /// Background subtraction: finds the difference object of §4 (Fig. 4a), the pixels that differ from the empty scene

@@ -210,6 +210,8 @@ void RecordingSource::close() {
         // Report once what holds for many files, such as the fallback to software decoding.
         if (std::ranges::find(problems_, problem) == problems_.end()) problems_.push_back(std::move(problem));
     }
+    for (const condition::Interval& interval : segment_->doubtful_times())
+        doubtful_times_.push_back({begin_.time + interval.begin, begin_.time + interval.end, interval.kind});
     segment_.reset();
 }
 
@@ -271,6 +273,7 @@ void RecordingSource::rewind() {
     info_.left_out = {};
     info_.unread = 0;
     problems_.clear();
+    doubtful_times_.clear();
     info_.segments.clear();
 }
 

@@ -31,6 +31,7 @@ class RecordingSource final : public media::FrameSource {
     std::unique_ptr<media::DecodedFrame> next() override;
     std::int64_t damaged() const override;
     std::vector<std::string> problems() const override;
+    std::vector<condition::Interval> doubtful_times() const override { return doubtful_times_; }
     void rewind() override;
     std::vector<media::Frame> sample(int count) override;
     void read_again(std::span<const double> times,
@@ -68,6 +69,7 @@ class RecordingSource final : public media::FrameSource {
     std::int64_t left_out_ = 0;     ///< frames of this segment that overlap the previous one
     media::OmittedFrames trimmed_;  ///< small overlaps between consecutive files
     std::vector<std::string> problems_;
+    std::vector<condition::Interval> doubtful_times_;
 };
 
 /// A warning that names the first files: "2 files were omitted, ...".

@@ -391,6 +391,10 @@ bool Demuxer::read_any(AVPacket& packet) {
 MendedFrames Demuxer::mended() const {
     MendedFrames mended = mender_ ? mender_->mended() : MendedFrames();
     mended.from *= stretch_;
+    for (condition::Interval& interval : mended.intervals) {
+        interval.begin *= stretch_;
+        interval.end *= stretch_;
+    }
     return mended;
 }
 

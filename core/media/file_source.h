@@ -24,6 +24,7 @@ class FileSource final : public FrameSource {
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override { return reader_.damaged(); }
     std::vector<std::string> problems() const override;
+    std::vector<condition::Interval> doubtful_times() const override { return reader_.mended().intervals; }
     void rewind() override;
     void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;

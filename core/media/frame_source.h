@@ -110,6 +110,9 @@ class FrameSource {
     /// Problems with input files since the first frame, one sentence each.
     virtual std::vector<std::string> problems() const { return {}; }
 
+    /// When the times of frames were guessed since the first frame, in order; seconds of the clip.
+    virtual std::vector<condition::Interval> doubtful_times() const { return {}; }
+
     /// Restarts at the first frame.
     virtual void rewind() = 0;
 

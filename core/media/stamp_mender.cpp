@@ -68,7 +68,9 @@ void StampMender::mend(AVPacket& packet, const Read& next) {
     double delay = static_cast<double>(now.pts - now.dts);
     if (in_run_ && tick) {
         offset_ += usual_ - step;
-        if (++mended_.frames == 1) mended_.from = (static_cast<double>(now.dts) + offset_) * tick_;
+        const double shown = static_cast<double>(now.dts) + offset_;
+        if (++mended_.frames == 1) mended_.from = shown * tick_;
+        lengthen(mended_.intervals, {(shown - usual_) * tick_, shown * tick_, condition::Kind::times});
         if (delay <= reordered * step) delay *= usual_ / std::max(1.0, step);
     } else if (!in_run_ && step > 0) {
         usual_ += inertia * (std::min(step, 4 * usual_) - usual_);

@@ -5,7 +5,9 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include "core/condition/condition.h"
 #include "core/media/av.h"
 
 namespace vvr::media {
@@ -25,7 +27,8 @@ constexpr bool is_tick(double step, double usual) {
 /// Frames whose timestamps were mended.
 struct MendedFrames {
     std::int64_t frames = 0;
-    double from = 0;  ///< mended time of the first one on the container's clock, seconds
+    double from = 0;                               ///< mended time of the first one on the container's clock, seconds
+    std::vector<condition::Interval> intervals{};  ///< all of them, by their mended times
 };
 
 /// Mends timestamps that lie almost no time apart for many frames. Recorders write such ones when a camera's clock goes

@@ -74,6 +74,10 @@ MendedFrames VideoReader::mended() const {
     MendedFrames mended = mended_;
     if (demuxer_ && demuxer_->mended().frames > mended.frames) mended = demuxer_->mended();
     mended.from -= origin();
+    for (condition::Interval& interval : mended.intervals) {
+        interval.begin -= origin();
+        interval.end -= origin();
+    }
     return mended;
 }
 

@@ -111,6 +111,43 @@ def test_the_shadow_of_a_cloud_is_no_visitor(t, walkers):
     check(len(told["events"]) <= len(kept["events"]) + 1, f"with a cloud there are {len(told['events'])} events, without {len(kept['events'])}")
 
 
+@pytest.mark.parametrize("gain", [1.5, 0.6])
+def test_a_jump_of_the_exposure_is_told(t, walkers, gain):
+    """From 9 to 15 s. People are found as without it."""
+    clip = encoded(t, walkers, "jump.avi", f"lutyuv=y='clip(val*{gain},16,235)':enable='between(t,9,14.95)'")
+    told = report_of(t, clip)
+    expect_interval(told, "light_changed", 9, 15)
+    expect_no_claims(told)
+    kept = report_of(t, encoded(t, walkers, "none.avi", "null"))
+    check(abs(len(told["events"]) - len(kept["events"])) <= 1, f"with it there are {len(told['events'])} events, without {len(kept['events'])}")
+
+
+def test_events_go_on_where_times_are_doubtful(t, walkers):
+    """The camera's clock goes back at 12 s; the recorder writes each later frame one tick after the one before."""
+    encoded(t, walkers, "true.mp4", "null")
+    stamps = "if(lt(N,120),{0},PREV_OUT{0}+1)"
+    t.ffmpeg("-i", "true.mp4", "-c", "copy", "-bsf:v", f"setts=pts='{stamps.format('PTS')}':dts='{stamps.format('DTS')}'", "jumped.mp4")
+    told = report_of(t, "jumped.mp4")
+    expect_interval(told, "times_doubtful", 11.9, 23.9)
+    true = report_of(t, "true.mp4")
+    check(intervals_of(true) == [], f"of true times is told {intervals_of(true)}")
+    check(len(told["events"]) == len(true["events"]) > 0, f"{len(told['events'])} events with such times, {len(true['events'])} without")
+    check("times doubtful from" in told["advice"][0], f"the advice is {told['advice']}")
+
+
+def test_a_watched_stream_tells_its_faults(t, walkers):
+    """The card is longer than the window: it is told whole, and once."""
+    encoded(t, walkers, "gate.avi", "drawbox=color=gray:t=fill:enable='between(t,9,15)'")
+    t.vvr("watch", "gate.avi", "-o", "gate.png", "--brick", "1s", "--window", "3", "--reference", "first", "--events-to", "gate.jsonl",
+          "--quiet", *SIZE).expect(0)
+    lines = [json.loads(line) for line in t.path("gate.jsonl").read_text().splitlines()]
+    faults = [line for line in lines if line["number"] is None]
+    check(len(faults) == 1 and faults[0]["kind"] == "blank", f"the lines of faults are {faults}")
+    check(abs(faults[0]["first"] - 8.9) < 0.5 and abs(faults[0]["last"] - 15.1) < 0.5 and faults[0]["page"] is None, f"{faults}")
+    check(any(line["number"] for line in lines[lines.index(faults[0]):]), f"events end later than the card, but it is told last: {lines}")
+    follows(faults[0], schema_of(t, "event-line"))
+
+
 def test_a_fault_is_in_tables_lines_and_index(t, walkers):
     t.path("in/gate").mkdir(parents=True)
     encoded(t, walkers, "in/gate/2026-11-21_20-00-00.avi", "drawbox=color=gray:t=fill:enable='between(t,9,15)'")

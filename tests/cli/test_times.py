@@ -53,7 +53,15 @@ def test_frames_a_tick_apart_get_the_usual_distance(t, ending):
     restamp(t, "true.mp4", f"jumped.{ending}", f"pts='{expression.format('PTS')}':dts='{expression.format('DTS')}'")
     t.vvr("render", f"jumped.{ending}", *LOOK).expect(0, "frames from 8.0 s on have almost the same time")
     check(abs(last_time(t) - 19.9) < 0.15, f"{last_time(t)}")
-    check(t.json("r.json")["unseen"]["gaps"] == [], f"{t.json('r.json')['unseen']}")
+    unseen = t.json("r.json")["unseen"]
+    told = [(one["kind"], one["begin"]["seconds"], one["end"]["seconds"]) for one in unseen["intervals"]]
+    check(unseen["gaps"] == [] and len(told) == 1 and told[0][0] == "times_doubtful", f"{unseen}")
+    check(abs(told[0][1] - 7.9) < 0.15 and told[0][2] == last_time(t), f"{told}")
+    # A piece of the clip has its part of the interval; one before it has none.
+    t.vvr("render", f"jumped.{ending}", "--end", "12s", *LOOK).expect(0)
+    check(t.json("r.json")["unseen"]["intervals"][0]["end"]["seconds"] == last_time(t), f"{t.json('r.json')['unseen']}")
+    t.vvr("render", f"jumped.{ending}", "--end", "6s", *LOOK).expect(0, out=None)
+    check(t.json("r.json")["unseen"]["intervals"] == [], f"{t.json('r.json')['unseen']}")
     t.vvr("cut", f"jumped.{ending}", "--start", "12s", "--end", "14s", "-o", "piece.mkv").expect(0, out=None)
 
 

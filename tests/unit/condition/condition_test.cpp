@@ -169,5 +169,32 @@ TEST(Condition, LightThatChangesSlowlyIsNoOtherView) {
     }
 }
 
+/// For how many of its frames a clip of 120 s is in another light.
+int frames_in_other_light(double (*level_at)(double seconds)) {
+    condition::LightFinder find;
+    int found = 0;
+    for (int k = 0; k < 120 * rate; ++k) found += find(level_at(k / rate), k / rate) ? 1 : 0;
+    return found;
+}
+
+TEST(LightFinder, FindsJumpsThatPass) {
+    EXPECT_EQ(frames_in_other_light([](double t) { return t >= 20 && t < 30 ? 170.0 : 128.0; }), 100);
+    EXPECT_EQ(frames_in_other_light([](double t) { return t >= 20 && t < 30 ? 90.0 : 128.0; }), 100);
+    // Not a white picture before a view is there, not the day, and not the usual play of an exposure.
+    EXPECT_EQ(frames_in_other_light([](double t) { return t < 0.5 ? 190.0 : 128.0; }), 0);
+    EXPECT_EQ(frames_in_other_light([](double t) { return 100 + t; }), 0);
+    EXPECT_EQ(frames_in_other_light([](double t) { return static_cast<int>(t) % 2 == 0 ? 118.0 : 138.0; }), 0);
+    // What stays is said for a minute, which is too long to be told.
+    EXPECT_NEAR(frames_in_other_light([](double t) { return t < 20 ? 128.0 : 170.0; }), 600, 12);
+}
+
+TEST(Intervals, GoOnFromFrameToFrame) {
+    std::vector<condition::Interval> intervals;
+    for (const double begin : {1.0, 1.1, 1.2, 2.0}) lengthen(intervals, {begin, begin + 0.1, Kind::damaged});
+    ASSERT_EQ(intervals.size(), 2U);
+    EXPECT_DOUBLE_EQ(intervals.front().end, 1.3);
+    EXPECT_DOUBLE_EQ(intervals.back().begin, 2.0);
+}
+
 }  // namespace
 }  // namespace vvr

@@ -58,6 +58,9 @@ TEST(StampMender, GivesFramesATickApartTheUsualDistance) {
     EXPECT_EQ(mended.stamps, stamps_of(times(120, usual)));
     EXPECT_EQ(mended.found.frames, 60);
     EXPECT_DOUBLE_EQ(mended.found.from, 3.1);
+    ASSERT_EQ(mended.found.intervals.size(), 1U);
+    EXPECT_NEAR(mended.found.intervals.front().begin, 3, 1e-6);
+    EXPECT_NEAR(mended.found.intervals.front().end, 9, 1e-6);
 }
 
 TEST(StampMender, PutsFramesThatCameLateIntoTheGapBeforeThem) {
