@@ -193,6 +193,7 @@ class Annotator {
                                      lettering_);
         }
         add_objects();
+        add_seen_from_behind();
         return std::move(lettering_);
     }
 
@@ -313,6 +314,33 @@ class Annotator {
         if (!plan_.look.shows(Part::numbers)) return;
         annotation::label_numbers(objects, numbered, trails, sheet_, lettering_);
         annotation::label_stays(objects, trails, sheet_, background_, lettering_);
+    }
+
+    /// Frames at the ends whose far side the camera sees look like in a mirror: says so below them.
+    void add_seen_from_behind() {
+        const auto& frames = composed_.scene.frames;
+        if (frames.empty()) return;
+        const int size = sheet_.small;
+        for (const double t : {frames.front().t, frames.back().t}) {
+            const auto pixel = [&](double x, double y) {
+                return camera_.pixel(plan_.look.layout->p_from_c({x, y, t}), sheet_.picture);
+            };
+            const glm::dvec2 left = pixel(1, 0);
+            const glm::dvec2 right = pixel(0, 0);
+            const glm::dvec2 across = pixel(0, 1) - pixel(1, 1);
+            const glm::dvec2 down = left - pixel(1, 1);
+            if (across.x * down.y - across.y * down.x > -25.0 * size * size) continue;  // or from its edge
+            // Below it; or in it, if the words have room there.
+            const auto add = [&](const char* words, double y, double room) {
+                annotation::Label label = annotation::make_centred_label(words, size, (left.x + right.x) / 2, y, pale_);
+                label.halo = background_;
+                return label.box.width() <= room && lettering_.add(label, sheet_.between, size / 4);
+            };
+            const double inside = std::min(left.y, right.y) - size;
+            const double room = std::abs(left.x - right.x);
+            if (add("seen from behind", std::max(left.y, right.y) + size, sheet_.between.width())) continue;
+            if (!add("seen from behind", inside, room)) add("from behind", inside, room);
+        }
     }
 
     const ComposePlan& plan_;

@@ -217,6 +217,15 @@ std::vector<page::Overlay::Note> notes_of(const ComposePlan& plan, const Observa
     return notes;
 }
 
+/// The object in its still, with as much around it as the corners in a picture.
+glm::dvec4 object_in(const annotation::ObjectPicture& still) {
+    const glm::dvec2 size(still.picture.width(), still.picture.height());
+    const double around = 2 * still.scale;
+    const glm::dvec2 low = (glm::dvec2(still.object.left, still.object.top) - around) / size;
+    const glm::dvec2 high = (glm::dvec2(still.object.right, still.object.bottom) + around) / size;
+    return glm::clamp(glm::dvec4(low, high), 0.0, 1.0);
+}
+
 std::vector<page::Overlay::Portrait> portraits_of(const ComposePlan& plan, const Observation& seen,
                                                   const Composition& composed) {
     std::vector<page::Overlay::Portrait> portraits;
@@ -227,7 +236,7 @@ std::vector<page::Overlay::Portrait> portraits_of(const ComposePlan& plan, const
     std::iota(all.begin(), all.end(), std::size_t{0});
     for (const annotation::EventPortrait& placed : annotation::event_portraits(
              objects, std::set(all.begin(), all.end()), seen.crops, trails, composed.framing.sheet, {})) {
-        portraits.push_back({placed.event, placed.still, placed.to});
+        portraits.push_back({placed.event, placed.still, object_in(placed.crop->still()), placed.to});
     }
     return portraits;
 }

@@ -101,12 +101,6 @@ double last_frame_of(const std::vector<ConstantRateFrames>& times) {
     return last.at(last.first + last.count - 1);
 }
 
-std::int64_t frames_in(const std::vector<ConstantRateFrames>& times) {
-    std::int64_t frames = 0;
-    for (const ConstantRateFrames& steady : times) frames += steady.count;
-    return frames;
-}
-
 /// The source of the time of day.
 std::string time_source_text(const PageContent& content) {
     const std::string_view words = row_of(content.clock_source()).words;
@@ -135,35 +129,35 @@ std::string make_page(const PageContent& content) {
     const double begin = content.moments.times.front().begin;
     // As in the picture's title and in the script: of the first and the last frame.
     const double end = last_frame_of(content.moments.times);
-    return fill(
-        web::page_html,
-        {
-            {"script policy", policy_hash(script) + " " + policy_hash(arrival)},
-            {"style policy", policy_hash(style) + " " + policy_hash(plain)},
-            {"connect", content.live ? "; connect-src 'self'" : ""},
-            {"name", shown(content.name)},
-            {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
-            {"file", shown(content.file)},
-            {"summary", fmt::format("{} to {}, {}; {}", annotation::format_moment(begin, content.clock),
-                                    annotation::format_moment(end, content.clock),
-                                    counted(frames_in(content.moments.times), "frame"), time_source_text(content))},
-            {"unseen", unseen_text(content)},
-            {"way", content.time_direction},
-            {"list", event_list(content)},
-            {"first kind", std::string(tracking::ranked_kinds().front().words)},
-            {"style", style},
-            {"script", script},
-            {"picture", url_of_picture(content)},
-            {"width", fmt::to_string(size.width)},
-            {"height", fmt::to_string(size.height)},
-            {"plain", plain},
-            {"arrival", arrival},
-            {"data", json_text_of(page_data(content))},
-            {"pixel data", json_text_of(pixel_data(content))},
-            {"stills", json_text_of(still_data(content))},
-            {"volume", json_text_of(Json{{"volume", content.turning}})},
-            {"preview", json_text_of(preview_data(content))},
-        });
+    return fill(web::page_html,
+                {
+                    {"script policy", policy_hash(script) + " " + policy_hash(arrival)},
+                    {"style policy", policy_hash(style) + " " + policy_hash(plain)},
+                    {"connect", content.live ? "; connect-src 'self'" : ""},
+                    {"name", shown(content.name)},
+                    {"heading", shown(heading_of(name_in_heading(content), content.clock, begin, end))},
+                    {"file", shown(content.file)},
+                    {"summary", fmt::format("{} to {}{}; {}", annotation::format_moment(begin, content.clock),
+                                            annotation::format_moment(end, content.clock),
+                                            content.events ? ", " + counted(content.events->size(), "event") : "",
+                                            time_source_text(content))},
+                    {"unseen", unseen_text(content)},
+                    {"way", content.time_direction},
+                    {"list", event_list(content)},
+                    {"first kind", std::string(tracking::ranked_kinds().front().words)},
+                    {"style", style},
+                    {"script", script},
+                    {"picture", url_of_picture(content)},
+                    {"width", fmt::to_string(size.width)},
+                    {"height", fmt::to_string(size.height)},
+                    {"plain", plain},
+                    {"arrival", arrival},
+                    {"data", json_text_of(page_data(content))},
+                    {"pixel data", json_text_of(pixel_data(content))},
+                    {"stills", json_text_of(still_data(content))},
+                    {"volume", json_text_of(Json{{"volume", content.turning}})},
+                    {"preview", json_text_of(preview_data(content))},
+                });
 }
 
 std::string with_ended_stream(std::string page) {

@@ -97,7 +97,9 @@ Json json_of(const Overlay& overlay) {
                     {"out", {rounded(of.out.x), rounded(of.out.y)}}};
     };
     const auto portrait = [&](const auto& of) {
-        return Json{{"event", of.event}, {"box", json_of(of.still)}, {"to", place(of.to)}};
+        Json object = Json::array();
+        for (int k = 0; k < 4; ++k) object.push_back(std::round(of.object[k] * 1e3) / 1e3);
+        return Json{{"event", of.event}, {"box", json_of(of.still)}, {"object", object}, {"to", place(of.to)}};
     };
     Json json{{"sections", list_of(overlay.sections, section)},
               {"notes", list_of(overlay.notes, note)},

@@ -56,6 +56,7 @@ struct Overlay {
     struct Portrait {
         std::size_t event = 0;  ///< index in the list of events
         PixelBox still;
+        glm::dvec4 object{};  ///< left, top, right and bottom of the object, as shares of the still
         glm::dvec2 to{};
     };
     std::vector<Portrait> portraits;

@@ -1,5 +1,6 @@
 """The parts of the benchmark: each measures, and gives its section of the report and its numbers."""
 
+import browser_page
 import computing
 import pictures
 import whole_runs
@@ -9,6 +10,7 @@ PARTS = {
     "cameras": whole_runs.cameras,
     "files": whole_runs.files,
     "page": whole_runs.page,
+    "browser": browser_page.browser,
     "archive": whole_runs.archive,
     "many": whole_runs.many,
     "length": whole_runs.length,

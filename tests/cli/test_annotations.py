@@ -26,6 +26,7 @@ def test_labels_tell_clip_span_times_and_colours(t):
     check({"0:00", "0:02", "0:04", "0:06", "0:08", "0:10"} <= set(texts), str(texts))
     check("what differs from the empty scene: little to much" in texts and "which way it went: slow to fast" in texts, str(texts))
     at = {label["text"]: label for label in labels}
+    check(texts.count("seen from behind") == 1 and at["seen from behind"]["x"] > 320, "the frame at the right end is as in a mirror")
     check(at["0:00"]["x"] < at["0:04"]["x"] < at["0:08"]["x"], "time runs from left to right")
     check(at["0:04"]["y"] < at["0:00"]["y"] and at["0:04"]["y"] < at["0:10"]["y"], "around the arc")
     for label in labels:
@@ -65,7 +66,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     check(all("time" not in event["first"] for event in report["events"]), str(report["events"]))
     page = t.path("out.html").read_text(encoding="utf-8")
     check(page_data(page)["clock"] is None, page[-3000:])
-    check('<p id="summary">0:00 to 0:12, 120 frames; time of day not known</p>' in page, page[-3000:])
+    check(re.search(r'<p id="summary">0:00 to 0:12, \d+ events?; time of day not known</p>', page), page[:3000])
 
     told = t.vvr("info", "dated.mp4")
     check("written  2026-11-21 07:30:00 UTC, from the container; it may have been recorded at another time" in told.out, str(told))
@@ -82,7 +83,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
         check(report["clock"]["source"] == asked and report["clock"]["first"] == f"2026-11-21T{first}+00:00", str(report["clock"]))
         check(report["input"]["recorded_by"] == asked and report["input"]["recorded"] == f"2026-11-21 {first}", str(report["input"]))
         page = t.path("out.html").read_text(encoding="utf-8")
-        check(page_data(page)["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
+        check(page_data(page)["clock"]["by"] == words and re.search(rf"\d+ events?; times of day {words}</p>", page), page[-3000:])
 
 
 @pytest.mark.nightly

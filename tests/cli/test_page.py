@@ -104,13 +104,17 @@ def test_page_points_at_moments(t):
             page.wait("a tip", "return !document.getElementById('tip').hidden")
             minutes, seconds = page.text("when").split(":")
             check(minutes == "0" and abs(float(seconds) - frame / RATE) <= 0.1 + 1 / RATE, f"{frame}: {page.text('when')}")
-            check(page.run("return document.getElementById('peek').naturalWidth") > 100, "no thumbnail")
+            check(page.run("return document.getElementById('peek').naturalWidth") > 100, "no still")
             page.wait("the frame itself", "return !peeker.hidden && !peeker.seeking")
             clock = page.run("return peeker.currentTime")
-            check(-1 < clock * RATE - frame < 2, f"the thumbnail of frame {frame} is of {clock} s")
+            check(-1 < clock * RATE - frame < 2, f"the film shows {clock} s at frame {frame}")
+            check(page.box("#peeked") == page.box("#reel"), "it is not where the film is")
+            left, top, right, bottom = page.box("#tip")
+            check(bottom - top < 36, "the tip has more than a line")
         page.point(*page.run("return [contents[0] + 3, contents[1] + 3]"))
         page.wait("no tip where nothing is", "return document.getElementById('tip').hidden")
         check(page.run("return now") == 0 and page.run("return video.currentTime") == 0, "pointing plays")
+        check(page.hidden("peeked"), "the film still shows what is no longer pointed at")
 
 
 @pytest.mark.browser
@@ -215,7 +219,7 @@ def test_page_in_a_browser_that_tells_noise(t):
 def test_page_of_a_part(t):
     places = disc_page(t, "discs.avi", MSMPEG4, "--start", "4s", "--end", "8s")
     with Page(t, "out.html") as page:
-        check(page.text("summary") == "0:04 to 0:08, 100 frames, 4.0 s; time of day not known", page.text("summary"))
+        check(page.text("summary") == "0:04 to 0:08, 4.0 s, 0 events; time of day not known", page.text("summary"))
         page.hold_still()
         for frame in (110, 130, 170, 190):
             _, shown = page.click_and_look(column_of((frame - 100 + 0.5) / 100), row_of(places[frame][1]))

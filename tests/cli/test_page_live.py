@@ -65,7 +65,7 @@ def test_live_page_fetches_when_there_is_news(t):
         check(page.run("return picture.src") != old, "the picture is the old one")
         check(page.text("livestate") == "watching", page.text("livestate"))
         check(page.count("#events .row") == page.run("return data.events.length"), "the list is the old one")
-        check(re.fullmatch(r".*, \d+ frames.*", page.text("summary")), page.text("summary"))
+        check(re.fullmatch(r".*, \d+ events?;.*", page.text("summary")), page.text("summary"))
         check(len(asked(served, "GET")) == 2, f"{len(asked(served, 'GET'))} pages were fetched for one piece of news")
         # It is a page to point at and to click on, as that of a clip.
         pixel, width = page.run("return [pixels.frames.findIndex((frame, k) => k > pixels.frames.length / 2 && frame > time.firstFrame), pixels.width]")

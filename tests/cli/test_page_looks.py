@@ -350,3 +350,20 @@ def test_index_of_names_that_turn_the_writing(t):
         page.press("#views [value=clips]")
         check("[U+202E]gpj.avi" in page.text("days") and "[U+202E]bad.avi' is not a video" in page.text("days"), page.text("days"))
         check(page.run("return document.title") == "Video archive", "a name became a script")
+
+
+def test_page_first_line_lies_on_nothing(t):
+    bag(t)
+    with Page(t, "out.html") as page:
+        for width, height in ((2560, 1440), (1920, 1080), (1440, 900), (1280, 720), (844, 390), (640, 360), (390, 844)):
+            page.window(width, height)
+            page.run("set({tab: 'volume'})")
+            page.wait("it is drawn for this window", "return !document.getElementById('first').hidden && Math.abs(room[0] - document.getElementById('view').clientWidth) < 1")
+            covered = page.run("""const box = e => e.getBoundingClientRect(), first = box(document.getElementById('first')), view = box(document.getElementById('view'));
+                if (first.left < view.left || first.right > view.right || first.bottom > view.bottom) return ['the border'];
+                return [...document.querySelectorAll('#letters > *, #letters .caption, #map > *, #legend span, .zoom button')].filter(e => e.checkVisibility()).filter(e => {
+                    const b = box(e); return b.left < first.right && b.right > first.left && b.top < first.bottom && b.bottom > first.top;
+                }).map(e => e.textContent || e.className || e.id);""")
+            check(covered == [], f"{width}x{height}: it covers {covered}")
+            cut = page.run("return [...document.querySelectorAll('#letters .caption')].filter(e => e.scrollWidth > e.clientWidth + 1).map(e => e.textContent)")
+            check(cut == [], f"{width}x{height}: cut off: {cut}")

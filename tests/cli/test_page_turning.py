@@ -291,3 +291,63 @@ def test_volume_is_left_out(t):
     with Page(t, "out.html", *SOFTWARE) as page:
         check(page.run("return allArrived && parts.volume") is None, "there is none")
         check(page.hidden("turning"), "nothing offers to turn it")
+
+
+def test_zebra_runs_where_an_object_moves(t):
+    bag(t)
+    with turnable(t) as page:
+        turn_to(page, (-30, 40))
+        check(page.count("#lit .zebra") == 0, "nothing is chosen")
+        runs = "return getComputedStyle(document.querySelector('#lit .zebra')).animationName"
+        lies, place = page.run("return [events.findIndex(({stays}) => stays?.length), events.findIndex(({stays}) => !stays?.length)]")
+        page.run("set({lightened: arguments[0]})", lies)
+        check(page.count("#lit .trail") > 0 and page.count("#lit .zebra") == 0, "what lies has a zebra")
+        page.run("set({lightened: arguments[0]})", place)
+        check(page.run(runs) == "run", "it stands where the pointer is on its event")
+        page.run("set({lightened: null}); choose(arguments[0])", place)
+        check(page.run(runs) == "none", "it runs while nothing plays")
+        page.cdp("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}])
+        page.run("set({lightened: arguments[0]})", place)
+        check(page.run(runs) == "none", "it runs for who wants less motion")
+        check(page.complaints() == [], page.complaints())
+
+
+def test_frames_that_are_seen_from_behind_say_so(t):
+    bag(t)
+    says = "return [...document.querySelectorAll('#letters .note')].filter(e => e.textContent === 'seen from behind').map(e => e.getBoundingClientRect().x)"
+    with turnable(t, width=1280, height=800) as page:
+        left, _, right, _ = page.box("#view")
+        [x] = page.run(says)
+        check(x > (left + right) / 2, "the picture's right end")
+        turn_to(page, (180, 40))
+        [x] = page.run(says)
+        check(x > (left + right) / 2, "from the other side it is the first frame")
+
+
+def test_volume_of_nothing(t):
+    """2,000 layers in which nothing moves."""
+    t.ffmpeg("-f", "lavfi", "-i", "color=c=gray:size=96x72:rate=50:duration=40", "-c:v", "libx264", "-pix_fmt", "yuv420p", "still.mp4")
+    t.vvr("render", "still.mp4", "-o", "out.html", "--size", "320x200", "--layers", "2000", "--backend", "software").expect(0)
+    with turnable(t) as page:
+        turn_to(page, (-30, 40))
+        check(page.run("return pickedAround(160, 90, 20).objects.every(object => object < 0)"), "an object of nothing")
+        page.set("angle", "above")
+        page.wait("from above", "return angle[1] === 90", 20)
+        settled(page)
+        check(page.complaints() == [], page.complaints())
+
+
+def test_volume_of_a_hostile_name(t):
+    bag(t)
+    name = "in </script><img src=x onerror=alert(1)> `rm` $(ls) ü.mp4".replace("/", "\u2044")
+    t.copy("bag.mp4", name)
+    t.vvr("render", f"./{name}", "-o", "evil.html", "--size", "640x400", "--backend", "software").expect(0)
+    with turnable(t, "evil.html") as page:
+        turn_to(page, (-30, 40))
+        page.allow_clipboard()
+        page.open_menu("share")
+        page.press("#copyview")
+        copied = page.clipboard()
+        check(f"'./{name}'" in copied or f"'{name}'" in copied, copied)
+        check(page.text_of("h1") == name and page.count("img[src=x]") == 0, page.text_of("h1"))
+        check(page.complaints() == [], page.complaints())

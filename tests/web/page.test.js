@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {addressOfClip, addressOfEvent, addressOfHit, addressOfMoment, addressWith, readAddress} from '../../core/web/page/address.js';
 import {cutCommand, filesOf, maskOption, quoted, roiOption, stillCommand, stillName} from '../../core/web/page/commands.js';
-import {countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, nameOf, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
-        sortedPlaces, stillNear, wantedPlaces} from '../../core/web/page/events.js';
+import {briefDeeds, countsOfClasses, countsOfKinds, densityOf, factsOf, isOf, isSet, nameOf, numberOf, placeBeside, placeOfNumber, pointAt, relationsOf, rowsOf,
+        sortedPlaces, spoken, stillNear, wantedPlaces} from '../../core/web/page/events.js';
 import {pageAction, stripAction} from '../../core/web/page/key_table.js';
 import {entriesOf} from '../../core/web/page/legend.js';
 import {contentsOf, meantByFinger, numbersIn, othersThan, shownNear} from '../../core/web/page/pixels.js';
@@ -386,4 +386,18 @@ test('the legend says what the picture has, and no more', () => {
     assert.deepEqual(words({...all, color: 'time'}, [{stays: [[3, 9]]}]), []);
     assert.deepEqual(words({color: 'object', show: 'map'}, [{stays: [[3, 9]]}]), []);
     assert.deepEqual(words({}, []), []);
+});
+
+test('words for who hears the page', () => {
+    assert.equal(spoken('went ↘ · 6 s'), 'went down and right, 6 seconds');
+    assert.equal(spoken('stood 1 s in all'), 'stood 1 second in all');
+    assert.equal(spoken('crossed ← 0:06, → 0:10'), 'crossed left 0:06, right 0:10');
+    assert.equal(spoken('left behind 3:20 h'), 'left behind 3:20 hours');
+});
+
+test('words for where there is little room', () => {
+    assert.deepEqual(briefDeeds('stood 9 s in all'), ['stood 9 s in all', 'stood 9 s', '9 s']);
+    assert.deepEqual(briefDeeds('went ↖'), ['went ↖', 'went ↖', '↖']);
+    assert.equal(briefDeeds('to and fro')[2], '⇄');
+    assert.equal(briefDeeds('left behind')[2], 'left behind');
 });

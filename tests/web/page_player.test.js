@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {isGone, whyNot} from '../../core/web/page/unplayable.js';
+import {isForeign, isGone, whyNot} from '../../core/web/page/unplayable.js';
 import {pointIn, roomFor, sectionAt, trailOf} from '../../core/web/page/arc.js';
 import {busyStretches, newestAt, stretchFrom} from '../../core/web/page/busy.js';
 import {changed, clipKey, keyOf, readMarks, savedMarks, withTwins} from '../../core/web/page/marks.js';
@@ -136,4 +136,10 @@ test('why a clip can’t be played', () => {
     assert.deepEqual([gone, unknown, 'the file of that name is another clip'].map(why => isGone(why, false)), [true, false, true]);
     // Of a page that was opened as a file some browsers say nothing.
     assert.deepEqual(['./a.avi', './a.MP4', ''].map(name => whyNot('', name)), [unknown, 'the clip is missing or can’t be played here', unknown]);
+});
+
+test('which files are not even tried', () => {
+    const player = plays => ({canPlayType: () => plays});
+    assert.deepEqual(['./a.avi', './a.AVI', './a.mp4'].map(name => isForeign(name, player(''))), [true, true, false]);
+    assert.equal(isForeign('./a.avi', player('maybe')), false);
 });

@@ -36,7 +36,7 @@
  * @typedef {object} Overlay
  * @property {number[][]} sections see arc.js
  * @property {{text: string, t: number, at: number[], out: number[], place?: number[]}[]} notes along the time axis, the most important first; t, and in the volume that turns place, are in C-space
- * @property {{event: number, box: number[], to: number[], place?: number[]}[]} portraits
+ * @property {{event: number, box: number[], object?: number[], to: number[], place?: number[]}[]} portraits; the object is in shares of the box
  * @property {number} captions height of the space above the portraits
  * @property {boolean} numbers whether trails have numbers
  * @property {{box: number[], src: string} | null} map

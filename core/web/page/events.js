@@ -44,6 +44,27 @@ export const nameOf = (events, place, listed) =>
  */
 export const deedOf = event => event.deed ?? event.kind;
 
+/** @type {Record<string, string>} */
+const directions = {'←': 'left', '→': 'right', '↑': 'up', '↓': 'down', '↖': 'up and left', '↗': 'up and right', '↘': 'down and right', '↙': 'down and left'};
+/** @type {Record<string, string>} */
+const units = {s: 'second', min: 'minute', h: 'hour'};
+
+/**
+ * As it is read aloud: "went ↘ · 6 s" as "went down and right, 6 seconds".
+ * @param {string} text
+ */
+export const spoken = text => text.replaceAll(' · ', ', ').replace(/[←→↑↓↖↗↘↙]/g, arrow => directions[arrow])
+    .replace(/([\d:.]+) (s|min|h)\b/g, (_, count, unit) => `${count} ${units[unit]}${count === '1' ? '' : 's'}`);
+
+/**
+ * What is said of an event where there is little room, the longest first; words that arrows or numbers can replace go.
+ * @param {string} deed
+ */
+export function briefDeeds(deed) {
+    const brief = deed.replace(' in all', '');
+    return [deed, brief, brief.replace('to and fro', '⇄').replace(/^\w+ (?=[←→↑↓↖↗↘↙]|\d)/, '')];
+}
+
 /** @type {(event: PageEvent) => number} */
 export const secondsFor = event => event.end - event.begin;
 

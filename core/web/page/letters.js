@@ -4,13 +4,14 @@
 import {appendShape, at, element} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {overlap, pointIn, roomFor, sectionAt, trailOf} from './arc.js';
-import {numberOf, pointAt} from './events.js';
+import {briefDeeds, deedOf, numberOf, pointAt} from './events.js';
 import {asksForSome, wantedEvents} from './filters.js';
 import {entriesOf} from './legend.js';
 import {litEvents} from './picture.js';
+import {isPlaying} from './player.js';
 import {pictureSize, state} from './state.js';
 import {ofEvent} from './looks.js';
-import {overlayNow, pathOf, pixelAt, showsFrame} from './turned.js';
+import {frameAt, overlayNow, pathOf, pixelAt, showsFrame} from './turned.js';
 import {hiddenOf} from './volume_view.js';
 
 const letters = at('letters');
@@ -79,19 +80,21 @@ function hideBehind() {
 const trailNow = event => state.turns ? pathOf(event).map(pixelAt) : trailOf(state.data.overlay.sections, {path: event.path.slice(0, 1)}, state.time);
 
 /**
- * The stretches of an event's path that are seen, and those that are behind something.
+ * The stretches of an event's path: whether something hides them, and whether the object moves there, as far as that is known.
  * @param {import('./data.js').PageEvent} event
  */
 function stretchesOf(event) {
-    if (!state.turns) return [{points: trailOf(state.data.overlay.sections, event, state.time), isHidden: false}];
+    if (!state.turns) return [{points: trailOf(state.data.overlay.sections, event, state.time), isHidden: false, flows: false}];
     const path = pathOf(event);
     const hidden = hiddenOf(path);
-    /** @type {{points: number[][], isHidden: boolean}[]} */
+    /** @type {{points: number[][], isHidden: boolean, flows: boolean}[]} */
     const stretches = [];
     path.map(pixelAt).forEach((point, k) => {
+        const frame = frameAt(path[k][2]);
+        const [isHidden, flows] = [hidden[k], !event.stays?.some(([from, to]) => frame >= from && frame <= to)];
         const before = stretches[stretches.length - 1];
         before?.points.push(point);
-        if (before?.isHidden !== hidden[k]) stretches.push({points: [point], isHidden: hidden[k]});
+        if (before?.isHidden !== isHidden || before.flows !== flows) stretches.push({points: [point], isHidden, flows});
     });
     return stretches;
 }
@@ -99,8 +102,18 @@ function stretchesOf(event) {
 /** Pixels of the screen per pixel of the picture. */
 const scaleNow = () => state.stageWidth / width;
 
+/**
+ * Marks the object in its portrait, which may show others too.
+ * @param {number[]} object left, top, right, bottom in shares of the portrait
+ */
+function objectIn([left, top, right, bottom]) {
+    const made = element('i', 'object');
+    made.style.inset = [top, 1 - right, 1 - bottom, left].map(share => share * 100 + '%').join(' ');
+    return made;
+}
+
 /** @param {import('./data.js').Overlay['portraits'][number]} portrait */
-function portraitOf({event: place, box, to, place: at}) {
+function portraitOf({event: place, box, object, to, place: at}) {
     const {events, time} = state;
     const event = events[place];
     const [left, , right] = box;
@@ -113,9 +126,11 @@ function portraitOf({event: place, box, to, place: at}) {
     if (wide >= smallest) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
-        caption.append(number, element('span', 'deed', ' ' + (event.deed ?? event.kind)));
+        const brief = briefDeeds(deedOf(event)).find(text => text.length * 6.8 + 26 <= wide);
+        caption.append(number, ' ' + (brief ?? ''));
         if (overlayNow().captions * scaleNow() >= 40) caption.append(element('br'), element('span', 'times', time.fromTo(event.begin, event.end)));
         made.append(caption);
+        if (object) made.append(objectIn(object));
     } else {
         made.append(number);
         made.classList.add('small');
@@ -191,6 +206,21 @@ function notes() {
     return made;
 }
 
+/** Frames at the ends whose far side is seen look like in a mirror: below them it is said why. */
+function behindNotes() {
+    const {overlay: {sections}, settings} = state.data;
+    if (!settings.show?.split(',').includes('frames')) return [];
+    const shown = overlayNow().sections;
+    const scale = scaleNow();
+    return [shown[0], shown[shown.length - 1]].filter((section, k) => section && section[0] === [sections[0], sections[sections.length - 1]][k][0])
+        .flatMap(([, x0, y0, x1, y1, x2, y2, x3, y3]) => {
+            const turned = (x1 - x0) * (y3 - y0) - (y1 - y0) * (x3 - x0);
+            // From the edge, or small, nobody sees what is in it.
+            if (turned * scale * scale > -2500) return [];
+            return [textAt('note', 'seen from behind', [(x2 + x3) / 2 / width, (Math.max(y2, y3) + 10 / scale) / height])];
+        });
+}
+
 /** The numbers of the events where their trails begin, as many as have room. */
 function numbers() {
     const {events} = state;
@@ -217,7 +247,7 @@ export function drawLetters() {
     places.clear();
     const shown = overlayNow().portraits.filter(({event}) => event < state.events.length);
     drawMap();
-    letters.replaceChildren(...shown.map(portraitOf), ...notes(), ...numbers());
+    letters.replaceChildren(...shown.map(portraitOf), ...notes(), ...behindNotes(), ...numbers());
     hideBehind();
     drawLit();
 }
@@ -242,10 +272,14 @@ export function drawLit() {
         for (const name of ['casing', 'trail']) {
             for (const {points, isHidden} of stretches) ofEvent(appendShape('polyline', {points: pointsText(points), class: isHidden ? name + ' behind' : name}, lit), place);
         }
+        for (const {points, isHidden, flows} of stretches) if (flows && !isHidden) appendShape('polyline', {points: pointsText(points), class: 'zebra'}, lit);
         for (const same of lines.querySelectorAll(`[data-event="${place}"]`)) same.classList.add('lit');
     }
     drawRib();
 }
+
+/** The zebra of the lit path runs while the film does, or while the pointer is on its event: at rest nothing needs to be drawn. */
+export const drawZebra = () => lit.toggleAttribute('data-runs', isPlaying() || state.lightened !== null);
 
 /** The cross-section at the moment that the player shows, and where the chosen object is in it. */
 export function drawRib() {

@@ -4,7 +4,7 @@ import {at, button, element, press} from '../shared/dom.js';
 import {maskOption} from './commands.js';
 import {playEvent, rowOf, step} from './choice.js';
 import {addressOfEvent} from './address.js';
-import {countsOfClasses, countsOfKinds, deedOf, factsOf, numberOf, relationsOf, stillNear} from './events.js';
+import {countsOfClasses, countsOfKinds, deedOf, factsOf, numberOf, relationsOf, spoken, stillNear} from './events.js';
 import {copy} from './export.js';
 import {answerOf, asksForSome, hiddenCount, listedEvents} from './filters.js';
 import {ofEvent} from './looks.js';
@@ -105,7 +105,7 @@ function actsOf(place) {
     };
     act(marked.star ? '★' : '☆', 'Star', marked.star === true, () => mark(state.events[place], {star: !marked.star}));
     act('✎', 'Note', Boolean(marked.note), () => note(place));
-    act('✕', marked.nothing ? 'Show it again' : 'That’s nothing', marked.nothing === true, () => hide(place));
+    act('⊘', marked.nothing ? 'Show it again' : 'That’s nothing', marked.nothing === true, () => hide(place));
     return acts;
 }
 
@@ -127,6 +127,7 @@ function itemOf(place) {
     words.append(head, deed);
     if (facts.length) words.append(element('small', '', facts.join(' · ')));
     if (marked?.note) words.append(element('small', 'noted', '✎ ' + marked.note));
+    row.ariaLabel = spoken([`Event ${numberOf(events, place)}`, time.clockOf(event.begin, false), lasts, deedOf(event), ...facts, ...marked?.note ? [marked.note] : []].join(', '));
     row.append(portraitOf(event), words);
     row.addEventListener('pointerenter', () => set({lightened: place}));
     row.addEventListener('pointerleave', () => set({lightened: null}));

@@ -10,7 +10,7 @@ import {drawCommands, listenToExport} from './export.js';
 import {wantedEvents} from './filters.js';
 import {listenToKeys} from './keys.js';
 import {drawFilling, drawReel, drawShares, drawTab, listenToLayout} from './layout.js';
-import {drawLegend, drawLetters, drawLit, drawRib} from './letters.js';
+import {drawLegend, drawLetters, drawLit, drawRib, drawZebra} from './letters.js';
 import {drawChips, drawChosen, drawClasses, drawFilters, drawList, drawLitRow, listenToList} from './list.js';
 import {drawAge, drawFollowing, followStream, takeKeptState} from './live.js';
 import {drawSheet, listenToSheet} from './map.js';
@@ -38,8 +38,9 @@ function drawSummary() {
     const {data, time} = state;
     const seen = time.secondsSeen();
     const lost = time.secondsWithout().map(([reason, seconds]) => `, ${inSentence(reason)} for ${spanOf(seconds)}`);
-    const frames = `${time.frames.toLocaleString('en')} frame${time.frames === 1 ? '' : 's'}`;
-    const span = `${time.span()}, ${frames}, ${spanOf(seen)}${lost.length ? ' of video' : ''}${lost.join('')}`;
+    const count = state.events.length;
+    const found = data.events ? `, ${count.toLocaleString('en')} event${count === 1 ? '' : 's'}` : '';
+    const span = `${time.span()}, ${spanOf(seen)}${lost.length ? ' of video' : ''}${lost.join('')}${found}`;
     const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';
     at('summary').textContent = data.clock === null ? `${span}; ${data.told}`
         : `${time.dayOf(time.begins)}, ${span}; times${zone}, ${data.told}`;
@@ -57,9 +58,8 @@ function drawUnseen() {
 /** The players have the shape of the clip. */
 function drawShapes() {
     const {size} = state.data;
-    at('screen').style.aspectRatio = at('peeked').style.aspectRatio = size[0] + ' / ' + size[1];
+    at('screen').style.aspectRatio = size[0] + ' / ' + size[1];
     at('screen').style.setProperty('--shape', String(size[0] / size[1]));
-    at('peeked').style.width = 220 * size[0] / Math.max(...size) + 'px';
 }
 
 /** What the page shows, and what of the state each part depends on. */
@@ -115,11 +115,12 @@ const parts = [
     {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked, overlayNow()]},
     {draw: drawLit, from: () => [state.turns, state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
+    {draw: drawZebra, from: () => [isPlaying(), state.lightened]},
     {draw: drawRing, from: () => [state.data, state.chosen, state.now, showsStill()]},
     {draw: drawCommands, from: () => [state.data, state.chosen, state.gone, state.now]},
     {draw: openPeeker, from: () => [state.film]},
     {draw: drawPeek, from: () => [state.pointed?.frame]},
-    {draw: drawTip, from: () => [state.pointed, state.lightened]},
+    {draw: drawTip, from: () => [state.pointed, state.lightened, isPlaying()]},
     {draw: drawWhich(playCandidate), from: () => [state.which]},
     {draw: playOn, from: () => [isPlaying()]},
 ];

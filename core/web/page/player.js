@@ -12,7 +12,7 @@ import {momentOf} from './moments.js';
 import {tell} from './messages.js';
 import {fileAt, footageOf, hasMoment, nameOf} from './pieces.js';
 import {render, set, state} from './state.js';
-import {isGone, whyNot} from './unplayable.js';
+import {isForeign, isGone, notPlayed, whyNot} from './unplayable.js';
 
 /**
  * What the player can open.
@@ -99,6 +99,20 @@ export function openWaiting() {
 }
 
 /**
+ * Looks whether a clip that cannot be played is there at all.
+ * @param {string} address
+ * @param {number} place among the films
+ */
+function lookFor(address, place) {
+    const probe = document.createElement('video');
+    probe.onerror = () => {
+        const why = whyNot(probe.error?.message ?? '', address);
+        if (why !== notPlayed) openFilm(place + 1, why);
+    };
+    probe.src = address;
+}
+
+/**
  * @param {number} place among the films
  * @param {string} [why] the one before can't be played
  */
@@ -107,7 +121,9 @@ export function openFilm(place, why = '') {
     set({film: null, gone, wantsPlay: isPlaying()});
     const because = why ? `${why}, so this is ` : '';
     const films = filmsOf();
-    if (place >= films.length && !state.allArrived) {
+    // What cannot be played must not take the way from what is still to come.
+    const isInVain = !why && place < films.length && isForeign(films[place]().segment[0], video);
+    if ((isInVain || place >= films.length) && !state.allArrived) {
         waiting = {place, why};
         return set({source: (why && why + ', ') + 'loading the preview…'});
     }
@@ -119,6 +135,10 @@ export function openFilm(place, why = '') {
         return;
     }
     const film = films[place]();
+    if (isInVain) {
+        lookFor(film.segment[0], place);
+        return openFilm(place + 1, notPlayed);
+    }
     const next = (/** @type {string} */ reason) => openFilm(place + 1, reason);
     film.offset = 0;
     const ready = () => {

@@ -3,7 +3,7 @@
 import {at} from '../shared/dom.js';
 import {clamp} from '../shared/text.js';
 import {deedOf, numberOf, stillNear} from './events.js';
-import {goToFrame, hasFrame} from './player.js';
+import {goToFrame, hasFrame, isPlaying} from './player.js';
 import {putRing} from './ring.js';
 import {set, state} from './state.js';
 
@@ -21,7 +21,7 @@ export function point(frame, x = 0, y = 0, event = null, note = '') {
     set({pointed: frame === null ? null : {frame, x, y, note}, lightened: event});
 }
 
-/** A still is there at once; the frame itself comes from the film. */
+/** The player shows what is pointed at: a still at once, the frame itself when the film has it. */
 export function drawPeek() {
     const {pointed, time, film, parts} = state;
     if (!pointed) return;
@@ -30,13 +30,14 @@ export function drawPeek() {
     const apart = Math.abs(time.secondsOf(nearest.frame) - time.secondsOf(pointed.frame));
     at('about').textContent = film || apart < 0.5 ? '' : 'picture of ' + time.clockOf(time.secondsOf(nearest.frame));
     at('peek', HTMLImageElement).src = nearest.src;
-    peeker.hidden = true;
+    if (!hasFrame(pointed.frame)) peeker.hidden = true;
     peekAt(pointed.frame);
 }
 
 export function drawTip() {
     const {pointed, lightened, time, film, parts, events} = state;
     tip.hidden = !pointed;
+    at('peeked').hidden = !pointed || isPlaying();
     if (!pointed) return;
     putRing(at('peekring'), lightened, film ? pointed.frame : stillNear(parts.stills, pointed.frame)?.frame ?? pointed.frame);
     const named = lightened === null ? '' : ` · ${numberOf(events, lightened)} ${deedOf(events[lightened])}`;
@@ -45,7 +46,7 @@ export function drawTip() {
 }
 
 /**
- * Beside the pointer, on the side where the picture has less to show.
+ * One line beside the pointer, on the side where the picture has less to show.
  * @param {number} x
  * @param {number} y
  */

@@ -198,8 +198,12 @@ function playUnder(event, byFinger) {
     askWhich(/** @type {import('./which.js').Candidate[]} */ (meant), event);
 }
 
-/** Legend and buttons have a row of their own. */
-export const roomOf = () => [view.clientWidth, view.clientHeight - parseFloat(getComputedStyle(view).getPropertyValue('--buttons') || '0')].map(side => Math.max(1, side));
+/** Legend and buttons have a row of their own, and what a first visitor needs to know another. */
+export function roomOf() {
+    const style = getComputedStyle(view);
+    const rows = ['--buttons', '--first'].reduce((sum, name) => sum + (parseFloat(style.getPropertyValue(name)) || 0), 0);
+    return [view.clientWidth, view.clientHeight - rows].map(side => Math.max(1, side));
+}
 
 /**
  * Where the frame of now is held; null = the pointer is on something else.
@@ -241,6 +245,8 @@ export function listenToView() {
     } catch {
         set({isFirst: true});
     }
+    view.toggleAttribute('data-first', state.isFirst);
+    set({room: roomOf()});
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;
         fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
