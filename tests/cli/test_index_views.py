@@ -7,15 +7,15 @@ import time
 
 import pytest
 from harness import check
-from test_archive_index import HOUR, NOW, known, opened, write_index
+from test_archive_index import HOUR, NOW, files_of, known, opened, write_index
 
 pytestmark = pytest.mark.browser
 
 
 def cards(page):
-    """Of each card: name, badges."""
-    return page.run("return [...document.querySelectorAll('.card')].map(card => [card.querySelector('.name').textContent,"
-                    "[...card.querySelectorAll('.badge')].map(b => b.textContent)])")
+    """Of each card: name, badges and the number of events."""
+    return page.run("return [...document.querySelectorAll('.card')].map(card => [card.querySelector('.facts').title.split('/').pop(),"
+                    "[...card.querySelectorAll('.badge, .count')].map(b => b.textContent)])")
 
 
 def test_index_tells_what_was_left(t):
@@ -54,14 +54,18 @@ def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
         t.clip(f"clips/gate/{name}", 1)
     t.archive("clips", "-o", "out", "--size", "320x200").expect(0)
     with opened(t, cards=3) as page:
-        check(page.texts(".card:has(.gone) .name") == ["gone.avi"], str(page.texts(".card:has(.gone) .name")))
+        check(files_of(page, ".facts:has(.gone)") == ["gate/gone.avi"], str(files_of(page, ".facts:has(.gone)")))
         check(" · 1 gone" in page.text("summary"), page.text("summary"))
-        check(page.count(".new") == 3, "not all are new")
-        page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('gone.avi')).click()")
+        check(page.count(".seen") == 0, "one is said to be seen")
+        page.run("document.querySelector('a.card:has([title$=\"gone.avi\"])').click()")
         page.wait("the clip's page", "return document.title === 'the page of gone.avi'")
         page.open(t.path("out/index.html"))
         page.wait("cards", "return document.querySelectorAll('.card').length === 3")
-        check(page.count(".new") == 2, f"{page.count('.new')} of 3 are new")
+        check(files_of(page, ".seen .facts") == ["gate/gone.avi"], str(files_of(page, ".seen .facts")))
+        check("seen, " in page.run("return document.querySelector('.seen').ariaLabel"), "a screen reader does not tell it")
+        looks = "return [...document.querySelectorAll('.card .images')].map(e => getComputedStyle(e).opacity)"
+        page.move(2, 2)
+        check(sorted(page.run(looks)) == ["0.5", "1", "1"], f"seen is not dimmed: {page.run(looks)}")
         page.run("document.querySelector('[value=unseen]').click()")
         page.wait("two are left", "return document.querySelectorAll('.card').length === 2")
 
@@ -71,7 +75,7 @@ def test_index_leads_from_clip_to_clip(t):
         t.clip(f"clips/{name}.avi", 2)
     t.archive("clips", "-o", "out", "--size", "320x200", "--backend", "software").expect(0)
     with opened(t, cards=4) as page:
-        page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('09:00:00')).click()")
+        page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('09:00')).click()")
         for selector, name in (("#later", "20261120T100000.avi"), ("#earlier", "20261120T090000.avi"), ("#earlier", "20261120T080000.avi")):
             page.wait("a clip's page", "return document.documentElement.dataset.ready !== undefined")
             page.press(selector)
@@ -97,15 +101,54 @@ def test_index_by_days(t):
     with opened(t) as page:
         page.press("#views [value=days]")
         page.wait("days", "return document.querySelectorAll('#overview th[scope=row]').length === 40")
-        check(page.texts("#overview th[scope=col] bdi") == ["gate", "hall"], str(page.texts("#overview th[scope=col]")))
-        check(page.texts("#overview th[scope=col]:last-child .scale i") == ["0", "6", "12", "18", "24"], "the hours have no scale")
-        check(page.texts("#overview .month")[:1] == ["November 2026"], str(page.texts("#overview .month")))
+        check(page.texts("#overview table:first-of-type th[scope=col] bdi") == ["gate", "hall"], str(page.texts("#overview th[scope=col]")))
+        check(page.texts("#overview table:first-of-type th[scope=col]:last-child .scale i") == ["0", "6", "12", "18", "24"], "the hours have no scale")
+        check(page.texts("#overview caption") == ["November 2026", "October 2026"], str(page.texts("#overview caption")))
         check(page.count("#overview td button") == 40 + 14, "cells")
-        check(page.count("#overview td button .hours i") == 24 * 54, "hours")
+        check(page.count("#overview td button .hours i") == 54, "an hour of each clip")
+        # Columns are equally wide, and the bars of a day at one height, whatever is told below them.
+        wide = page.run("return [...document.querySelectorAll('#overview th[scope=col]')].map(e => Math.round(e.getBoundingClientRect().width))")
+        check(len(set(wide)) == 1, f"columns of {wide} pixels")
+        tops = page.run("return [...document.querySelectorAll('#overview tr')].map(row => [...row.querySelectorAll('.hours')].map(e => e.getBoundingClientRect().top))")
+        check(all(len(set(row)) <= 1 for row in tops), f"bars at {tops}")
+        left, top, right, bottom = page.box("#overview .hours i")
+        page.move((left + right) / 2, (top + bottom) / 2)
+        page.wait("what the hour has", "return document.querySelector('#overview .hours i').title === '08:00 to 08:59: 0 events in clips that begin then'")
         check(page.texts("#overview tr:has(.strong) th") == ["Mon 16"] and page.texts("#overview .strong") == ["left behind for 26 s"], "what was left")
         page.run("document.querySelector('#overview .strong').closest('button').click()")
         page.wait("the day's clips", "return document.querySelectorAll('.card').length === 1")
         check(page.text("count") == "1 of 54 clips · Mon 16 Nov", page.text("count"))
+
+
+@pytest.mark.parametrize("width", [1280, 2560, 390])
+def test_index_fills_its_width(t, width):
+    """Cards of a day fill rows, all cameras together, each still in its own shape; on a phone the first one is high up."""
+    for number, (camera, size) in enumerate([("gate", "160x120"), ("hall", "160x90"), ("yard", "160x120")] * 4):
+        clip = f"{camera}/{number:02}.avi"
+        known(t, clip, NOW - number * 600, events=1)
+        t.path(f"out/{camera}").mkdir(parents=True, exist_ok=True)
+        t.ffmpeg("-f", "lavfi", "-i", f"color=red:size={size}:duration=1:rate=1", "-frames:v", "1", f"out/{clip}.jpg")
+    write_index(t)
+    with opened(t) as page:
+        page.window(width, 844 if width == 390 else 900, mobile=width == 390)
+        page.reload()
+        page.wait("pictures", "return [...document.querySelectorAll('.card img')].filter(i => i.naturalWidth > 0).length > 2")
+        boxes = page.run("return [...document.querySelectorAll('.card .images')].map(e => { const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })"
+                         ".filter(([, top]) => top < innerHeight)")  # others are not laid out
+        whole = page.run("return document.getElementById('days').clientWidth")
+        rows = {}
+        for left, top, wide, high in boxes:
+            rows.setdefault(round(top), []).append((left, wide, high))
+        *full, last = rows.values()
+        for row in full:
+            heights = [high for *_, high in row]
+            check(max(heights) - min(heights) < 1, f"heights in a row: {row}")
+            used = sum(wide for _, wide, _ in row) + 14 * len(row)
+            check(used > 0.95 * whole, f"a row of {used} in {whole} pixels")
+        ratios = sorted({round(wide / high, 1) for _, _, wide, high in boxes})
+        check(all(ratio in (1.3, 1.4, 1.7, 1.8) for ratio in ratios), f"pictures of the shapes {ratios}")
+        if width == 390:
+            check(boxes[0][1] < 130, f"the first card is at {boxes[0][1]}")
 
 
 def gallery_page(t):
@@ -155,7 +198,7 @@ def test_index_card_shows_each_event(t):
         check(page.count(".card .tile") == 1 and page.run("return document.querySelector('.card').hash") == "", "the event stays")
         # Keys.
         page.run("document.querySelector('#order').focus()")
-        while page.run("return document.activeElement.className") != "card":
+        while not page.run("return document.activeElement.matches('.card')"):
             page.key("\ue004")
         page.wait("the first event", f"return document.querySelector('.card .of').textContent.startsWith('1 of {count}')")
         page.key("\ue012")

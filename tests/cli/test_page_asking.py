@@ -41,6 +41,9 @@ def test_page_lists_what_crossed_a_line(t):
             check(page.text("heading") == "3 of 5 events", page.text("heading"))
             bars = page.run("return new Set([...document.querySelectorAll('#bars [data-event]')].map(b => b.dataset.event)).size")
             check(bars == 3, f"{bars} bars of 3 events")
+        # What was asked is a picture with the line on it.
+        check(page.text("askall") == "Across this line✕" and page.count("#askall line") == 1, page.text("askall"))
+        page.wait("its picture", "return document.querySelector('#askall img')?.naturalWidth > 0")
         page.press("#askall")
         check(page.text("heading") == "5 events" and page.hidden("copyroi"), page.text("heading"))
 

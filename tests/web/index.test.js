@@ -32,6 +32,12 @@ const choices = choicesIn(data);
 const named = list => list.map(clip => clip.url.split('/').pop());
 const unseen = () => false;
 
+test('a time has seconds only where a camera has two clips in a minute', () => {
+    const row = (camera, seconds) => [camera, `${camera}/${seconds}`, seconds, 5, 0, 0, null, null, null];
+    const few = clipsOf({...data, zone: [[0, 0, 'UTC']], clips: [row(0, 60), row(0, 90), row(1, 61), row(0, 120)], recordings: []}, wallIn([[0, 0, 'UTC']]));
+    assert.deepEqual(few.map(clip => [clip.camera, clip.clock]), [[0, '00:02'], [0, '00:01:30'], [1, '00:01'], [0, '00:01:00']]);
+});
+
 test('clips are read from their rows, the newest first', () => {
     assert.deepEqual(named(clips), ['d%20e.mp4', 'c.mp4', 'b.mp4', '2026-11-21', 'a.mp4', 'f.mp4']);
     const [d, c, b, whole, a, f] = clips;

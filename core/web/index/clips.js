@@ -17,6 +17,7 @@ import {bits} from './data.js';
  * @property {number} seconds
  * @property {string} day 2026-11-21
  * @property {string} time 07:15:02
+ * @property {string} clock 07:15, with seconds only where the camera has another clip in that minute
  * @property {number} hour
  * @property {number | null} events null = unknown
  * @property {number} files bits
@@ -49,7 +50,7 @@ function clipBy(data, wallOf) {
         const shown = until === undefined ? '' : dayText(wallOf(until)) + ' ' + timeText(wallOf(until));
         const failed = typeof status === 'number';
         return {
-            camera, url, path, begins, seconds, day, time, events, files, status: status ?? undefined, tries, failed,
+            camera, url, path, begins, seconds, day, time, clock: time.slice(0, 5), events, files, status: status ?? undefined, tries, failed,
             name: recording ? many(recording.clips, 'clip') : path.slice(path.lastIndexOf('/') + 1),
             hour: date.getUTCHours(),
             tallyOf: Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0])),
@@ -74,7 +75,17 @@ function clipBy(data, wallOf) {
  */
 export function clipsOf(data, wallOf) {
     const clipOf = clipBy(data, wallOf);
-    return [...data.clips.map(row => clipOf(row)), ...data.recordings.map(recording => clipOf(recording.row, recording))]
+    const single = data.clips.map(row => clipOf(row));
+    /** @type {Map<string, Clip>} */
+    const first = new Map();
+    for (const clip of single) {
+        const minute = [clip.camera, clip.day, clip.time.slice(0, 5)].join();
+        const other = first.get(minute);
+        if (other) other.clock = other.time;
+        if (other) clip.clock = clip.time;
+        first.set(minute, clip);
+    }
+    return [...single, ...data.recordings.map(recording => clipOf(recording.row, recording))]
         .sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
 }
 

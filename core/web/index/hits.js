@@ -12,7 +12,7 @@ import {stillsOf} from './events.js';
 import {wallIn} from './scene.js';
 import {nearestStill, stillsBetween} from './sheet.js';
 import {cameraName, data, hits, search, see, state} from './state.js';
-import {Tile, playOn} from './tiles.js';
+import {Tile, playOn, shaped} from './tiles.js';
 
 /** @typedef {import('./answers.js').Found} Found */
 
@@ -54,7 +54,7 @@ function pictureOf({event, how}) {
         note.textContent = timeText(wallIn(event, stills[next]));
     }})) : [];
     rest();
-    const window = element('span', 'images');
+    const window = shaped(element('span', 'images'), event.clip.camera);
     window.append(tile.window, note);
     return {window, scenes, rest};
 }

@@ -1,33 +1,36 @@
-// Clips: a section for each day, in it one for each camera, filled when it comes near the window.
+// Clips: a section for each day with all cameras, filled when it comes near the window.
 
 import {at, button, element} from '../shared/dom.js';
 import {shortSpanOf} from '../shared/durations.js';
 import {grouped, many} from '../shared/text.js';
 import {timeText, weekday} from '../shared/wall_clock.js';
 import {counted, failureOf, tallyWords} from './clips.js';
-import {clear} from './filters.js';
+import {clear, dayWords} from './filters.js';
 import {pictureOf, urlOfCard} from './gallery.js';
 import {lastFailed, sortedBy} from './query.js';
-import {byCameraName, cameraName, choices, chosenClips, clips, data, isSeen, see, state, wallOf} from './state.js';
+import {cameraName, choices, chosenClips, clips, data, isSeen, see, state, wallOf} from './state.js';
+import {shaped} from './tiles.js';
 
 /** @typedef {import('./clips.js').Clip} Clip */
 
-const cardHeight = 290;  // about, with the gap below
+const cardHeight = 230;  // about, with the gap below
+const cardWidth = 232;  // about, with the gap beside
+const mostColumns = 12;
 
-/** @param {Clip} clip */
+/**
+ * What a card says on its picture: how much of what, and what is wrong with the recording.
+ * @param {Clip} clip
+ */
 function badgesOf(clip) {
-    const badges = [];
-    for (const kind of data.kinds) {
-        const told = clip.tallyOf[kind.name];
-        if (told > 0) badges.push(element('span', 'badge ' + kind.emphasis, tallyWords(kind, told)));
-    }
-    if (clip.events !== null) {
-        badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
-    }
+    const badges = data.kinds.filter(({name}) => clip.tallyOf[name] > 0)
+        .map(kind => element('span', 'badge ' + kind.emphasis, tallyWords(kind, clip.tallyOf[kind.name])));
     for (const fault of clip.faults) badges.push(element('span', 'badge strong', fault));
     if (clip.reason && !clip.failed) badges.push(titled(element('span', 'badge strong', 'incomplete'), clip.reason));
     return badges;
 }
+
+/** @param {Clip} clip */
+const eventsOf = ({events}) => events === null ? '' : events ? many(events, 'event') : 'no events';
 
 /**
  * From when to when a picture of a day shows it: most days are not whole.
@@ -48,44 +51,49 @@ export function stretchOf(clip) {
  */
 const titled = (made, title) => Object.assign(made, {title});
 
+/** Whether days are headings, which cards need not repeat. */
+const isByDay = () => ['newest', 'oldest'].includes(state.order);
+
 /** @param {Clip} clip */
 function factsOf(clip) {
     const first = element('span', 'first');
-    first.append(element('b', '', clip.wholeDay ? stretchOf(clip) : clip.time));
-    if (clip.drawn) first.append(element('small', '', shortSpanOf(clip.seconds)));
-    if (clip.drawn && !isSeen(clip)) first.append(titled(element('i', 'new', '● new'), 'not seen yet'));
-    const badges = element('span', 'badges');
-    if (clip.drawn) badges.append(...badgesOf(clip));
+    const when = clip.wholeDay ? stretchOf(clip) : clip.clock;
+    first.append(element('b', '', isByDay() ? when : `${dayWords(clip.day)}, ${when}`));
+    if (data.cameras.length > 1) first.append(element('bdi', '', cameraName(clip.camera)));
+    if (clip.drawn && clip.events !== null) first.append(element('span', 'count', eventsOf(clip)));
+    const facts = titled(element('span', 'facts'), clip.wholeDay ? `${clip.path}: ${clip.name}` : clip.path);
+    facts.append(first);
     if (clip.failed && clip.drawn) {
-        badges.append(titled(element('span', 'badge strong', 'failed; shows what was until ' + clip.until), `${failureOf(clip)}: ${clip.reason}`));
+        facts.append(titled(element('small', 'bad', 'failed; shows what was until ' + clip.until), `${failureOf(clip)}: ${clip.reason}`));
     }
-    const second = element('span', 'second');
-    second.append(titled(element('bdi', 'name', clip.name), clip.path));
     if (clip.placedBy) {
-        second.append(titled(element('small', 'written', clip.wholeDay ? 'day of writing' : 'time of writing'),
-                             `Nothing tells when it was recorded, so it stands at ${clip.placedBy}.`));
+        facts.append(titled(element('small', 'written', clip.wholeDay ? 'day of writing' : 'time of writing'),
+                            `Nothing tells when it was recorded, so it stands at ${clip.placedBy}.`));
     }
-    if (clip.gone) second.append(element('small', 'gone', 'the clip is gone'));
-    const facts = element('span', 'facts');
-    facts.append(first, badges, second);
+    if (clip.gone) facts.append(element('small', 'gone', 'the clip is gone'));
     return facts;
 }
 
 /** @param {Clip} clip */
 function cardOf(clip) {
     if (!clip.drawn) {
-        const card = element('article', 'card failed');
+        const card = shaped(element('article', 'card failed'), clip.camera);
         const reason = titled(element('p', 'reason'), clip.reason);
         reason.append(element('b', '', failureOf(clip)), clip.reason);
         card.append(reason, factsOf(clip));
         return card;
     }
-    const card = element('a', 'card');
+    const card = shaped(element('a', isSeen(clip) ? 'card seen' : 'card'), clip.camera);
     card.href = urlOfCard(clip);
     card.dataset.url = clip.url;
+    const badges = badgesOf(clip);
     card.ariaLabel = `${cameraName(clip.camera)}, ${clip.day}, ${clip.wholeDay ? stretchOf(clip) : clip.time}: ` +
-        [...clip.drawn && !isSeen(clip) ? ['not seen yet'] : [], ...badgesOf(clip).map(badge => badge.textContent), clip.name].join(', ');
-    card.append(pictureOf(clip, card), factsOf(clip));
+        [...isSeen(clip) ? ['seen'] : [], ...badges.map(badge => badge.textContent), eventsOf(clip), clip.name].filter(Boolean).join(', ');
+    const picture = pictureOf(clip, card);
+    const told = element('span', 'told');
+    told.append(...badges);
+    picture.append(told, element('small', 'length', shortSpanOf(clip.seconds)));
+    card.append(picture, factsOf(clip));
     card.addEventListener('click', () => see(clip));
     return card;
 }
@@ -104,37 +112,29 @@ const nearby = new IntersectionObserver(entries => {
 function fill(cards) {
     nearby.unobserve(cards);
     if (cards instanceof HTMLElement) cards.style.minHeight = '';
-    cards.replaceChildren(...(empty.get(cards) ?? []).map(cardOf));
+    const list = empty.get(cards) ?? [];
+    // Cards of a row are equally high, and as wide as their shapes want. What fills the last row is not to be seen.
+    const fillers = Array.from({length: mostColumns}, () => shaped(element('i'), list[list.length - 1]?.camera ?? 0));
+    cards.replaceChildren(...list.map(cardOf), ...fillers);
     empty.delete(cards);
 }
 
 /**
  * @param {string} title
- * @param {Clip[]} clipsOf
- * @param {number} columns
- */
-function sectionOf(title, clipsOf, columns) {
-    const block = element('section', 'camera');
-    block.style.setProperty('--count', String(clipsOf.length));
-    const cards = element('div', 'cards');
-    empty.set(cards, clipsOf);
-    cards.style.minHeight = Math.ceil(clipsOf.length / columns) * cardHeight + 'px';
-    block.append(element('h3', '', title), cards);
-    nearby.observe(cards);
-    return block;
-}
-
-/**
  * @param {Clip[]} list
  * @param {number} columns
  */
-const sectionsByDay = (list, columns) => [...grouped(list, 'day')].map(([day, ofDay]) => {
+function sectionOf(title, list, columns) {
     const section = element('section', 'day');
-    const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => byCameraName(a[0], b[0]));
-    section.append(element('h2', '', weekday(day) + ', ' + day), ...cameras.map(([camera, ofCamera]) =>
-        sectionOf(`${cameraName(camera)} · ${many(counted(ofCamera).length, 'clip')}`, lastFailed(ofCamera), columns)));
+    const heading = element('h2', '', title + ' ');
+    heading.append(element('small', '', many(counted(list).length, 'clip')));
+    const cards = element('div', 'cards');
+    empty.set(cards, list);
+    cards.style.minHeight = Math.ceil(list.length / columns) * cardHeight + 'px';
+    section.append(heading, cards);
+    nearby.observe(cards);
     return section;
-});
+}
 
 export function noteOfNone() {
     const note = element('p', 'empty', clips.length ? 'No matching clips · ' : 'No clips yet.');
@@ -148,11 +148,11 @@ export function drawClips() {
     const days = at('days');
     nearby.disconnect();
     empty.clear();
-    const columns = Math.max(1, Math.floor((days.clientWidth + 12) / 284));
-    const title = at('order', HTMLSelectElement).selectedOptions[0]?.textContent ?? '';
-    const byTime = state.order === 'oldest' ? [...list].reverse() : state.order === 'newest' ? list : null;
-    const sections = !list.length ? [noteOfNone()] : byTime ? sectionsByDay(byTime, columns)
-        : [sectionOf(title, sortedBy(list, state.order, choices), columns)];
+    const columns = Math.max(1, Math.floor(days.clientWidth / cardWidth));
+    const sections = !list.length ? [noteOfNone()]
+        : isByDay() ? [...grouped(state.order === 'oldest' ? [...list].reverse() : list, 'day')].map(([day, ofDay]) =>
+            sectionOf(`${weekday(day)}, ${day}`, lastFailed(ofDay), columns))
+        : [sectionOf(at('order', HTMLSelectElement).selectedOptions[0]?.textContent ?? '', sortedBy(list, state.order, choices), columns)];
     days.replaceChildren(...sections);
 }
 

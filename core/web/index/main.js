@@ -8,7 +8,7 @@ import {askedWords, drawCount, drawFilters, listenToFilters} from './filters.js'
 import {drawHits, listenToHits} from './hits.js';
 import {focusShown, followAddress, leadToHit, listenToReturn} from './leading.js';
 import {drawClips, fillAll} from './list.js';
-import {drawDays} from './overview.js';
+import {drawDays, listenToDays} from './overview.js';
 import {answer, askPlace, drawHeat, drawHours, drawPlace, drawScene, drawTools, drawWays, listenToScene, sceneCamera} from './scene.js';
 import {ask, cameraName, camerasByName, chosenClips, clips, data, drawAll, hits, search, searchedClips, set, span, state} from './state.js';
 
@@ -21,6 +21,7 @@ const cameras = at('camera', HTMLSelectElement);
 const buttonOf = new Map();
 
 function drawViews() {
+    document.documentElement.toggleAttribute('data-scene', state.view === 'scene');
     for (const [view, id] of [['clips', 'days'], ['days', 'overview'], ['scene', 'scene']]) at(id).hidden = state.view !== view;
     for (const choice of at('views').querySelectorAll('button')) press(choice, choice.value === state.view);
 }
@@ -48,7 +49,7 @@ const parts = [
     {draw: drawDays, from: () => [state.view === 'days' && chosenClips()]},
     {draw: drawScene, from: () => [state.view === 'scene', sceneCamera(), sceneCamera() === null && state.tool]},
     {draw: drawTools, from: () => [state.tool, state.view, state.drawn, state.place, sceneCamera()]},
-    {draw: drawPlace, from: () => [state.place, state.drawn]},
+    {draw: drawPlace, from: () => [state.place, state.drawn, sceneCamera()]},
     {draw: answer, from: () => state.view === 'scene' ? [searchedClips(), state.place, state.way, state.kind, state.class, span()] : [null]},
     {draw: drawWays, from: () => [state.answer, state.place, state.way]},
     {draw: drawHits, from: () => [state.answer, hits(), state.all]},
@@ -96,7 +97,7 @@ function listen() {
 // The files of days call it.
 Object.assign(window, {vvrDay: takeDay});
 fillPage();
-for (const start of [listen, listenToFilters, listenToScene, listenToHits, listenToReturn]) start();
+for (const start of [listen, listenToFilters, listenToDays, listenToScene, listenToHits, listenToReturn]) start();
 drawAll(parts);
 followAddress();
 

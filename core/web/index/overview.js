@@ -12,34 +12,45 @@ import {ask, byCameraName, cameraName, chosenClips, data, search, see, state} fr
 /** @typedef {import('./clips.js').Clip} Clip */
 
 /**
+ * The hours that have clips; the others are empty space.
  * @param {Clip[]} all
  * @param {number} most events in an hour of any cell
  */
 function hoursOfCell(all, most) {
     const hours = element('span', 'hours');
     hoursOf(all.filter(clip => !clip.wholeDay)).forEach(({clips, events}, k) => {
-        const hour = element('i', !clips ? 'nothing' : events === null ? 'unknown' : events === 0 ? 'quiet' : 'busy');
-        const told = events === null ? 'no events are known of' : many(events, 'event') + ' in';
-        hour.title = `${digits(k)}:00 to ${digits(k)}:59: ${clips ? told + ' clips that begin then' : 'no clip begins'}`;
+        if (!clips) return;
+        const hour = element('i', events === null ? 'unknown' : events === 0 ? 'quiet' : 'busy');
+        hour.style.gridColumn = String(k + 1);
         hour.dataset.hour = String(k);
+        hour.dataset.events = String(events ?? '');
         if (events) hour.style.opacity = String(0.25 + 0.75 * Math.sqrt(events / most));
         hours.append(hour);
     });
     return hours;
 }
 
-/** @param {Clip[]} list */
-function wordsOfCell(list) {
-    const words = element('span', 'badges');
-    const events = eventsIn(list);
-    if (events !== null) words.append(element('span', '', many(events, 'event')));
-    for (const kind of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
-        const longest = Math.max(...list.map(clip => clip.tallyOf[kind.name]));
-        if (longest > 0) words.append(element('span', 'badge ' + kind.emphasis, tallyWords(kind, longest)));
-    }
+/**
+ * Tells what an hour has, once somebody points at it: words for all would be most of the work.
+ * @param {MouseEvent} event
+ */
+function tellHour({target}) {
+    if (!(target instanceof HTMLElement) || target.dataset.hour === undefined) return;
+    const {hour, events} = target.dataset;
+    const told = events ? many(Number(events), 'event') + ' in' : 'no events are known of';
+    target.title = `${digits(Number(hour))}:00 to ${digits(Number(hour))}:59: ${told} clips that begin then`;
+}
+
+/**
+ * What is told of a cell, the most important first.
+ * @param {Clip[]} list
+ */
+function tellingsOf(list) {
+    const tellings = data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')
+        .map(kind => ({kind, longest: Math.max(...list.map(clip => clip.tallyOf[kind.name]))})).filter(({longest}) => longest > 0)
+        .map(({kind, longest}) => ({words: tallyWords(kind, longest), className: 'badge ' + kind.emphasis}));
     const failed = list.filter(clip => clip.failed).length;
-    if (failed) words.append(element('span', 'bad', `✕${failed} failed`));
-    return words;
+    return [...failed ? [{words: `✕${failed} failed`, className: 'bad'}] : [], ...tellings];
 }
 
 // An hour is too small for a finger.
@@ -51,7 +62,7 @@ const fingers = matchMedia('(pointer: coarse)');
  */
 function hourUnder({target}) {
     if (fingers.matches) return {};
-    const hour = target instanceof HTMLElement && target.matches('.unknown, .quiet, .busy') ? Number(target.dataset.hour) : null;
+    const hour = target instanceof HTMLElement && target.dataset.hour !== undefined ? Number(target.dataset.hour) : null;
     return hour === null ? {} : {since: digits(hour) + ':00', until: digits(hour + 1) + ':00'};
 }
 
@@ -64,11 +75,17 @@ function cellOf(all, most) {
     if (!all.length) return cell;
     const list = counted(all);
     const {camera, day} = list[0];
-    const words = wordsOfCell(list);
+    const events = eventsIn(list);
+    const count = events === null ? [] : [{words: many(events, 'event'), className: ''}];
+    const [first, ...more] = tellingsOf(list);
+    // One line: bars stand at one height.
+    const words = element('span', 'badges');
+    words.append(...[...count, ...first ? [first] : []].map(({words: text, className}) => element('span', className, text)));
+    if (more.length) words.append(Object.assign(element('span', '', '+' + more.length), {title: more.map(({words: text}) => text).join(', ')}));
     const made = button('', '');
     made.addEventListener('click', event => ask({view: 'clips', camera, from: day, to: day, ...hourUnder(event)}));
     made.append(hoursOfCell(all, most), words);
-    made.ariaLabel = `${cameraName(camera)}, ${day}: ${[...words.children].map(word => word.textContent).join(', ')}`;
+    made.ariaLabel = `${cameraName(camera)}, ${day}: ${[...count, ...first ? [first] : [], ...more].map(({words: text}) => text).join(', ')}`;
     cell.append(made);
     const recording = all.find(clip => clip.wholeDay && clip.drawn);
     if (recording) {
@@ -86,11 +103,18 @@ function cellOf(all, most) {
  */
 const headOf = (text, scope) => Object.assign(element('th', '', text), {scope});
 
-export function drawDays() {
-    if (state.view !== 'days') return;
-    const list = chosenClips();
+const rowHeight = 58;  // about
+
+/**
+ * The days of a month.
+ * @param {Map<string, Clip[]>} days
+ * @param {number[]} cameras
+ * @param {number} most events in an hour of any cell
+ */
+function tableOf(days, cameras, most) {
     const table = element('table');
-    const cameras = [...new Set(list.map(clip => clip.camera))].sort(byCameraName);
+    table.style.setProperty('contain-intrinsic-height', `auto ${rowHeight * (days.size + 1)}px`);
+    const [first] = days.keys();
     const head = element('tr');
     head.append(element('td'), ...cameras.map(camera => {
         const cell = headOf('', 'col');
@@ -100,22 +124,30 @@ export function drawDays() {
         cell.append(element('bdi', '', cameraName(camera)), scale);
         return cell;
     }));
-    table.append(head);
-    const most = busiestHour(list);
-    let month = '';
-    for (const [day, ofDay] of grouped(list, 'day')) {
-        if (day.slice(0, 7) !== month) {
-            month = day.slice(0, 7);
-            const row = element('tr', 'month');
-            row.append(Object.assign(element('th', '', monthOf(day)), {colSpan: cameras.length + 1}));
-            table.append(row);
-        }
+    table.append(element('caption', '', monthOf(first)), head, ...[...days].map(([day, ofDay]) => {
         const row = element('tr');
         const byCamera = grouped(ofDay, 'camera');
         row.append(headOf(`${weekday(day).slice(0, 3)} ${day.slice(8)}`, 'row'), ...cameras.map(camera => cellOf(byCamera.get(camera) ?? [], most)));
-        table.append(row);
+        return row;
+    }));
+    return table;
+}
+
+export function drawDays() {
+    if (state.view !== 'days') return;
+    const list = chosenClips();
+    const cameras = [...new Set(list.map(clip => clip.camera))].sort(byCameraName);
+    at('overview').style.setProperty('--cameras', String(cameras.length));
+    const most = busiestHour(list);
+    /** @type {Map<string, Map<string, Clip[]>>} */
+    const months = new Map();
+    for (const [day, ofDay] of grouped(list, 'day')) {
+        const month = day.slice(0, 7);
+        months.set(month, (months.get(month) ?? new Map()).set(day, ofDay));
     }
     const hint = element('p', 'hint', `Each box is an hour. The stronger its colour, the more events (at most ${most}). `);
     hint.append(element('span', 'how', fingers.matches ? 'Tap a day to see its clips.' : 'Click an hour, or a day, to see its clips.'));
-    at('overview').replaceChildren(...list.length ? [hint, table] : [noteOfNone()]);
+    at('overview').replaceChildren(...list.length ? [hint, ...[...months.values()].map(days => tableOf(days, cameras, most))] : [noteOfNone()]);
 }
+
+export const listenToDays = () => at('overview').addEventListener('pointerover', tellHour);

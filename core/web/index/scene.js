@@ -1,7 +1,7 @@
 // Scene: what was where over all days of a camera.
 
 import {at, button, element, press} from '../shared/dom.js';
-import {beginByKeys, drawShape, isByKeyboard, letDraw} from '../shared/drawing.js';
+import {beginByKeys, drawChip, drawShape, isByKeyboard, letDraw} from '../shared/drawing.js';
 import {isWithin} from '../shared/day_time.js';
 import {digits, many} from '../shared/text.js';
 import {timeText} from '../shared/wall_clock.js';
@@ -108,7 +108,7 @@ function drawChoosers() {
             asks: place => ask({camera, place}),
         });
         drawing.addEventListener('click', () => { if (!state.tool) ask({camera}); });
-        image.addEventListener('load', () => { picture.style.aspectRatio = String(image.naturalWidth / image.naturalHeight); });
+        image.addEventListener('load', () => { figure.style.setProperty('--shape', String(image.naturalWidth / image.naturalHeight)); });
         picture.append(image, drawing);
         const name = button('', cameraName(camera), () => ask({camera}));
         name.addEventListener('click', event => { if (isByKeyboard(event) && state.tool) beginDrawing(state.tool); });
@@ -150,7 +150,7 @@ export function drawHours() {
 
 export function drawPlace() {
     drawShape(surface, state.drawn ?? state.place, [1000, 1000], 1000);
-    at('askall').hidden = state.place === null && state.drawn === null;
+    drawChip(at('askall'), state.place, ground.src, 1000);
 }
 
 const hints = {box: 'Draw a rectangle: what was in it is listed.', line: 'Draw a line: what crossed it is listed, with the direction.'};

@@ -30,6 +30,24 @@ export function imageOf(clip, extension) {
  */
 export const stillOf = clip => imageOf(clip, clip.files & bits.still ? '.still.jpg' : clip.files & bits.thumbnail ? '.jpg' : '.png');
 
+/**
+ * Cameras whose shape is known: all that a camera records mostly has the same, so cards have it before their pictures come.
+ * @type {Set<number>}
+ */
+const knownShapes = new Set();
+
+/**
+ * An element that has the shape of a camera's pictures.
+ * @template {HTMLElement} E
+ * @param {E} made
+ * @param {number} camera
+ */
+export function shaped(made, camera) {
+    made.classList.add('shaped');
+    made.style.setProperty('--shape', `var(--shape-${camera}, 1.333)`);
+    return made;
+}
+
 /** A window that shows one picture of a sheet. */
 export class Tile {
     /**
@@ -38,6 +56,7 @@ export class Tile {
      */
     constructor(clip, count) {
         this.count = count;
+        this.camera = clip.camera;
         this.window = element('span', count ? 'tile' : 'tile single');
         this.image = count ? imageOf(clip, '.stills.jpg') : stillOf(clip);
         this.window.append(this.image);
@@ -49,7 +68,9 @@ export class Tile {
         const rows = Math.max(1, Math.ceil(this.count / columns));
         const shape = this.image.naturalWidth / columns / (this.image.naturalHeight / rows);
         this.window.style.aspectRatio = String(shape);
-        this.window.style.setProperty('--shape', String(shape));
+        /** @type {HTMLElement | null} */ (this.window.closest('.shaped'))?.style.setProperty('--shape', String(shape));
+        if (!knownShapes.has(this.camera)) document.documentElement.style.setProperty('--shape-' + this.camera, String(shape));
+        knownShapes.add(this.camera);
     }
 
     /** @param {number} place of the picture on the sheet */

@@ -1,7 +1,7 @@
 // Asking by place: a rectangle or a line that is drawn on the player.
 
 import {at, press} from '../shared/dom.js';
-import {beginByKeys, drawShape, isByKeyboard, letDraw} from '../shared/drawing.js';
+import {beginByKeys, drawChip, drawShape, isByKeyboard, letDraw} from '../shared/drawing.js';
 import {say} from './messages.js';
 import {set, state} from './state.js';
 
@@ -40,20 +40,12 @@ export function askPlace(shape) {
     say(shape ? at('heading').textContent ?? '' : 'All events again');
 }
 
-/** Of the place, for who reads it on paper. */
-function askedWords() {
-    const {asked, data: {size}} = state;
-    if (!asked) return '';
-    const [from, to] = [asked.from, asked.to].map(point => point.map((share, k) => Math.round(share * size[k])).join(','));
-    return asked.kind === 'box' ? `Searched: area ${from} to ${to}.` : `Searched: line ${from} to ${to}.`;
-}
-
 export function drawTools() {
     const {asking, drawn} = state;
     drawing.classList.toggle('active', asking !== null);
     for (const [id, kind] of tools) press(at(id), asking === kind);
-    at('hint').textContent = drawn ? keyHint : asking ? hints[asking] : askedWords();
-    at('asks').hidden = at('hint').textContent === '';
+    at('hint').textContent = drawn ? keyHint : asking ? hints[asking] : '';
+    at('asks').hidden = at('hint').textContent === '' && state.asked === null;
     at('filmnow').hidden = !at('asks').hidden;  // in its place, so that the list does not move
     at('asks').toggleAttribute('data-asked', state.asked !== null);
 }
@@ -61,7 +53,7 @@ export function drawTools() {
 export function drawAsked() {
     const {asked, drawn, data} = state;
     drawShape(drawing, drawn ?? asked, data.size, 1);
-    at('askall').hidden = asked === null;
+    drawChip(at('askall'), asked, state.parts.stills[0]?.src ?? '', 1);
     at('copyroi').hidden = asked?.kind !== 'box';
 }
 

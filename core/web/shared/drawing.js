@@ -1,6 +1,6 @@
 // Drawing a rectangle or a line over a picture, with the pointer or with keys.
 
-import {appendShape, sharesWithin} from './dom.js';
+import {appendShape, element, sharesWithin} from './dom.js';
 import {firstShape, inThousandths, movedShape, scaled} from './shapes.js';
 import {clamp} from './text.js';
 
@@ -46,6 +46,25 @@ export function drawShape(surface, shape, [width, height], whole, isFixed = fals
         }, surface);
         if (focused === ends[k] && handle instanceof SVGElement) handle.focus({preventScroll: true});
     });
+}
+
+/**
+ * A button that shows what is searched in a small picture, and ends the search.
+ * @param {HTMLElement} button
+ * @param {Shape | null} shape null = nothing is searched
+ * @param {string} src the picture
+ * @param {number} whole the picture's width and height in the unit of shapes
+ */
+export function drawChip(button, shape, src, whole) {
+    button.hidden = shape === null;
+    if (!shape) return;
+    const picture = element('span', 'place');
+    const marks = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    marks.setAttribute('preserveAspectRatio', 'none');
+    drawShape(marks, shape, [1000, 1000], whole, true);
+    picture.append(Object.assign(element('img'), {src, alt: ''}), marks);
+    button.replaceChildren(picture, shape.kind === 'box' ? 'In this area' : 'Across this line', element('span', 'end', '✕'));
+    button.title = 'Search everywhere again';
 }
 
 /**

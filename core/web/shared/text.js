@@ -6,8 +6,10 @@ export const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 /** @type {(number: number) => string} */
 export const digits = number => String(number).padStart(2, '0');
 
+const inGroups = new Intl.NumberFormat('en');  // toLocaleString makes one each time
+
 /** @type {(count: number, word: string) => string} */
-export const many = (count, word) => count.toLocaleString('en') + ' ' + word + (count === 1 ? '' : 's');
+export const many = (count, word) => inGroups.format(count) + ' ' + word + (count === 1 ? '' : 's');
 
 /**
  * Replaces characters that change the direction of writing by their code points. With them, a name could show a wrong

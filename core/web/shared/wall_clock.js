@@ -31,10 +31,13 @@ export function wallIn(changes) {
     };
 }
 
+const weekdays = new Intl.DateTimeFormat('en', {weekday: 'long', timeZone: 'UTC'});
+const months = new Intl.DateTimeFormat('en', {month: 'long', year: 'numeric', timeZone: 'UTC'});
+
 /** @param {string} day as 2026-11-21 */
-export const weekday = day => new Date(day + 'T00:00:00Z').toLocaleDateString('en', {weekday: 'long', timeZone: 'UTC'});
+export const weekday = day => weekdays.format(new Date(day + 'T00:00:00Z'));
 /** @param {string} day as 2026-11-21 */
-export const monthOf = day => new Date(day + 'T00:00:00Z').toLocaleDateString('en', {month: 'long', year: 'numeric', timeZone: 'UTC'});
+export const monthOf = day => months.format(new Date(day + 'T00:00:00Z'));
 
 /**
  * The day so many days earlier.
