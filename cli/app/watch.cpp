@@ -28,6 +28,8 @@
 #include "cli/write/write.h"
 #include "core/annotation/lettering.h"
 #include "core/annotation/time_ticks.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/thresholds.h"
 #include "core/footage/recorder_names.h"
@@ -36,6 +38,7 @@
 #include "core/media/input.h"
 #include "core/page/html.h"
 #include "core/page/page.h"
+#include "core/page/preview.h"
 
 namespace vvr::app {
 
@@ -104,15 +107,96 @@ std::unique_ptr<media::LiveSource> connect(const RenderJob& job, const StreamOpt
     return std::make_unique<media::LiveSource>(only_input(job.input), std::move(live));
 }
 
+/// A film of what a stream's page shows: a small video of each brick, beside the page. They take turns with as many
+/// files as the window has bricks, and two more for whoever still has an older page. So no other file is touched, and a
+/// later run uses the same ones.
+class BrickFilms {
+  public:
+    /// \throws Error output_replaces_input
+    BrickFilms(const Plan& plan, const media::VideoInfo& info, Observer& observer)
+        : page_(page_of(plan.output.files)), window_(plan.volume.window), info_(info), observer_(observer) {
+        if (page_.empty()) return;
+        std::error_code none;
+        for (std::int64_t place = 0; place < places(); ++place) {
+            const fs::path file = file_at(place, fs::path(info.name).extension().string());
+            if (fs::equivalent(file, info.name, none))
+                throw Error(
+                    ErrorCode::output_replaces_input,
+                    fmt::format("the films of the page would overwrite the input '{}'; use another name", info.name));
+        }
+    }
+
+    void add(const media::SharedFrame& frame) {
+        if (page_.empty()) return;
+        if (!video_) {
+            const std::int64_t frames = window_.brick_frames();
+            video_.emplace(info_.size, page::ExpectedLength{frames, static_cast<double>(frames) / info_.rate},
+                           page::Preview::Use::instead);
+            begin_ = frame->pts;
+        }
+        end_ = frame->pts + 1 / info_.rate;
+        video_->add(frame);
+    }
+
+    /// Writes the film of a brick.
+    void end_brick() {
+        if (!video_) return;
+        const std::optional<page::EncodedVideo> film = video_->finish();
+        const std::string problem = video_->problem();
+        video_.reset();
+        if (!problem.empty() && !std::exchange(has_failed_, true))
+            observer_.warn(fmt::format("the page has no film, because FFmpeg could not encode one: {}", problem));
+        if (!film) return;
+        const fs::path file = file_at(next_++ % places(), "." + film->type.substr(film->type.find('/') + 1));
+        {
+            const auto held = observer_.guard();
+            replace_file(file, film->bytes);
+        }
+        // A browser may have kept what the file was before.
+        films_.push_back(
+            {fmt::format("{}?{}", page::relative_url(page_, file), std::time(nullptr)), begin_, end_ - begin_});
+        if (std::ssize(films_) > window_.bricks) films_.pop_front();
+    }
+
+    /// The films that show something of the stream after a moment.
+    std::vector<page::PageContent::Segment> since(double seconds) const {
+        std::vector<page::PageContent::Segment> shown;
+        std::ranges::copy_if(films_, std::back_inserter(shown),
+                             [&](const auto& film) { return film.begin + film.length > seconds; });
+        return shown;
+    }
+
+  private:
+    std::int64_t places() const { return window_.bricks + 2; }
+
+    fs::path file_at(std::int64_t place, const std::string& extension) const {
+        fs::path name = page_.stem();
+        name += fmt::format(".film-{}{}", place, extension);
+        return page_.parent_path() / name;
+    }
+
+    fs::path page_;  ///< empty = there is none
+    SlidingWindow window_;
+    media::VideoInfo info_;
+    Observer& observer_;
+    std::optional<page::PreviewThread> video_;  ///< of the brick that comes
+    double begin_ = 0;                          ///< of it, seconds
+    double end_ = 0;
+    std::deque<page::PageContent::Segment> films_;
+    std::int64_t next_ = 0;
+    bool has_failed_ = false;
+};
+
 /// Writes pictures and measures their latency.
 class LivePictures {
   public:
     LivePictures(const Plan& plan, const media::LiveSource& stream, const page::RecentMoments& moments,
-                 Observer& observer)
+                 BrickFilms& films, Observer& observer)
         : plan_(plan),
           name_(plan.output.files.path),
           stream_(stream),
           moments_(moments),
+          films_(films),
           observer_(observer),
           files_(plan.output.files, observer),
           outages_([this](const std::stop_token& stop) { look_for_outages(stop); }) {}
@@ -130,6 +214,8 @@ class LivePictures {
             content.picture = std::move(finished.picture);
             content.settings = record_;
             content.moments = moments_.since(seen.begin.frame, seen.end().frame);
+            films_.end_brick();
+            content.films = films_.since(seen.begin.seconds);
             content.live = state_of(context);
             content.unseen.dropped = content.live->dropped;
             page_ = page::make_page(content);
@@ -239,6 +325,7 @@ class LivePictures {
     image::NamePattern name_;
     const media::LiveSource& stream_;
     const page::RecentMoments& moments_;
+    BrickFilms& films_;
     Observer& observer_;
     PictureOutput files_;
     Latency latency_;
@@ -260,10 +347,14 @@ class LivePictures {
 };
 
 /// The job with the name and start time of the stream.
-RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
-    // The whole URL: its last part alone says too little.
-    if (job.look.title.empty())
-        job.look.title = media::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
+/// \param camera as the user names it; may be empty
+RenderJob for_stream(RenderJob job, const std::string& camera, const std::string& name, bool is_file) {
+    if (job.look.title.empty()) job.look.title = camera;
+    if (job.look.title.empty()) {
+        // The whole URL: its last part alone says too little.
+        const std::string shown = media::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
+        job.look.title = shown == "stdin" ? "Live" : shown;
+    }
     if (job.look.start_time.from == StartTime::From::automatic) {
         job.look.start_time =
             is_file ? start_time_from_name(job, name) : starts_at(std::time(nullptr), ClockSource::live);
@@ -300,8 +391,8 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     opened.span = job.fields.span;
     opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
                                       job, *job.fields.filter, false);
-    plan_ = std::make_unique<const Plan>(
-        make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream, std::move(detector)));
+    plan_ = std::make_unique<const Plan>(make_plan(for_stream(job, options.camera, name, is_file), opened.facts(),
+                                                   Purpose::stream, std::move(detector)));
     fields_ = std::move(opened.source);
 }
 
@@ -348,9 +439,12 @@ std::int64_t StreamWatch::run() {
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
     page::RecentMoments moments(info.size, plan_->volume.window.frames());
-    const FrameWatch watch{
-        {}, [&](const media::SharedFrame& frame, const fields::Field& field) { moments.add(*frame, field); }};
-    LivePictures pictures(*plan_, *stream_, moments, observer_);
+    BrickFilms films(*plan_, info, observer_);
+    const FrameWatch watch{{}, [&](const media::SharedFrame& frame, const fields::Field& field) {
+                               moments.add(*frame, field);
+                               films.add(frame);
+                           }};
+    LivePictures pictures(*plan_, *stream_, moments, films, observer_);
     EndedSink ended;
     if (options_.on_event) {
         ended = [this](const tracking::Event& event, std::size_t number) { options_.on_event(line_of(event, number)); };

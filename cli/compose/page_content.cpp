@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <set>
 #include <span>
@@ -58,16 +59,31 @@ std::vector<std::uint8_t> bytes_of(std::span<const std::uint16_t> owners) {
     return bytes;
 }
 
+/// Which event of the page's list each voxel shows, as its index plus 1. A stream counts its events from its beginning.
+volume::VoxelStyleLookup by_place(const ComposePlan& plan, const Observation& seen) {
+    if (!plan.volume.series || !seen.events) return seen.identify;
+    std::map<std::uint16_t, std::uint16_t> places;
+    for (std::size_t k = 0; k < seen.events->numbers.size(); ++k)
+        places[static_cast<std::uint16_t>(seen.events->numbers[k])] = static_cast<std::uint16_t>(k + 1);
+    return [places = std::move(places), &seen](std::size_t track, const volume::Layer& layer) {
+        volume::VoxelStyle style = seen.identify(track, layer);
+        const auto found = places.find(style.number);
+        style.number = found == places.end() ? std::uint16_t{0} : found->second;
+        return style;
+    };
+}
+
 /// Adds the voxels, as small as the page has room for.
 /// \returns how many voxels of the volume each stands for
 scene::Block add_voxels(const ComposePlan& plan, const Observation& seen, const Composition& composed, Json& json) {
     const volume::Volume& volume = seen.volume;
+    const volume::VoxelStyleLookup identify = by_place(plan, seen);
     const int side = std::max(volume.size().width, volume.size().height);
     scene::Block block{std::max(1, (side + long_side / 2) / long_side),
                        (volume.layers() + most_layers - 1) / most_layers};
     for (;;) {
         const scene::ReducedVolume small =
-            scene::reduced(volume, block, plan.look.drawn_transfer, composed.palette, seen.identify);
+            scene::reduced(volume, block, plan.look.drawn_transfer, composed.palette, identify);
         std::string levels = page::deflated_base64(small.levels);
         std::string owners = page::deflated_base64(bytes_of(small.owners));
         const double too_large = static_cast<double>(levels.size() + owners.size()) / most_letters;
@@ -157,12 +173,11 @@ void add_scene(const ComposePlan& plan, const scene::Scene& scene, Json& json) {
 }
 
 /// The volume that the page of a composition turns, as its script reads it (TurningVolume in core/web/page/data.js).
-/// Null for a stream, without objects, or if the user wants none.
+/// Null without objects, or if the user wants none.
 Json turning_volume(const ComposePlan& plan, const Observation& seen, const Composition& composed) {
     const LookPlan& look = plan.look;
-    const bool can_be = !plan.volume.series && plan.volume.colours_objects() && seen.volume.layers() > 1 &&
-                        look.shows(Part::volume) && look.picture.view.fov > 0 &&
-                        !look.show.any(&PartRow::around_volume);
+    const bool can_be = plan.volume.colours_objects() && seen.volume.layers() > 1 && look.shows(Part::volume) &&
+                        look.picture.view.fov > 0 && !look.show.any(&PartRow::around_volume);
     if (!plan.page.turns || !can_be) return {};
     Json json;
     const scene::Block block = add_voxels(plan, seen, composed, json);

@@ -269,10 +269,13 @@ PagePlan page_plan(const RenderJob& job, const media::VideoInfo& info, Purpose p
     if (page_of(output).empty() || job.input.names.empty()) return page;
     page.file =
         job.input.names.size() > 1 ? counted(std::ssize(job.input.names), "file") : shown_name(job.input.names.front());
-    if (purpose == Purpose::stream) return page;
-    std::error_code none;
-    const std::string& input = job.input.names.front();
     page.turns = !output.flat_page;
+    const std::string& input = job.input.names.front();
+    if (purpose == Purpose::stream) {
+        if (input == "-") page.file.clear();  // "stdin" tells nobody anything
+        return page;
+    }
+    std::error_code none;
     page.plays_file = info.segments.empty() && std::filesystem::is_regular_file(input, none);
     page.file_ending = cut_ending(info.segments.empty() ? input : info.segments.front().path, job.input.rate);
     return page;

@@ -264,6 +264,7 @@ Json page_data(const PageContent& content) {
               {"events", json_of_events(content)},
               {"overlay", json_of(content.overlay)},
               {"settings", object_of(content.settings)}};
+    if (!content.films.empty()) json["films"] = list_of(content.films, json_of_each);
     if (content.stretch != 1) json["stretch"] = content.stretch;
     if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};
     if (const auto& live = content.live) {

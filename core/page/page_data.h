@@ -82,6 +82,7 @@ struct PageContent {
     };
     std::vector<Segment> segments;   ///< of a recording, in order, instead of a clip
     std::vector<Segment> pieces{};   ///< with the events, in order, for when the footage is gone
+    std::vector<Segment> films{};    ///< of a stream's last bricks, in order
     double stretch = 1;              ///< seconds per second of the clock of these files
     std::string piece_extension;     ///< extension for parts cut from the clip; empty = `vvr cut` chooses
     std::vector<std::string> names;  ///< the user's patterns of file names

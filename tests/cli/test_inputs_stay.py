@@ -151,3 +151,9 @@ def test_what_options_read_is_no_output(t):
     t.vvr("render", "clip.avi", "--golden", "golden.png", "--bless", *SMALL).expect(0)
     os.link(t.path("clip.avi"), t.path("clip.png"))
     Kept(t, "clip.avi").refuses("render", "clip.avi", "--golden", "clip.png", "--bless", *SMALL)
+
+
+def test_the_films_of_a_live_page_are_no_input(t):
+    t.clip("gate.film-1.mp4", seconds=1)
+    Kept(t, "gate.film-1.mp4").refuses("watch", "gate.film-1.mp4", "-o", "gate.html", "--size", "160x100", "--backend", "software")
+    check(not t.path("gate.html").exists(), "a page was written")

@@ -8,13 +8,14 @@ import pytest
 from browser import Page, Served
 from harness import check
 from test_page_looks import expect_names, expect_readable
+from test_page_turning import SOFTWARE
 from test_watch import Watch, source
 
 pytestmark = pytest.mark.browser
 
 
 class Live(Page):
-    """The page of a stream, which plays nothing but stills."""
+    """The page of a stream."""
 
     READY = "return document.documentElement.dataset.ready !== undefined"
 
@@ -189,3 +190,79 @@ def test_live_page_of_a_file_keeps_what_one_did(t):
         kept = page.run("return [leastSeconds, follows, now - time.firstFrame, scale]")
         check(kept == [2, False, 3, 2], f"{kept}")
         check(page.complaints() == [], str(page.complaints()))
+
+
+def films(t, name="live"):
+    return sorted(path.name for path in t.path(".").glob(f"{name}.film-*"))
+
+
+def test_live_page_plays_a_film_of_its_window(t):
+    """One small file per brick; older ones are replaced, and nothing else is touched."""
+    for name in ("live.film-9.mp4", "live.film-0.txt", "other.film-0.mp4"):
+        t.write(name, "not ours")
+    page_of(t, "live.html", 9)
+    ours = [f"live.film-{place}.mp4" for place in range(5)]  # three bricks, and two that an older page may still ask for
+    check(films(t) == sorted([*ours, "live.film-9.mp4", "live.film-0.txt"]), f"{films(t)}")
+    for name in ("live.film-9.mp4", "live.film-0.txt", "other.film-0.mp4"):
+        check(t.path(name).read_text() == "not ours", f"{name} was written")
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        page.wait("a film", "return film !== null && !stills")
+        check(page.source() == "a film of the last bricks", page.source())
+        check(page.run("return film.files.length") == 3, f"{page.run('return film.files')}")
+        page.wait("it shows now", "return follows && now === time.lastFrame && video.readyState > 1 && !video.seeking")
+        # From the first brick into the next one.
+        page.run("show(time.firstFrame, true, {until: null})")
+        page.wait("it plays", "return now > time.firstFrame + 3")
+        first = page.run("return film.segment[0]")
+        page.wait("it goes on in the next file", f"return film.segment[0] !== {first!r} && now > time.firstFrame + 30")
+        check([line for line in page.complaints() if "404" not in line] == [], str(page.complaints()))
+
+
+def test_live_page_goes_on_with_newer_films(t):
+    page_of(t, "live.html", 6)
+    page_of(t, "later.html", 12)
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        page.wait("a film", "return film !== null")
+        first = page.run("return time.firstFrame")
+        os.replace(t.path("later.html"), t.path("live.html"))
+        page.wait("the news", f"return time.firstFrame > {first}")
+        page.wait("its newest film", "return video.currentSrc.includes('later.film-') && video.readyState > 1 && !video.seeking")
+        check(page.run("return [follows, now === time.lastFrame, isPlaying()]") == [True, True, False], "it does not follow")
+
+
+@pytest.mark.nightly
+def test_live_page_turns_and_takes_newer_voxels(t):
+    page_of(t, "live.html", 6)
+    page_of(t, "later.html", 12)
+    # Points of the paths of events, and what the volume shows there.
+    shown = """return events.flatMap((event, place) => pathOf(event).map(pixelAt).map(([x, y]) => {
+        const view = document.getElementById('view').getBoundingClientRect();
+        const box = picture.getBoundingClientRect();
+        const scale = box.width / pictureSize[0];
+        return [place, ...pickedAround(box.left + x * scale - view.left, box.top + y * scale - view.top, 2).objects];
+    }));"""
+    with Served(t.folder) as served, Live(t, served.url("live.html"), *SOFTWARE) as page:
+        page.window(500, 500)
+        page.wait("its voxels", "return parts.volume !== null")
+        page.run("prepareVolume(1e6)")
+        page.wait("it can be turned", "return turnable", 60)
+        for news in (False, True):
+            if news:
+                first = page.run("return time.firstFrame")
+                os.replace(t.path("later.html"), t.path("live.html"))
+                page.wait("the news", f"return time.firstFrame > {first}", 60)
+            page.run("set({turns: true, angle: [-30, 40]})")
+            points = page.run(shown)
+            right = sum(place in found for place, *found in points)
+            check(len(points) > 5 and right > 0.6 * len(points), f"news: {news}; {right} of {len(points)} points show their event")
+        check(page.run("return [turns, ...angle]") == [True, -30, 40], "the angle is lost")
+
+
+def test_a_live_page_without_a_name_is_live(t):
+    source(t, "cam.ts", seconds=4)
+    for more, heading in (((), "Live · "), (("--camera-name", "gate"), "gate · ")):
+        with open(t.path("cam.ts"), "rb") as clip:
+            Watch(t, "-", "-o", "live.html", "--brick", "1s", "--size", "480x300", "--backend", "software", *more, stdin=clip).end()
+        text = t.path("live.html").read_text()
+        check(f"<h1>{heading}" in text and f"<title>{heading}" in text, re.search("<h1>.*</h1>", text)[0])
+        check("stdin" not in re.sub("<script>.*?</script>", "", text, flags=re.DOTALL).split('id="data"')[0], "it speaks of stdin")

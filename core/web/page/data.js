@@ -47,6 +47,7 @@
  * @property {string | null} clip URL
  * @property {Segment[]} segments
  * @property {Segment[]} [pieces] of the events, which were kept
+ * @property {Segment[]} [films] of a stream's last bricks
  * @property {number} [stretch] seconds of the picture per second of these files; 1 if missing
  * @property {{ending: string, names: string[]}} cut
  * @property {[number, number]} size

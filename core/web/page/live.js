@@ -8,9 +8,11 @@ import {numberOf, placeOfNumber} from './events.js';
 import {withTwins} from './marks.js';
 import {withPortraits} from './parts.js';
 import {picture, readLooks, readPixels} from './picture.js';
-import {isPlaying} from './player.js';
+import {isPlaying, show, takeFilms} from './player.js';
 import {set, state} from './state.js';
 import {Timeline} from './timeline.js';
+import {becomeTurnable} from './turning.js';
+import {nextVolume} from './volume_view.js';
 
 let stamp = '';  // what the server says of the page that is shown
 /**
@@ -57,41 +59,48 @@ function stripIn(time) {
 }
 
 /**
- * Takes over what is new. The picture is read before it is shown, so that it never lies below the veil of the one before.
+ * Takes over what is new. Picture and volume are read before they are shown, so that all changes at once: no new picture lies
+ * below the veil of the one before.
  * @param {string} text a newer page
  */
 async function takeOver(text) {
     const fresh = new DOMParser().parseFromString(text, 'text/html');
     const image = fresh.getElementById('picture');
     const json = (/** @type {string} */ id) => JSON.parse(fresh.getElementById(id)?.textContent ?? 'null');
-    const [data, pixels, stills] = ['data', 'pixeldata', 'stilldata'].map(json);
+    const [data, pixels, stills, volume] = ['data', 'pixeldata', 'stilldata', 'volumedata'].map(json);
     if (!data || !(image instanceof HTMLImageElement)) return;
     const time = new Timeline(data.times, data.clock, data.gaps);
-    const parts = {...state.parts, ...pixels, ...stills};
+    const had = state.parts.volume;
+    const parts = {...state.parts, ...pixels, ...stills, ...volume};
     const events = withPortraits(withTwins(data.events ?? []), parts.portraits);
     const read = Object.assign(new Image(), {src: image.src});
     await read.decode();
     const looks = readLooks(read, data.overlay);
     const numbers = await readPixels(parts).catch(() => null);  // the list and the strip can do without
-    picture.src = image.src;
-    await picture.decode();
+    const showVolume = await nextVolume(parts.volume);
+    picture.decoding = 'sync';
+    picture.src = read.src;
+    showVolume();
     const number = state.chosen === null ? null : numberOf(state.events, state.chosen);
     document.title = fresh.title;
     const heading = document.querySelector('h1');
     if (heading) heading.textContent = fresh.querySelector('h1')?.textContent ?? '';
     const now = state.follows && !isPlaying() ? time.lastFrame : time.clamped(state.now);
-    set({data, parts, time, events, ...looks, pixels: numbers, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
+    const isGone = state.piece !== null && state.piece[1] <= time.begins;  // the piece of time that is chosen
+    set({...isGone ? {piece: null, bends: false} : {}, data, parts, time, events, ...looks, pixels: numbers, lightened: null, chosen: number === null ? null : placeOfNumber(events, number),
          now, stillClock: Math.max(state.stillClock, time.secondsOf(now)), ...stripIn(time)});
+    takeFilms();
+    if (!had) becomeTurnable();
 }
 
 /** Before the page opens itself again. */
 function keepState() {
     const {now, follows, scale, middle, tab, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
-        speed, chosen, events, stripFrom, stripLasts, time} = state;
+        speed, density, chosen, events, stripFrom, stripLasts, time} = state;
     const strip = stripLasts < time.lasts * 0.999 ? {stripFrom, stripLasts} : {};
     sessionStorage.setItem(kept, JSON.stringify({
         state: {now, follows, scale, middle, tab, filmScale, filmMiddle, kind, what, leastSeconds, onlyStarred, showsHidden, order, asked,
-            speed, ...strip},
+            speed, density, ...strip},
         plays: isPlaying(), number: chosen === null ? null : numberOf(events, chosen)}));
 }
 
@@ -130,7 +139,7 @@ export function drawFollowing() {
 export function followStream() {
     const {live} = state.data;
     if (!live) return;
-    at('tonow').addEventListener('click', () => set({follows: true, now: state.time.lastFrame, wantsPlay: false, until: null}));
+    at('tonow').addEventListener('click', () => show(state.time.lastFrame, false, {follows: true, until: null, touring: false}));
     setInterval(drawAge, 1000);
     const pause = isFile ? Math.max(2, live.brick) : clamp(live.brick / 2, 1, 30);  // seconds
     const wait = () => setTimeout(look, pause * 1000);  // one look after the other, however long it takes

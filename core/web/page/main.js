@@ -24,7 +24,7 @@ import {drawBars, drawBrush, drawCursor, drawGaps, drawPart, drawRange, drawTick
 import {inSentence} from './timeline.js';
 import {drawFirst, drawStage, listenToView, playCandidate, roomOf} from './view.js';
 import {overlayNow} from './turned.js';
-import {drawTurning, followView, listenToTurning} from './turning.js';
+import {becomeTurnable, drawTurning, listenToTurning} from './turning.js';
 import {drawColours, drawDensity, drawLook, drawVolume, listenToVolume, prepareVolume} from './volume_view.js';
 import {drawWhich, listenToWhich} from './which.js';
 
@@ -85,7 +85,7 @@ const parts = [
     {draw: drawBeside, from: () => [state.events, state.chosen, besideNow(-1), besideNow(1)]},
     {draw: drawLitRow, from: () => [state.lightened]},
     {draw: drawTools, from: () => [state.asking, state.asked, state.drawn]},
-    {draw: drawAsked, from: () => [state.asked, state.drawn]},
+    {draw: drawAsked, from: () => [state.asked, state.drawn, state.parts.stills]},
     {draw: drawRange, from: () => [state.time]},
     {draw: followNow, from: () => [state.now, state.chosen, state.moved]},
     {draw: drawPart, from: () => [state.time, state.stripFrom, state.stripLasts]},
@@ -107,9 +107,9 @@ const parts = [
     {draw: drawPlayButton, from: () => [isPlaying()]},
     {draw: drawVeil, from: () => [state.pixels, state.chosen, state.lightened, wantedEvents(), state.dark, state.ground]},
     {draw: drawColours, from: () => [state.turns, state.dark, state.ground, state.parts.volume]},
-    {draw: drawLook, from: () => [state.turnable, state.dark, state.ground, state.events, state.chosen, state.lightened, wantedEvents()]},
+    {draw: drawLook, from: () => [state.turnable, state.parts.volume, state.dark, state.ground, state.events, state.chosen, state.lightened, wantedEvents()]},
     {draw: drawDensity, from: () => [state.density]},
-    {draw: drawVolume, from: () => [state.turns, ...state.angle, state.unbent, state.density, state.piece, state.bends, state.now, state.moved, state.scale,
+    {draw: drawVolume, from: () => [state.turns, state.parts.volume, ...state.angle, state.unbent, state.density, state.piece, state.bends, state.now, state.moved, state.scale,
                                     ...state.middle, ...state.room, state.contents, state.dark, state.ground, state.chosen, state.lightened, wantedEvents()]},
     {draw: drawTurning, from: () => [state.turnable, state.turns, state.brush, state.piece, state.bends, state.stripLasts]},
     {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked, overlayNow()]},
@@ -135,21 +135,12 @@ function readPixels() {
     });
 }
 
-/** The volume can be turned once its voxels have come; nobody waits for it. */
-function turnable() {
-    const {volume} = state.parts;
-    if (!volume) return;
-    set({angle: volume.view.slice(0, 2)});
-    const ready = () => prepareVolume().then(followView);
-    setTimeout(ready, 200);  // first what is seen at once
-}
-
 /** The page calls it when a part of its data has come. */
 export function takeParts() {
     const had = state.parts;
     takeArrived();
     if (state.parts.pixels !== had.pixels) readPixels();
-    if (state.parts.volume !== had.volume) turnable();
+    if (state.parts.volume !== had.volume) becomeTurnable();
     openWaiting();
 }
 
@@ -180,7 +171,7 @@ followAddress();
 readPixels();
 
 // The names that tests, and whoever debugs a page, find as `vvr.NAME`.
-export {framingNow, placeOf, tOf} from './turned.js';
+export {framingNow, pathOf, pixelAt, placeOf, tOf} from './turned.js';
 export {pickedAround} from './volume_view.js';
 export {arrowAcross} from '../shared/ways.js';
 export {sortedPlaces, stillNear} from './events.js';

@@ -50,6 +50,8 @@ function filmsOf() {
     const ofFiles = (/** @type {import('./data.js').Segment[]} */ files, /** @type {string} */ says) =>
         ({says, files, segment: fileAt(files, time.secondsOf(now)), stretch: data.stretch ?? 1});
     const films = [];
+    const {films: ofStream} = data;
+    if (ofStream?.length) films.push(() => ofFiles(ofStream, 'a film of the last bricks'));
     const footage = footageOf(data);
     if (footage.length) films.push(() => ofFiles(footage, data.clip ? 'the original clip' : 'the original recording'));
     const pieces = footageOf(data, true);
@@ -115,9 +117,11 @@ function lookFor(address, place) {
 /**
  * @param {number} place among the films
  * @param {string} [why] the one before can't be played
+ * @returns {void}
  */
 export function openFilm(place, why = '') {
-    const gone = place > 0 && (state.gone || isGone(why, footageOf(state.data, true).length > 0));
+    const {data} = state;
+    const gone = place > 0 && (state.gone || isGone(why, footageOf(data, true).length > 0));
     set({film: null, gone, wantsPlay: isPlaying()});
     const because = why ? `${why}, so this is ` : '';
     const films = filmsOf();
@@ -131,7 +135,7 @@ export function openFilm(place, why = '') {
     if (place >= films.length) {
         video.onerror = null;
         video.removeAttribute('src');
-        set({stills: true, source: because ? `${because}a still` : 'a still, as there is no film to be played'});
+        set({stills: true, source: because ? `${because}a still` : data.live ? 'stills' : 'a still, as there is no film to be played'});
         return;
     }
     const film = films[place]();
@@ -146,8 +150,8 @@ export function openFilm(place, why = '') {
         if (!canSeek()) return next('the server can’t send a part of the clip');
         if (film.files.length > 1) video.onerror = () => { video.dataset.failed = video.src; };  // of others only one part is missing
         const plays = isPlaying();
-        set({film, source: because + film.says});
-        if (state.moved) show(state.now, plays);
+        set({film, stills: false, source: because + film.says});
+        if (state.moved) show(state.now, plays, {follows: state.follows});
         else if (state.time.secondsOf(state.now) > film.segment[1] + 0.002) goToFrame(video, state.now);
     };
     video.onerror = () => next(whyNot(video.error?.message ?? '', film.segment[0]));
@@ -164,6 +168,15 @@ export function openFilm(place, why = '') {
     };
     video.src = film.segment[0];
     film.src = video.src;
+}
+
+/** A stream's newer page has newer films. What plays goes on. */
+export function takeFilms() {
+    const {data: {films}, film} = state;
+    if (!films?.length) return;
+    if (!film) return openFilm(0);
+    film.files = films;
+    if (!isPlaying()) goToFrame(video, state.now);
 }
 
 /**
@@ -183,6 +196,8 @@ export function goToFrame(player, frame) {
         return;
     }
     const rate = player.playbackRate;
+    // What is seen until the file is there.
+    player.poster = stillNear(state.parts.stills, frame)?.src ?? '';
     player.onloadedmetadata = () => {
         player.onloadedmetadata = null;
         player.playbackRate = rate;
@@ -370,7 +385,7 @@ function endOfEvent(last) {
 
 export function drawPlayer() {
     const {film} = state;
-    at('source').textContent = state.source + (film && film.files.length > 1 ? ': ' + nameOf(film.segment) : '');
+    at('source').textContent = state.source + (film && film.files.length > 1 && !state.data.live ? ': ' + nameOf(film.segment) : '');
     video.hidden = showsStill();
     still.hidden = !showsStill();
 }

@@ -8,6 +8,7 @@ import {angleBetween, angleWithin} from './framing.js';
 import {goTo, isPlaying, show} from './player.js';
 import {set, state} from './state.js';
 import {frameAt, pixelAt, shownNow, tOf} from './turned.js';
+import {prepareVolume} from './volume_view.js';
 
 /** @typedef {{angle: number[], unbent?: boolean}} Place an angle, and whether the volume is straight there */
 
@@ -158,8 +159,16 @@ export function drawTurning() {
     press(at('bend'), turns && piece !== null && bends);
 }
 
+/** The volume can be turned once its voxels have come; nobody waits for it. */
+export function becomeTurnable() {
+    const {volume} = state.parts;
+    if (!volume) return;
+    set({angle: volume.view.slice(0, 2)});
+    setTimeout(() => prepareVolume().then(followView), 200);  // first what is seen at once
+}
+
 /** The angle that the address has. */
-export function followView() {
+function followView() {
     const view = readAddress(location.hash).view;
     if (view && startTurning()) {
         set({unbent: view.unbent});

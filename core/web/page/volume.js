@@ -41,15 +41,10 @@ export class Volume {
         if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('this WebGL draws no numbers');
         this.gl = gl;
         this.data = data;
+        this.voxel = 0;
         /** @type {Map<string, Program>} */
         this.programs = new Map();
-        const [rMin, rMax, height] = data.shape;
-        const [wide, high, deep] = voxels.size;
-        /** The shortest side of a voxel. */
-        this.voxel = Math.min((rMax - rMin) / wide / data.scale[0], height / high / data.scale[1], Math.PI * rMin / deep / data.scale[2]);
-        this.texture3d('brick', voxels.size, gl.R8, gl.RED, voxels.scalars, gl.LINEAR);
-        this.texture3d('owners', voxels.size, gl.RG8, gl.RG, new Uint8Array(voxels.owners.buffer), gl.NEAREST);
-        this.texture3d('far', voxels.cells, gl.R8, gl.RED, voxels.far, gl.NEAREST);
+        this.setVoxels(data, voxels);
         for (const name of /** @type {const} */ (['transfer', 'palette', 'picks', 'frame_0', 'frame_1', 'frame_2', 'points'])) {
             this.bind(name, gl.createTexture());
             const filter = name.startsWith('frame') ? gl.LINEAR : gl.NEAREST;
@@ -59,6 +54,24 @@ export class Volume {
         this.picked = this.target(gl.RGBA32UI);
         this.lined = {size: [0, 0], smooth: gl.createFramebuffer(), flat: gl.createFramebuffer()};
         this.makeArrays();
+    }
+
+    /**
+     * Shows these instead of those that it has.
+     * @param {import('./data.js').TurningVolume} data
+     * @param {import('./volume_data.js').Voxels} voxels
+     */
+    setVoxels(data, voxels) {
+        const {gl} = this;
+        this.close();
+        this.data = data;
+        const [rMin, rMax, height] = data.shape;
+        const [wide, high, deep] = voxels.size;
+        /** The shortest side of a voxel. */
+        this.voxel = Math.min((rMax - rMin) / wide / data.scale[0], height / high / data.scale[1], Math.PI * rMin / deep / data.scale[2]);
+        this.texture3d('brick', voxels.size, gl.R8, gl.RED, voxels.scalars, gl.LINEAR);
+        this.texture3d('owners', voxels.size, gl.RG8, gl.RG, new Uint8Array(voxels.owners.buffer), gl.NEAREST);
+        this.texture3d('far', voxels.cells, gl.R8, gl.RED, voxels.far, gl.NEAREST);
     }
 
     /**

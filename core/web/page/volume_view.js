@@ -47,18 +47,38 @@ export function prepareVolume(milliseconds = most) {
     return prepared = prepared.then(prepare);
 }
 
+/** @param {import('./data.js').TurningVolume} data */
+async function framesAtEnds(data) {
+    const images = data.ends.map(src => Object.assign(new Image(), {src}));
+    await Promise.all(images.map(image => image.decode()));
+    return () => images.forEach((image, k) => volume?.setFrame(/** @type {0 | 1} */ (k), image));
+}
+
+/**
+ * Makes the newer volume of a stream ready. What it returns puts it in the place of the one that is shown, at once: call it
+ * together with all else that changes.
+ * @param {import('./data.js').TurningVolume | null} data
+ */
+export async function nextVolume(data) {
+    await prepared;
+    const next = data && volume ? unpacked(data, pause) : null;
+    const ready = await next;
+    const setEnds = data && ready ? await framesAtEnds(data) : () => {};
+    return () => {
+        voxels = next;
+        if (!data || !ready) return;
+        volume?.setVoxels(data, ready);
+        setEnds();
+    };
+}
+
 async function prepare() {
     const data = state.parts.volume;
     if (!data) return;
     try {
         voxels ??= unpacked(data, pause);
         volume = new Volume(canvas, data, await voxels);
-        const ends = await Promise.all(data.ends.map(async src => {
-            const image = Object.assign(new Image(), {src});
-            await image.decode();
-            return image;
-        }));
-        ends.forEach((image, k) => volume?.setFrame(/** @type {0 | 1} */ (k), image));
+        (await framesAtEnds(data))();
         drawLook();
         drawDensity();
         // The first one is slow: the shaders are made.
