@@ -63,7 +63,7 @@ def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
         page.wait("cards", "return document.querySelectorAll('.card').length === 3")
         check(files_of(page, ".seen .facts") == ["gate/gone.avi"], str(files_of(page, ".seen .facts")))
         check("seen, " in page.run("return document.querySelector('.seen').ariaLabel"), "a screen reader does not tell it")
-        looks = "return [...document.querySelectorAll('.card .images')].map(e => getComputedStyle(e).opacity)"
+        looks = "return [...document.querySelectorAll('.card .tile')].map(e => getComputedStyle(e).opacity)"
         page.move(2, 2)
         check(sorted(page.run(looks)) == ["0.5", "1", "1"], f"seen is not dimmed: {page.run(looks)}")
         page.run("document.querySelector('[value=unseen]').click()")
