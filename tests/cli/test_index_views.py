@@ -147,6 +147,10 @@ def test_index_fills_its_width(t, width):
             check(used > 0.95 * whole, f"a row of {used} in {whole} pixels")
         ratios = sorted({round(wide / high, 1) for _, _, wide, high in boxes})
         check(all(ratio in (1.3, 1.4, 1.7, 1.8) for ratio in ratios), f"pictures of the shapes {ratios}")
+        cut = "return [...document.querySelectorAll('.first > *')].filter(e => e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0).map(e => e.textContent)"
+        page.media("print")
+        check(page.run(cut) == [], f"on paper this is cut off: {page.run(cut)}")
+        page.media()
         if width == 390:
             check(boxes[0][1] < 130, f"the first card is at {boxes[0][1]}")
 
