@@ -107,7 +107,7 @@ def test_index_of_a_redraw_that_failed(t):
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('a.card').length === 2")
         check("failed; shows what was until 2026-11-21 07:00:00" in page.texts(".bad"), str(page.texts(".bad")))
-        check(page.texts(".card .first b") == ["07:50 to 08:10", "06:50"], str(page.texts(".card .first b")))
+        check(page.texts(".card .first b") == ["07:50–08:10", "06:50"], str(page.texts(".card .first b")))
         page.run("document.querySelector('[value=failed]').click()")
         page.wait("one", "return document.querySelectorAll('.card').length === 1")
 

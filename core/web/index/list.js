@@ -38,7 +38,7 @@ const eventsOf = ({events}) => events === null ? '' : events ? many(events, 'eve
  */
 export function stretchOf(clip) {
     const [from, to] = [clip.time, timeText(wallOf(clip.begins + clip.seconds))].map(time => time.slice(0, 5));
-    const hours = !clip.drawn ? '' : from === to ? from : `${from} to ${to}`;
+    const hours = !clip.drawn ? '' : from === to ? from : `${from}–${to}`;
     if (!clip.night) return hours || 'the day';
     return `Night of ${clip.day}` + (hours && ', ' + hours);
 }
