@@ -126,7 +126,7 @@ function portraitOf({event: place, box, object, to, place: at}) {
     if (wide >= smallest) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
-        const brief = briefDeeds(deedOf(event)).find(text => text.length * 6.8 + 26 <= wide);
+        const brief = briefDeeds(deedOf(event)).find(text => text.length * 6.8 + 26 <= wide + 8);
         caption.append(number, ' ' + (brief ?? ''));
         if (overlayNow().captions * scaleNow() >= 40) caption.append(element('br'), element('span', 'times', time.fromTo(event.begin, event.end)));
         made.append(caption);

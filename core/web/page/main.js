@@ -40,7 +40,8 @@ function drawSummary() {
     const lost = time.secondsWithout().map(([reason, seconds]) => `, ${inSentence(reason)} for ${spanOf(seconds)}`);
     const count = state.events.length;
     const found = data.events ? `, ${count.toLocaleString('en')} event${count === 1 ? '' : 's'}` : '';
-    const span = `${time.span()}, ${spanOf(seen)}${lost.length ? ' of video' : ''}${lost.join('')}${found}`;
+    const isAll = data.clock === null && time.begins === 0 && !lost.length;  // then its length says as much
+    const span = `${isAll ? '' : time.span() + ', '}${spanOf(seen)}${lost.length ? ' of video' : ''}${lost.join('')}${found}`;
     const zone = data.clock?.zone ? ' in ' + data.clock.zone : '';
     at('summary').textContent = data.clock === null ? `${span}; ${data.told}`
         : `${time.dayOf(time.begins)}, ${span}; times${zone}, ${data.told}`;
