@@ -71,6 +71,8 @@ def turnable(t, name="out.html", width=390, height=844):
     """A page whose volume can be turned, in a window in which the software rasteriser is quick enough."""
     with Page(t, name, *SOFTWARE) as page:
         page.window(width, height)
+        page.run("localStorage.setItem('vvr-dragged', '1')")  # nothing is said, so the volume has more room
+        page.reload()
         if width < 760:
             page.run("set({tab: 'volume'})")
         ready(page)

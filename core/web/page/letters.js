@@ -126,7 +126,8 @@ function portraitOf({event: place, box, object, to, place: at}) {
     if (wide >= smallest) {
         const caption = element('span', 'caption');
         caption.style.maxWidth = wide + 10 + 'px';
-        const brief = briefDeeds(deedOf(event)).find(text => text.length * 6.8 + 26 <= wide + 8);
+        const widthOf = (/** @type {string} */ text) => 26 + text.length * 6.7 + (/[←-↙]/.test(text) ? 8 : 0);
+        const brief = briefDeeds(deedOf(event)).find(text => widthOf(text) <= wide + 6);
         caption.append(number, ' ' + (brief ?? ''));
         if (overlayNow().captions * scaleNow() >= 40) caption.append(element('br'), element('span', 'times', time.fromTo(event.begin, event.end)));
         made.append(caption);
