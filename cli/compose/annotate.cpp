@@ -141,9 +141,9 @@ std::vector<annotation::LegendEntry> legend_of_volume(const ComposePlan& plan, c
     if (plan.volume.colour->drawn == gl::VolumeColour::transfer) return legend_of_transfer(plan);
     if (!plan.volume.colours_objects()) return legend_of_colour(plan);
     std::string meaning = shares_colours(composed) ? "colours of objects" : "a colour for each object";
-    // In a series, voxels get their colours before it is known where their object stands.
+    // In a series, voxels get their colours before it is known where their object stays.
     if (!plan.volume.series)
-        meaning += shares_colours(composed) ? ", striped where one stood" : ", striped where it stood";
+        meaning += shares_colours(composed) ? ", striped where one stayed" : ", striped where it stayed";
     return {{colours_of_objects(plan.look.theme), meaning, "objects"},
             {{rgba(plan.look.theme.unowned)}, "other changes", "other"}};
 }

@@ -250,7 +250,7 @@ std::vector<page::Overlay::Portrait> portraits_of(const ComposePlan& plan, const
     std::vector<std::size_t> all(objects.events.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     for (const annotation::EventPortrait& placed : annotation::event_portraits(
-             objects, std::set(all.begin(), all.end()), seen.crops, trails, composed.framing.sheet, {})) {
+             objects, std::set(all.begin(), all.end()), seen.crops, trails, composed.framing.sheet, {}, 0)) {
         portraits.push_back({placed.event, placed.still, object_in(placed.crop->still()), placed.to});
     }
     return portraits;

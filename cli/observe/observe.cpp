@@ -1,10 +1,12 @@
 #include "cli/observe/observe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -87,6 +89,68 @@ void take_stills_again(Observation& seen, fields::FieldSource& source) {
     });
 }
 
+/// The moment from `begin` to `end` at which objects cover least of a place, and of those the nearest to `near`.
+/// \param but a thing's own tracks, which don't cover it
+const annotation::Still* clearest(std::span<const annotation::Still> stills, const PixelBox& place, double begin,
+                                  double end, double near, std::span<const std::size_t> but) {
+    const annotation::Still* clearest = nullptr;
+    std::pair<int, double> least;
+    for (const annotation::Still& still : stills) {
+        if (still.seconds < begin || still.seconds > end) continue;
+        int covered = 0;
+        for (const annotation::ObjectInStill& object : still.objects) {
+            if (std::ranges::find(but, object.track) != but.end()) continue;
+            const PixelBox part = intersection(object.box, place);
+            if (!part.empty()) covered += part.width() * part.height();
+        }
+        const std::pair<int, double> cost(covered, std::abs(still.seconds - near));
+        if (clearest != nullptr && cost >= least) continue;
+        clearest = &still;
+        least = cost;
+    }
+    return clearest;
+}
+
+/// Reads frames again that show the places of things that were left or taken: before, and after.
+void take_pairs(Observation& seen, fields::FieldSource& source) {
+    constexpr std::size_t most = 8;     // reading a frame again takes as long as several
+    constexpr double beside = 0.5;      // seconds: while it is put down or taken, somebody covers it
+    constexpr double long_before = 60;  // seconds, after which the light may be another
+    struct Wanted {
+        const tracking::Event* event;
+        PixelBox place;
+        std::array<const annotation::Still*, 2> moments;
+        std::array<std::optional<annotation::Crop>, 2> crops{};
+    };
+    std::vector<Wanted> wanted;
+    std::set<double> times;
+    for (const tracking::Event& event : seen.findings.events) {
+        if (wanted.size() == most) break;
+        if (!row_of(event.kind).is_thing || event.tracks.empty()) continue;
+        const tracking::Stay* const stay = annotation::longest_stay(event);
+        const PixelBox place = stay != nullptr ? stay->box : event.box;
+        const PixelBox around = place.inflated(place.width() / 2, place.height() / 2);
+        const double came = event.first.seconds;
+        const std::array moments{clearest(seen.stills, around, came - long_before, came - beside, came, {}),
+                                 clearest(seen.stills, around, came + beside, event.last.seconds, came, event.tracks)};
+        if (moments[0] == nullptr || moments[1] == nullptr) continue;
+        wanted.push_back({&event, place, moments});
+        times.insert({moments[0]->seconds, moments[1]->seconds});
+    }
+    if (wanted.empty()) return;
+    source.read_again(std::vector(times.begin(), times.end()), [&](const media::Frame& frame) {
+        for (Wanted& one : wanted) {
+            for (std::size_t k = 0; k < one.moments.size(); ++k) {
+                const Moment at{one.moments[k]->frame, one.moments[k]->seconds};
+                if (at.seconds == frame.pts) one.crops[k].emplace(tracking::Portrait{at, one.place, 0}, frame);
+            }
+        }
+    });
+    for (auto& [event, place, moments, crops] : wanted) {
+        if (crops[0] && crops[1]) seen.crops.keep_pair(*event, {std::move(*crops[0]), std::move(*crops[1])});
+    }
+}
+
 /// Fills a gap in the recording, where frame numbers are missing.
 void fill_gap(const media::Frame& last, const fields::Field& next, volume::Volume& volume) {
     if (volume.frames() == 0 || next.index <= last.index + 1) return;
@@ -127,6 +191,7 @@ void conclude(const ObservePlan& plan, fields::FieldSource& source, ObservationB
     take_stills_from_scene(seen);
     builder.identify();
     builder.take_stills();
+    if (plan.field.keeps_portraits) take_pairs(seen, source);
     const std::vector<tracking::Event> events = take_chosen_events(seen, plan.field.events);
     if (seen.volume.keeps_owners()) {
         correct_ghosts(events, seen.volume);

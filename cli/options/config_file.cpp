@@ -25,7 +25,7 @@ namespace {
 constexpr PresetSetting day[] = {{"time", "busy"},
                                  {"brick", "01:00:00"},
                                  {"show",
-                                  "volume,portraits,map,strip,numbers,directions,outline,ribs,frames,ends,"
+                                  "volume,portraits,map,strip,numbers,outline,ribs,frames,ends,"
                                   "ruler,legend,title,explanation,bricks"}};
 
 // The paper's method and figures; default values where the paper gives none.

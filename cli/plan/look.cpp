@@ -37,7 +37,6 @@ constexpr std::array table{
     PartRow{.part = Part::directions,
             .name = "directions",
             .help = "arrows along the trails: direction and speed of each object",
-            .by_default = true,
             .needs_events = true},
     PartRow{.part = Part::arrows,
             .name = "arrows",

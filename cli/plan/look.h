@@ -72,6 +72,8 @@ class Parts {
     /// Whether any part has a trait: `any(&PartRow::needs_flow)`.
     bool any(bool PartRow::*trait) const;
 
+    friend bool operator==(const Parts&, const Parts&) = default;
+
   private:
     std::bitset<32> set_;
 };

@@ -37,12 +37,13 @@ void take_extracted(const image::Metadata& extracted, RenderJob& job) {
     }
 }
 
-/// Removes parts that need objects if the filter marks none. Arrows of the flow replace arrows along trails.
+/// Removes parts that need objects if the filter marks none. Arrows of the flow replace arrows along trails, and all
+/// that is shown of objects by default.
 void drop_impossible_parts(const RenderJob& job, bool marks_objects, Parts& show) {
     // Show seeds that the user has listed.
     if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
     if (marks_objects) return;
-    if (show.has(Part::directions)) show.add(Part::arrows);
+    if (show.has(Part::directions) || show == Parts::by_default()) show.add(Part::arrows);
     for (const PartRow& row : parts()) {
         if (row.needs_events) show.remove(row.part);
     }

@@ -141,6 +141,11 @@ const Crop* Crops::find(const tracking::Event& event) const {
     return best;
 }
 
+const BeforeAndAfter* Crops::find_pair(const tracking::Event& event) const {
+    const auto found = event.tracks.empty() ? pairs_.end() : pairs_.find(event.tracks.front());
+    return found == pairs_.end() ? nullptr : &found->second;
+}
+
 std::vector<std::pair<std::size_t, const Crop*>> Crops::all(const tracking::Event& event) const {
     std::vector<std::pair<std::size_t, const Crop*>> all;
     for (int place = 0; place < per_track_; ++place) {

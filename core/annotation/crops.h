@@ -64,6 +64,12 @@ class Crop {
     PixelBox still_;               ///< likewise
 };
 
+/// A place before something came to it or went from it, and after.
+struct BeforeAndAfter {
+    Crop before;
+    Crop after;
+};
+
 /// The score of a crop of the empty scene, which shows what was there better than any frame.
 inline constexpr double score_of_scene = std::numeric_limits<double>::max();
 
@@ -77,6 +83,14 @@ class Crops {
     /// \param portrait its time must be the frame's
     /// \throws Error io or out_of_memory, as `image::compress`
     void keep(std::size_t track, const tracking::Portrait& portrait, const media::Frame& frame);
+
+    /// Keeps what shows at a glance that an event's thing came or went.
+    void keep_pair(const tracking::Event& event, BeforeAndAfter pair) {
+        pairs_.insert_or_assign(event.tracks.front(), std::move(pair));
+    }
+
+    /// What `keep_pair` kept; null = nothing.
+    const BeforeAndAfter* find_pair(const tracking::Event& event) const;
 
     /// Removes the crops of the tracks for which `is_over(track)` is true, if they were taken before a time.
     void forget_before(double seconds, const std::function<bool(std::size_t track)>& is_over);
@@ -105,6 +119,7 @@ class Crops {
 
     int per_track_;
     std::map<Key, Crop> crops_;
+    std::map<std::size_t, BeforeAndAfter> pairs_;  ///< by an event's first track
     std::size_t bytes_ = 0;
     std::size_t raw_bytes_ = 0;  ///< of those that are not compressed yet
 };

@@ -43,9 +43,10 @@ std::vector<std::string> direction_texts(const tracking::Event& event) {
     if (event.path.size() < 2 || !(tracking::length_of(event.path) > 0))
         return {std::string(tracking::name_of(event.kind))};
     const tracking::Heading& heading = tracking::heading_of(event.path, event.path_length);
+    const std::string words(heading.words);
     const std::string arrow(heading.arrow);
-    if (&heading == &tracking::to_and_fro) return {std::string(heading.name), arrow};
-    return {"went " + arrow, arrow};
+    if (&heading == &tracking::to_and_fro) return {words, arrow};
+    return {"went " + words, words, arrow};
 }
 
 }  // namespace
@@ -112,9 +113,11 @@ std::vector<std::string> activities(const tracking::Event& event) {
 std::vector<std::string> activity_texts(const tracking::Event& event) {
     std::vector<std::string> texts = activities(event);
     if (!event.identity) return texts;
-    const std::string name(event.identity->what->name);
-    return {fmt::format("{} · {}", name, texts.front()), fmt::format("{} · {}", name, texts.back()), texts.front(),
-            texts.back()};
+    const auto plain = std::ssize(texts);
+    for (std::ptrdiff_t k = 0; k < plain; ++k)
+        texts.insert(texts.begin() + k,
+                     fmt::format("{} · {}", event.identity->what->name, texts[static_cast<std::size_t>(2 * k)]));
+    return texts;
 }
 
 std::string activity_text(const tracking::Event& event) {

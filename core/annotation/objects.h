@@ -42,12 +42,12 @@ const tracking::Stay* longest_stay(const tracking::Event& event);
 /// The object's position on its path at a time of the clip in seconds, interpolated, in field pixels.
 glm::dvec2 position_at(const tracking::Event& event, double seconds);
 
-/// What the object did, as texts of decreasing length: "went ↗" (its direction in the frame), "stood 14 s" ("in all" if
-/// it is the sum of several stays), "left behind". The table of event kinds has the words. With what it is, if that is
-/// known: "person · stood 14 s".
+/// What the object did, as texts of decreasing length: "went up and right" (its direction in the frame), "stayed 14 s"
+/// ("in all" if it is the sum of several stays), "left behind". The table of event kinds has the words. With what it
+/// is, if that is known: "person · stayed 14 s".
 std::vector<std::string> activity_texts(const tracking::Event& event);
 
-/// The longest of these texts, without what it is: "went ↗".
+/// The longest of these texts, without what it is: "went up and right".
 std::string activity_text(const tracking::Event& event);
 
 /// The times at which the object is shown as stationary: its stays, or its whole life if it was left or taken.

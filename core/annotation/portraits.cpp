@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,9 +30,10 @@ bool intersects(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& bo
     return false;
 }
 
-/// The centres closest to `preferred` that are in order and at least `step` apart, by isotonic regression (pool
-/// adjacent violators).
-std::vector<double> spread(std::span<const double> preferred, double step, double low, double high) {
+/// The places closest to `preferred` that are in order, each at least as far from the first as `offsets` says, by
+/// isotonic regression (pool adjacent violators).
+std::vector<double> spread(std::span<const double> preferred, std::span<const double> offsets, double low,
+                           double high) {
     struct Pool {
         double sum;
         int count;
@@ -39,21 +41,21 @@ std::vector<double> spread(std::span<const double> preferred, double step, doubl
     };
     std::vector<Pool> pools;
     for (std::size_t i = 0; i < preferred.size(); ++i) {
-        pools.push_back({preferred[i] - static_cast<double>(i) * step, 1});
+        pools.push_back({preferred[i] - offsets[i], 1});
         while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
             pools[pools.size() - 2].sum += pools.back().sum;
             pools[pools.size() - 2].count += pools.back().count;
             pools.pop_back();
         }
     }
-    const double highest = std::max(low, high - step * static_cast<double>(preferred.size() - 1));
-    std::vector<double> centres;
+    const double highest = std::max(low, high - offsets.back());
+    std::vector<double> places;
     for (const Pool& pool : pools) {
         for (int i = 0; i < pool.count; ++i) {
-            centres.push_back(std::clamp(pool.mean(), low, highest) + static_cast<double>(centres.size()) * step);
+            places.push_back(std::clamp(pool.mean(), low, highest) + offsets[places.size()]);
         }
     }
-    return centres;
+    return places;
 }
 
 /// A row of a fixed set of portraits.
@@ -61,7 +63,7 @@ class Row {
   public:
     Row(std::span<const WantedPortrait> wanted, std::vector<std::size_t> order, const PixelBox& row, int gap,
         std::span<const PixelBox> obstacles)
-        : wanted_(wanted), order_(std::move(order)), row_(row), step_(row.height() + gap), obstacles_(obstacles) {
+        : wanted_(wanted), order_(std::move(order)), row_(row), gap_(gap), obstacles_(obstacles) {
         std::ranges::sort(order_, {}, [&](std::size_t k) { return wanted[k].number; });
     }
 
@@ -82,13 +84,20 @@ class Row {
 
   private:
     std::vector<PlacedPortrait> stills_at(std::span<const double> preferred) const {
-        const double half = row_.height() / 2.0;
-        const std::vector<double> centres = spread(preferred, step_, row_.left + half, row_.right - half);
+        const auto width = [&](std::size_t k) { return row_.height() * wanted_[k].wide; };
+        std::vector<double> lefts;
+        std::vector<double> offsets{0};
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            lefts.push_back(preferred[i] - width(order_[i]) / 2.0);
+            offsets.push_back(offsets.back() + width(order_[i]) + gap_);
+        }
+        offsets.pop_back();
+        const std::vector<double> placed = spread(lefts, offsets, row_.left, row_.right - width(order_.back()));
         std::vector<PlacedPortrait> stills;
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            const int left = static_cast<int>(std::floor(centres[i] - half));
-            const PixelBox still{left, row_.top, left + row_.height(), row_.bottom};
-            stills.push_back({order_[i], still, {centres[i], row_.bottom}, {}});
+            const int left = static_cast<int>(std::floor(placed[i]));
+            const PixelBox still{left, row_.top, left + width(order_[i]), row_.bottom};
+            stills.push_back({order_[i], still, {placed[i] + width(order_[i]) / 2.0, row_.bottom}, {}});
         }
         return stills;
     }
@@ -135,7 +144,7 @@ class Row {
     std::span<const WantedPortrait> wanted_;
     std::vector<std::size_t> order_;
     PixelBox row_;
-    double step_;
+    int gap_;
     std::span<const PixelBox> obstacles_;
 };
 
@@ -159,13 +168,16 @@ bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, 
 
 std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> wanted, const PixelBox& row, int gap,
                                             std::span<const PixelBox> obstacles) {
-    const int step = row.height() + gap;
     if (row.height() <= 0) return {};
-    const auto most = static_cast<std::size_t>(std::max(0, (row.width() + gap) / step));
+    const auto has_room = [&](std::span<const std::size_t> order, const WantedPortrait& one) {
+        int width = row.height() * one.wide;
+        for (const std::size_t k : order) width += row.height() * wanted[k].wide + gap;
+        return width <= row.width();
+    };
     std::vector<std::size_t> order;
     std::size_t next = 0;
     while (true) {
-        for (; order.size() < most && next < wanted.size(); ++next) {
+        for (; next < wanted.size() && has_room(order, wanted[next]); ++next) {
             if (!wanted[next].anchors.empty()) order.push_back(next);
         }
         if (order.empty()) return {};
@@ -229,9 +241,24 @@ void label_portrait(const Objects& objects, const EventPortrait& portrait, const
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
     const image::Rgba colour = objects.colour_of(portrait.event);
-    ObjectPicture shown = portrait.crop->still();
-    mark_object(shown, still.inflated(-border, -border), colour, lettering);
-    lettering.pictures.push_back({still.inflated(-border, -border), std::move(shown.picture), colour, border});
+    const auto show = [&](ObjectPicture shown, const PixelBox& box) {
+        mark_object(shown, box, colour, lettering);
+        lettering.pictures.push_back({box, std::move(shown.picture), colour, border});
+    };
+    if (portrait.pair == nullptr) {
+        show(portrait.crop->still(), still.inflated(-border, -border));
+    } else {
+        const PixelBox left{still.left, still.top, still.left + still.height(), still.bottom};
+        const PixelBox right{still.right - still.height(), still.top, still.right, still.bottom};
+        for (const auto& [words, crop, box] :
+             {std::tuple("before", &portrait.pair->before, left), std::tuple("after", &portrait.pair->after, right)}) {
+            show(crop->surroundings(), box.inflated(-border, -border));
+            annotation::Label label = annotation::make_label(words, size, box.left + 2 * border,
+                                                             box.bottom - 3 * border, image::Rgba(1, 1, 1, 1));
+            label.halo = image::Rgba(0, 0, 0, 1);
+            lettering.labels.push_back(std::move(label));
+        }
+    }
     const double middle = still.top - 1.5 * line + size * 0.1;
     annotation::Badge badge =
         annotation::make_badge(fmt::format("{}", objects.numbers[portrait.event]), {still.left, middle}, size, colour);
@@ -256,7 +283,8 @@ void label_portrait(const Objects& objects, const EventPortrait& portrait, const
 
 std::vector<EventPortrait> event_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
                                            const Crops& crops, const Trails& trails, const annotation::Sheet& sheet,
-                                           std::span<const PixelBox> obstacles) {
+                                           std::span<const PixelBox> obstacles, int most_pairs) {
+    int pairs = 0;
     std::vector<EventPortrait> candidates;
     std::vector<WantedPortrait> wanted;
     for (const std::size_t k : by_importance(objects.events)) {
@@ -264,15 +292,18 @@ std::vector<EventPortrait> event_portraits(const Objects& objects, const std::se
         const tracking::Event& event = objects.events[k];
         const Crop* const crop = crops.find(event);
         if (crop == nullptr || !numbered.contains(k)) continue;
-        candidates.push_back({k, crop});
-        wanted.push_back({objects.numbers[k], anchors_of(event, crop->at().seconds, trails)});
+        const BeforeAndAfter* const pair = pairs < most_pairs ? crops.find_pair(event) : nullptr;
+        if (pair != nullptr) ++pairs;
+        candidates.push_back({k, crop, pair});
+        const double moment = pair != nullptr ? event.first.seconds : crop->at().seconds;
+        wanted.push_back({objects.numbers[k], anchors_of(event, moment, trails), pair != nullptr ? 2 : 1});
     }
     PixelBox row = sheet.portraits;
     row.top += sheet.captions;
     std::vector<EventPortrait> shown;
     for (const PlacedPortrait& placed : place_portraits(wanted, row, sheet.small, obstacles)) {
         const EventPortrait& candidate = candidates[placed.wanted];
-        shown.push_back({candidate.event, candidate.crop, placed.still, placed.from, placed.to});
+        shown.push_back({candidate.event, candidate.crop, candidate.pair, placed.still, placed.from, placed.to});
     }
     return shown;
 }
@@ -282,7 +313,9 @@ void label_portraits(const Objects& objects, const std::set<std::size_t>& number
                      const image::Rgba& pale, annotation::Lettering& lettering) {
     std::vector<PixelBox> obstacles;
     for (const annotation::Label& label : lettering.labels) obstacles.push_back(label.box.inflated(2, 2));
-    for (const EventPortrait& portrait : event_portraits(objects, numbered, crops, trails, sheet, obstacles)) {
+    constexpr int most_pairs = 3;  // others need room too
+    for (const EventPortrait& portrait :
+         event_portraits(objects, numbered, crops, trails, sheet, obstacles, most_pairs)) {
         const image::Rgba colour = objects.colour_of(portrait.event);
         const double width = std::max(1.0, sheet.small / 9.0);
         lettering.strokes.push_back({portrait.from, portrait.to, width, colour});

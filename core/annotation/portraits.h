@@ -27,6 +27,7 @@ struct Anchor {
 struct WantedPortrait {
     std::size_t number = 0;  ///< the object's; numbers increase from left to right
     std::vector<Anchor> anchors;
+    int wide = 1;  ///< stills side by side
 };
 
 /// A portrait placed in the row, with its leader line.
@@ -53,18 +54,21 @@ bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, 
 struct EventPortrait {
     std::size_t event = 0;  ///< index in the list of events
     const Crop* crop = nullptr;
+    const BeforeAndAfter* pair = nullptr;  ///< shown in place of the crop; null = none
     PixelBox still{};
     glm::dvec2 from{};
     glm::dvec2 to{};  ///< on the object's trail
 };
 
-/// Places stills of the most important objects in the sheet's portrait band, below the captions.
+/// Places stills of the most important objects in the sheet's portrait band, below the captions. What was left or taken
+/// has two side by side, before and after, if `crops` has them.
 /// \param numbered indices of the events that may get one
 /// \param obstacles boxes that lines avoid if they can
+/// \param most_pairs at most this many
 /// \returns from left to right
 std::vector<EventPortrait> event_portraits(const Objects& objects, const std::set<std::size_t>& numbered,
                                            const Crops& crops, const Trails& trails, const annotation::Sheet& sheet,
-                                           std::span<const PixelBox> obstacles);
+                                           std::span<const PixelBox> obstacles, int most_pairs);
 
 /// Draws the portraits, with number, activity and time above each, and a leader line to the object's trail.
 /// \param numbered indices of the events that may get one: those that the map or the time strip explains

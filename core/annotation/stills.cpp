@@ -83,6 +83,13 @@ std::vector<ObjectInStill> events_in(const Still& still, std::span<const std::op
     return found;
 }
 
+/// How much changed in a still, field pixels: also what is no event.
+double activity(const Still& still) {
+    double sum = 0;
+    for (const ObjectInStill& object : still.objects) sum += area(object.box);
+    return sum;
+}
+
 /// How well an object can be seen: its size, less if the border cuts it off.
 double visibility(const PixelBox& box, Size field) {
     const bool cut = box.left <= 0 || box.top <= 0 || box.right >= field.width || box.bottom >= field.height;
@@ -167,7 +174,9 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
         for (const ObjectInStill& object : found.back())
             largest[object.track] = std::max(largest[object.track], visibility(object.box, field));
     }
-    constexpr double again = 0.15;  // worth of an event that was shown, relative to one that was not
+    constexpr double again = 0.15;      // worth of an event that was shown, relative to one that was not
+    constexpr double little = 0.2;      // worth of a still that shows nothing new
+    constexpr double long_time = 0.25;  // of the clip, without a still
     const auto share_of = [&](const ObjectInStill& object) {  // of its best sight
         return visibility(object.box, field) / std::max(1.0, largest[object.track]);
     };
@@ -179,6 +188,7 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
             const double seen = share_of(object);
             sum += std::max(seen - best[object.track], again * seen);
         }
+        if (sum < little) return 0.0;
         // Two moments soon after each other look alike.
         const double span = std::max(1e-9, stills.back().seconds - stills.front().seconds);
         for (const std::size_t other : chosen) {
@@ -187,13 +197,43 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
         }
         return sum;
     };
-    while (chosen.size() < most) {
+    // The still of the longest time without one that shows most, far from its ends, if that is long.
+    const auto in_longest_gap = [&]() -> std::optional<std::size_t> {
+        std::vector<std::size_t> known{0, stills.size() - 1};
+        known.insert(known.end(), chosen.begin(), chosen.end());
+        std::ranges::sort(known);
+        std::optional<std::size_t> next;
+        double longest = long_time * (stills.back().seconds - stills.front().seconds);
+        for (std::size_t g = 0; g + 1 < known.size(); ++g) {
+            const double begin = stills[known[g]].seconds;
+            const double end = stills[known[g + 1]].seconds;
+            if (end - begin <= longest) continue;
+            longest = end - begin;
+            next.reset();
+            double most_shown = 0;
+            for (std::size_t k = known[g] + 1; k < known[g + 1]; ++k) {
+                const double shown = activity(stills[k]) * std::min(stills[k].seconds - begin, end - stills[k].seconds);
+                if (shown <= most_shown) continue;
+                most_shown = shown;
+                next = k;
+            }
+        }
+        return next;
+    };
+    std::vector<std::size_t> whole;  // show what no event is
+    while (chosen.size() < most && !stills.empty()) {
         std::optional<std::size_t> next;
         double most_worth = 0;
         for (std::size_t k = 0; k < stills.size(); ++k) {
             if (const double sum = worth(k); sum > most_worth) {
                 most_worth = sum;
                 next = k;
+            }
+        }
+        if (!next || 2 * chosen.size() > most) {
+            if (const std::optional<std::size_t> other = in_longest_gap()) {
+                next = other;
+                whole.push_back(*other);
             }
         }
         if (!next) break;
@@ -205,8 +245,12 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
     }
     std::ranges::sort(chosen);
     std::vector<ShownStill> shown;
-    for (const std::size_t k : chosen)
-        shown.push_back({&stills[k], window_around(found[k], field, aspect), std::move(found[k])});
+    for (const std::size_t k : chosen) {
+        const bool is_whole = found[k].empty() || std::ranges::find(whole, k) != whole.end();
+        const PixelBox part =
+            is_whole ? PixelBox{0, 0, field.width, field.height} : window_around(found[k], field, aspect);
+        shown.push_back({&stills[k], part, std::move(found[k])});
+    }
     return shown;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/plane.h"
 #include "core/base/text.h"
@@ -144,12 +145,36 @@ class Strip {
         const int high = row_height_ - 2;
         const int low = std::max(2, high / 3);
         const int middle = bottom - high / 2;
-        const auto add = [&](double from, double to, int height) {
-            draw_line(column(from), column(to), middle, height, colour);
-        };
-        add(event.first.seconds, event.last.seconds, low);
-        for (const tracking::Stay& stay : stationary_times(event)) add(stay.first.seconds, stay.last.seconds, high);
+        const tracking::EventKindRow& kind = row_of(event.kind);
+        const int from = column(event.first.seconds);
+        const int to = column(event.last.seconds);
+        if (kind.is_of_scene) {
+            draw_dashes(from, to, middle, high * 2 / 3.0, colour);
+        } else {
+            draw_line(from, to, middle, low, colour);
+            for (const tracking::Stay& stay : stationary_times(event)) {
+                const int begin = column(stay.first.seconds);
+                const int end = column(stay.last.seconds);
+                draw_line(begin, end, middle, high, colour);
+                if (!kind.lies) draw_stripes(begin, end, middle, high, colour);
+            }
+        }
         return label_number(bar, middle);
+    }
+
+    void draw_dashes(int from, int to, int y, double width, const image::Rgba& colour) {
+        const int dash = sheet_.small;
+        for (int x = from; x < to; x += dash * 3 / 2) draw_line(x, std::min(x + dash, to), y, width, colour);
+    }
+
+    /// The stripes that the volume has where an object stayed.
+    void draw_stripes(int from, int to, int y, int height, const image::Rgba& colour) {
+        const double width = std::max(1.5, sheet_.small / 5.0);
+        const double half = (height - width) / 2;
+        const image::Rgba dark = glm::mix(colour, image::Rgba{0, 0, 0, 1}, 0.6F);
+        const double inside = height / 2.0;  // of the round caps
+        for (double x = from + inside; x <= to - inside; x += 2.2 * width)
+            lettering_.strokes.push_back({{x, y - half}, {x, y + half}, width, dark});
     }
 
     /// The object's number before the bar, if there is room.
@@ -185,8 +210,27 @@ class Strip {
 
     void label_heading(std::size_t without_bar) {
         const std::string more = without_bar > 0 ? fmt::format("; no room for {} more", without_bar) : "";
-        std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
-                                       "Thick: it stood or was left" + more, "Thick: it stood", "When"};
+        const auto has = [&](auto&& is_so) { return std::ranges::any_of(objects_.events, is_so); };
+        std::vector<std::string> looks;
+        std::vector<std::string> brief;
+        if (has([](const tracking::Event& event) {
+                return !row_of(event.kind).lies && !row_of(event.kind).is_of_scene && !event.stays.empty();
+            })) {
+            looks.emplace_back("striped where it stayed");
+            brief.emplace_back("striped: stayed");
+        }
+        if (has([](const tracking::Event& event) { return row_of(event.kind).lies; })) {
+            looks.emplace_back("thick where it was left behind");
+            brief.emplace_back("thick: left behind");
+        }
+        if (has([](const tracking::Event& event) { return row_of(event.kind).is_of_scene; })) {
+            looks.emplace_back("dashed while a thing that was taken is gone");
+            brief.emplace_back("dashed: taken");
+        }
+        std::vector<std::string> texts{
+            fmt::format("When: a bar for each object{}{}{}", looks.empty() ? "" : ", ", fmt::join(looks, ", "), more),
+            fmt::format("When; {}{}", fmt::join(brief, ", "), more), fmt::format("When; {}", fmt::join(brief, ", ")),
+            "When"};
         if (objects_.events.empty()) texts = texts_without_objects();
         annotation::add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small,
                                         sheet_.strip, style_.pale, lettering_);

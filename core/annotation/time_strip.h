@@ -63,9 +63,9 @@ struct StripContent {
     std::span<const condition::Interval> intervals{};  ///< what the recording itself did, in order
 };
 
-/// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary, and where
-/// there was nobody. Objects that find no row are only counted.
-/// \returns the indices of the events that have a bar with a number
+/// Draws the time strip: a bar per object over a linear time axis, striped while the object stayed in its place, thick
+/// while it was left behind, dashed while it was gone, and where there was nobody. Objects that find no row are only
+/// counted. \returns the indices of the events that have a bar with a number
 std::vector<std::size_t> label_strip(const Objects& objects, const StripContent& content,
                                      const annotation::Sheet& sheet, const StripStyle& style,
                                      annotation::Lettering& lettering);

@@ -100,7 +100,7 @@ struct PageContent {
     std::vector<glm::vec3> colours;                      ///< of the events in the picture, sRGB; empty = no colours
     std::vector<Plane<Bgr>> portraits;                   ///< of the events; an empty plane = none
     std::size_t not_chosen = 0;                          ///< number of other events that were found
-    std::vector<std::string> activities;                 ///< what each of them did: "went ↘"
+    std::vector<std::string> activities;                 ///< what each of them did: "went down and right"
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
     footage::Unseen unseen{};

@@ -12,7 +12,7 @@ namespace vvr::tracking {
 
 enum class EventKind {
     moved,  ///< it moved through the scene
-    stood,  ///< it moved, and stood still for a while
+    stood,  ///< it moved, and stayed in its place for a while
     left,   ///< somebody put it down
     taken,  ///< it belonged to the empty scene, and was removed
 };
@@ -24,7 +24,7 @@ enum class Emphasis { none, standing, strong };
 enum class Tally {
     none,
     lasts,  ///< duration of the longest
-    still,  ///< longest time for which one stood, in all its stays
+    still,  ///< longest time for which one stayed, in all its stays
     count,
 };
 
@@ -35,7 +35,7 @@ struct KindChoice {
     std::string_view order;  ///< label of the sort order
 };
 inline constexpr KindChoice choice_of_things{"left", "Left behind", "longest left behind first"};
-inline constexpr KindChoice choice_of_standing{"stood", "Stood", "longest standing first"};
+inline constexpr KindChoice choice_of_standing{"stood", "Stayed", "longest stay first"};
 
 /// One row of the table of kinds.
 struct EventKindRow {
@@ -43,7 +43,7 @@ struct EventKindRow {
     std::string_view name;  ///< in options, reports, sidecars
     std::string_view help;
     std::string_view words;     ///< on pages
-    std::string_view activity;  ///< in pictures; `{}` = how long it stood; empty = the picture shows where it went
+    std::string_view activity;  ///< in pictures; `{}` = how long it stayed; empty = the picture shows where it went
     std::string_view activity_short;
     std::string_view by;                 ///< on pages: what the event `by` did; empty = there is none
     int rank = 0;                        ///< 0 = most important to a reader
@@ -68,9 +68,9 @@ inline constexpr std::array event_kinds{
     EventKindRow{.kind = EventKind::stood,
                  .name = "stood",
                  .help = "kept its place for a while",
-                 .words = "stood",
-                 .activity = "stood {}",
-                 .activity_short = "stood",
+                 .words = "stayed",
+                 .activity = "stayed {}",
+                 .activity_short = "stayed",
                  .by = "",
                  .rank = 2,
                  .emphasis = Emphasis::standing,

@@ -49,15 +49,21 @@ double straightness_of(const std::vector<PathPoint>& path);
 struct Heading {
     std::string_view name;
     std::string_view arrow;
+    std::string_view words;
 };
 
 /// Eighths of a turn, clockwise from the right.
-inline constexpr std::array headings{Heading{"right", "→"},     Heading{"down-right", "↘"}, Heading{"down", "↓"},
-                                     Heading{"down-left", "↙"}, Heading{"left", "←"},       Heading{"up-left", "↖"},
-                                     Heading{"up", "↑"},        Heading{"up-right", "↗"}};
+inline constexpr std::array headings{Heading{"right", "→", "to the right"},
+                                     Heading{"down-right", "↘", "down and right"},
+                                     Heading{"down", "↓", "down"},
+                                     Heading{"down-left", "↙", "down and left"},
+                                     Heading{"left", "←", "to the left"},
+                                     Heading{"up-left", "↖", "up and left"},
+                                     Heading{"up", "↑", "up"},
+                                     Heading{"up-right", "↗", "up and right"}};
 
 /// The object ended near where it began, after a long way.
-inline constexpr Heading to_and_fro{"to and fro", "⇄"};
+inline constexpr Heading to_and_fro{"to and fro", "⇄", "to and fro"};
 
 /// The direction from the first to the last place. `to_and_fro` if they are near each other, both compared with the
 /// length of the path and with the area that it covers.

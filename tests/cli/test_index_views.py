@@ -30,7 +30,7 @@ def test_index_tells_what_was_left(t):
     known(t, "gate/bad.avi", NOW, state="failed", tries=1, status=3, reason="'bad.avi' is not a video", files={})
     write_index(t)
     with opened(t, cards=5) as page:
-        check(cards(page) == [["a.avi", ["left behind for 26 s", "1 event"]], ["b.avi", ["taken", "stood for 3 min", "3 events"]],
+        check(cards(page) == [["a.avi", ["left behind for 26 s", "1 event"]], ["b.avi", ["taken", "stayed for 3 min", "3 events"]],
                               ["c.avi", ["9 events"]], ["d.avi", ["no events"]], ["bad.avi", []]], str(cards(page)))
         for kind, names in (("left", "a b"), ("stood", "b"), ("events", "a b c"), ("failed", "bad")):
             page.run(f"document.querySelector('[value={kind}]').click()")

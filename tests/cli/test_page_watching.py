@@ -193,7 +193,7 @@ def test_page_lets_a_finger_choose_among_what_is_near(t):
         page.window(390, 844, mobile=True)
         page.wait("the window", "return innerWidth === 390")
         page.press("#tabvolume")
-        check(page.texts("#legend span") == ["moved", "stood or left", "other change"], f"{page.texts('#legend span')}")
+        check(page.texts("#legend span") == ["moved", "stayed or left behind", "other change"], f"{page.texts('#legend span')}")
         left, top, right, bottom = page.box("#legend")
         zoom = page.box(".zoom")
         check((right <= zoom[0] or bottom <= zoom[1]) and top > page.box("#map")[1] and bottom < page.box("#view")[3], f"the legend at {page.box('#legend')}, buttons at {zoom}")

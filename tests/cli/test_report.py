@@ -220,7 +220,7 @@ def test_a_stay_is_told_with_one_number_everywhere(t):
     check(stood["kind"] == "stood" and len(stood["stays"]) == 2, str(stood["stays"]))
     seconds = sum(stay["seconds"] for stay in stood["stays"])
     check(7 < seconds < 8.5, f"{seconds}")
-    text = f"stood {round(seconds)} s"
+    text = f"stayed {round(seconds)} s"
     texts = [label["text"] for label in report["labels"]]
     check(text in texts, f"no {text!r} in the picture: {texts}")
     check(text in told.err, f"no {text!r} in the log: {told}")

@@ -378,10 +378,10 @@ test('a still that has not come', () => {
 test('the legend says what the picture has, and no more', () => {
     const words = (settings, events, live = null) => entriesOf({settings, live}, events).map(entry => entry.words);
     const all = {color: 'object', show: 'volume,directions,legend'};
-    assert.deepEqual(words(all, [{stays: []}, {stays: [[3, 9]]}]), ['moved', 'stood or left', 'other change']);
+    assert.deepEqual(words(all, [{stays: []}, {stays: [[3, 9]]}]), ['moved', 'stayed or left behind', 'other change']);
     assert.deepEqual(words(all, [{stays: []}]), ['moved', 'other change']);
     assert.deepEqual(words(all, []), ['other change']);
-    assert.deepEqual(words({...all, show: 'volume'}, [{stays: [[3, 9]]}]), ['moved', 'stood or left', 'other change']);
+    assert.deepEqual(words({...all, show: 'volume'}, [{stays: [[3, 9]]}]), ['moved', 'stayed or left behind', 'other change']);
     assert.deepEqual(words(all, [{stays: [[3, 9]]}], {state: 'watching'}), ['moved', 'other change']);
     assert.deepEqual(words({...all, color: 'time'}, [{stays: [[3, 9]]}]), []);
     assert.deepEqual(words({color: 'object', show: 'map'}, [{stays: [[3, 9]]}]), []);
@@ -389,15 +389,15 @@ test('the legend says what the picture has, and no more', () => {
 });
 
 test('words for who hears the page', () => {
-    assert.equal(spoken('went ↘ · 6 s'), 'went down and right, 6 seconds');
-    assert.equal(spoken('stood 1 s in all'), 'stood 1 second in all');
-    assert.equal(spoken('crossed ← 0:06, → 0:10'), 'crossed left 0:06, right 0:10');
+    assert.equal(spoken('went down and right · 6 s'), 'went down and right, 6 seconds');
+    assert.equal(spoken('stayed 1 s in all'), 'stayed 1 second in all');
+    assert.equal(spoken('crossed ← 0:06, → 0:10'), 'crossed to the left 0:06, to the right 0:10');
     assert.equal(spoken('left behind 3:20 h'), 'left behind 3:20 hours');
 });
 
 test('words for where there is little room', () => {
-    assert.deepEqual(briefDeeds('stood 9 s in all'), ['stood 9 s in all', 'stood 9 s', '9 s']);
-    assert.deepEqual(briefDeeds('went ↖'), ['went ↖', 'went ↖', '↖']);
+    assert.deepEqual(briefDeeds('stayed 9 s in all'), ['stayed 9 s in all', 'stayed 9 s', '9 s']);
+    assert.deepEqual(briefDeeds('went up and left'), ['went up and left', 'up and left', '↖']);
     assert.equal(briefDeeds('to and fro')[2], '⇄');
     assert.equal(briefDeeds('left behind')[2], 'left behind');
 });

@@ -89,10 +89,10 @@ test('a clip has its own marks, and the same ones when its page is made again', 
 });
 
 test('marks as a file', () => {
-    const events = [{first: 0, last: 25, begin: 0, end: 1, kind: 'moved'}, {first: 50, last: 100, begin: 2, end: 4, kind: 'stood', deed: 'stood 2 s', class: 'person', number: 7}];
+    const events = [{first: 0, last: 25, begin: 0, end: 1, kind: 'moved'}, {first: 50, last: 100, begin: 2, end: 4, kind: 'stood', deed: 'stayed 2 s', class: 'person', number: 7}];
     const saved = JSON.parse(savedMarks(pageData(), events, {'50-100': {star: true, note: 'blue coat'}}, steady()));
     assert.deepEqual(saved, {clip: 'clip.mp4', camera: null, file: './clip.mp4', events: [
-        {event: 7, from: '0:02.0', to: '0:04.0', frames: [50, 100], deed: 'stood 2 s', class: 'person', star: true, nothing: false, note: 'blue coat'}]});
+        {event: 7, from: '0:02.0', to: '0:04.0', frames: [50, 100], deed: 'stayed 2 s', class: 'person', star: true, nothing: false, note: 'blue coat'}]});
     // An event of a stream that began before the page's first frame keeps its time.
     const stream = new Timeline([[250, 100, 10, 0]], {begin: Date.UTC(2026, 10, 21, 14) / 1000, leaps: [], zone: null, by: ''});
     const early = {first: 50, last: 300, begin: 0.5, end: 10, kind: 'moved'};

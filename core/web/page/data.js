@@ -20,7 +20,7 @@
  * @property {number[][]} stays first and last frame of each
  * @property {number[]} box all its places: left, top, right, bottom in shares of the picture
  * @property {number[]} way
- * @property {string} [deed] what it did: "went ↘"
+ * @property {string} [deed] what it did: "went down and right"
  * @property {string} [colour]
  * @property {number} [number] that the picture shows
  * @property {string | null} [portrait] URL

@@ -45,12 +45,12 @@ export const nameOf = (events, place, listed) =>
 export const deedOf = event => event.deed ?? event.kind;
 
 /** @type {Record<string, string>} */
-const directions = {'←': 'left', '→': 'right', '↑': 'up', '↓': 'down', '↖': 'up and left', '↗': 'up and right', '↘': 'down and right', '↙': 'down and left'};
+const directions = {'←': 'to the left', '→': 'to the right', '↑': 'up', '↓': 'down', '↖': 'up and left', '↗': 'up and right', '↘': 'down and right', '↙': 'down and left'};
 /** @type {Record<string, string>} */
 const units = {s: 'second', min: 'minute', h: 'hour'};
 
 /**
- * As it is read aloud: "went ↘ · 6 s" as "went down and right, 6 seconds".
+ * As it is read aloud: "crossed ← 0:06 · 6 s" as "crossed to the left 0:06, 6 seconds".
  * @param {string} text
  */
 export const spoken = text => text.replaceAll(' · ', ', ').replace(/[←→↑↓↖↗↘↙]/g, arrow => directions[arrow])
@@ -62,7 +62,8 @@ export const spoken = text => text.replaceAll(' · ', ', ').replace(/[←→↑�
  */
 export function briefDeeds(deed) {
     const brief = deed.replace(' in all', '');
-    return [deed, brief, brief.replace('to and fro', '⇄').replace(/^\w+ (?=[←→↑↓↖↗↘↙]|\d)/, '')];
+    const way = Object.entries({...directions, '⇄': 'to and fro'}).find(([, words]) => brief.replace('went ', '') === words);
+    return [deed, brief.replace('went ', ''), way?.[0] ?? brief.replace(/^\w+ (?=\d)/, '')];
 }
 
 /** @type {(event: PageEvent) => number} */

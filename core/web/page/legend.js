@@ -10,8 +10,8 @@ export function entriesOf({settings, live}, events) {
     if (settings.color !== 'object' || !shows.includes('volume')) return [];
     return [
         {sign: 'plain', words: 'moved', is: events.length > 0},
-        // In a stream, the picture has its colours before it is known what stands.
-        {sign: 'stripes', words: 'stood or left', is: !live && events.some(({stays}) => stays?.length)},
+        // In a stream, the picture has its colours before it is known what stays.
+        {sign: 'stripes', words: 'stayed or left behind', is: !live && events.some(({stays}) => stays?.length)},
         {sign: 'grey', words: 'other change', is: true},
     ].filter(({is}) => is);
 }

@@ -146,7 +146,7 @@ function barsOf(places, {rows, count}, isNumbered) {
         const bar = ofEvent(placed(element('i'), event.first, event.last, rows[k]), place);
         const isThere = ([from, to] = [0, 0]) => shareOfFrame(to) > 0 && shareOfFrame(from) < 1;
         const stays = (event.stays ?? []).filter(stay => isThere(/** @type {[number, number]} */ (stay)))
-            .map(([from, to]) => ofEvent(placed(element('i', 'stay'), from, to, rows[k]), place));
+            .map(([from, to]) => ofEvent(placed(element('i', 'stay ' + event.kind), from, to, rows[k]), place));
         return isNumbered ? [bar, ...stays, number] : [bar, ...stays];
     });
 }

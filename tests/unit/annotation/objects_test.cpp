@@ -63,7 +63,7 @@ TEST(Words, SayWhatItDidAndWhen) {
     tracking::Event event = event_of(tracking::EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(annotation::activity_texts(event).front(), "stood 15 s in all");
+    EXPECT_EQ(annotation::activity_texts(event).front(), "stayed 15 s in all");
     EXPECT_EQ(annotation::time_texts(event, 60, {}).front(), "0:06–0:28");
     EXPECT_EQ(annotation::time_texts(event, 60, 1'795'248'017).front(), "08:00:23–08:00:45");
     Clock days(1'795'248'017);
@@ -89,7 +89,7 @@ TEST(Words, SayWhatItDidAndWhen) {
         << "a gap follows";
     EXPECT_EQ(annotation::activity_texts(event_of(tracking::EventKind::left, 0, 5)).front(), "left behind");
     EXPECT_EQ(annotation::activity_texts(event_of(tracking::EventKind::taken, 0, 5)).front(), "taken away");
-    EXPECT_EQ(annotation::activity_texts(event_of(tracking::EventKind::moved, 0, 5)).front(), "went ↘");
+    EXPECT_EQ(annotation::activity_texts(event_of(tracking::EventKind::moved, 0, 5)).front(), "went down and right");
     event = event_of(tracking::EventKind::moved, 0, 5);
     const glm::dvec2 begin = event.path.front().place;
     event.path = {{at(0), begin}, {at(2), begin + glm::dvec2(40, 0)}, {at(5), begin + glm::dvec2(2, 0)}};
@@ -98,7 +98,7 @@ TEST(Words, SayWhatItDidAndWhen) {
     event.path = {
         {at(0), begin}, {at(1), begin + glm::dvec2(40, 0)}, {at(2), begin}, {at(3), begin + glm::dvec2(40, 0)}};
     event.path_length = 240;  // with more turns than these points
-    EXPECT_EQ(annotation::activity_texts(event).front(), "went →") << "it paced, and left at the other side";
+    EXPECT_EQ(annotation::activity_texts(event).front(), "went to the right") << "it paced, and left at the other side";
 }
 
 TEST(Words, SayWhatItIs) {
@@ -106,7 +106,7 @@ TEST(Words, SayWhatItIs) {
     event.stays.push_back({at(10), at(24), {}, {}});
     event.identity = {detector::find_class("person"), 0.9, 1};
     EXPECT_EQ(annotation::activity_texts(event),
-              (std::vector<std::string>{"person · stood 14 s", "person · stood", "stood 14 s", "stood"}));
+              (std::vector<std::string>{"person · stayed 14 s", "person · stayed", "stayed 14 s", "stayed"}));
 }
 
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {

@@ -55,6 +55,22 @@ TEST(ChosenStills, ShowAPartOfTheFrameWhereObjectsAreSmall) {
     EXPECT_EQ(part({40, 20, 70, 100}), (PixelBox{0, 0, 160, 120}));
 }
 
+TEST(ChosenStills, LeaveNoLongTimeOut) {
+    const std::vector<tracking::Event> events{event_of(0, 0, 10)};
+    std::vector<annotation::Still> stills;
+    for (int k = 0; k <= 100; k += 2) {
+        stills.push_back(still_at(k, {}));
+        if (k <= 10) stills.back().objects.push_back({0, {40, 20, 50, 30}});
+        if (k >= 60 && k <= 70) stills.back().objects.push_back({7, {0, 0, 50 + k, 50}});  // of no event
+    }
+    const auto shown = annotation::choose_stills(stills, events, frame_size, 4.0 / 3, 5);
+    ASSERT_EQ(shown.size(), 2U) << "one of the event is enough, and then nothing changes";
+    EXPECT_LE(shown[0].still->frame, 10);
+    EXPECT_GE(shown[1].still->frame, 60);
+    EXPECT_LE(shown[1].still->frame, 70);
+    EXPECT_EQ(shown[1].part, (PixelBox{0, 0, 160, 120})) << "all of it, as nobody knows what it is";
+}
+
 TEST(ChosenStills, AreNoneWithoutEvents) {
     const std::vector<annotation::Still> stills{still_at(5, {{0, {1, 2, 30, 40}}})};
     EXPECT_TRUE(annotation::choose_stills(stills, {}, frame_size, 4.0 / 3, 3).empty());

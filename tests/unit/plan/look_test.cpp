@@ -106,17 +106,18 @@ TEST(ColourOfAPlan, ThatNeedsWhatIsNotThereIsRefused) {
 TEST(PartsOfAPlan, AreThoseThatTheFilterAllows) {
     const auto shown = [](const app::RenderJob& job) { return app::make_plan(job, test::header_of()).look; };
     app::RenderJob job;
-    for (const Part part : {Part::portraits, Part::map, Part::strip, Part::numbers, Part::directions}) {
+    for (const Part part : {Part::portraits, Part::map, Part::strip, Part::numbers}) {
         EXPECT_TRUE(shown(job).shows(part));
     }
     EXPECT_FALSE(shown(job).shows(Part::arrows));
+    EXPECT_FALSE(shown(job).shows(Part::directions)) << "on the arc they point along time, and are read as ways";
     job.seeds = "seeds";
     EXPECT_TRUE(shown(job).shows(Part::arrows)) << "listed seeds are to be seen";
     job = job_of({.name = "", .filter = "temporal"});
     for (const Part part : {Part::portraits, Part::map, Part::strip, Part::numbers, Part::directions}) {
         EXPECT_FALSE(shown(job).shows(part)) << "nothing is known of objects";
     }
-    EXPECT_TRUE(shown(job).shows(Part::arrows)) << "in place of the directions";
+    EXPECT_TRUE(shown(job).shows(Part::arrows)) << "in place of the objects";
 }
 
 TEST(PartsOfAPlan, BesideThePictureOfAPageAreThePages) {
