@@ -137,21 +137,29 @@ bool shares_colours(const Composition& composed) {
     return false;
 }
 
-std::vector<annotation::LegendEntry> legend_of_volume(const ComposePlan& plan, const Composition& composed) {
+std::vector<annotation::LegendEntry> legend_of_volume(const ComposePlan& plan, const Observation& seen,
+                                                      const Composition& composed) {
     if (plan.volume.colour->drawn == gl::VolumeColour::transfer) return legend_of_transfer(plan);
     if (!plan.volume.colours_objects()) return legend_of_colour(plan);
     std::string meaning = shares_colours(composed) ? "colours of objects" : "a colour for each object";
     // In a series, voxels get their colours before it is known where their object stays.
     if (!plan.volume.series)
         meaning += shares_colours(composed) ? ", striped where one stayed" : ", striped where it stayed";
+    const bool is_light = plan.look.shows(Part::strip) &&
+                          std::ranges::any_of(unseen_of(plan, seen).intervals, [](const condition::Interval& interval) {
+                              return interval.kind == condition::Kind::light;
+                          });
     return {{colours_of_objects(plan.look.theme), meaning, "objects"},
-            {{rgba(plan.look.theme.unowned)}, "other changes", "other"}};
+            {{rgba(plan.look.theme.unowned)},
+             is_light ? "other changes, of light where hatched" : "other changes",
+             "other"}};
 }
 
 /// The legend: the meaning of a picture's colours.
-std::vector<annotation::LegendEntry> legend_of(const ComposePlan& plan, const Composition& composed) {
+std::vector<annotation::LegendEntry> legend_of(const ComposePlan& plan, const Observation& seen,
+                                               const Composition& composed) {
     std::vector<annotation::LegendEntry> entries;
-    if (plan.look.shows(Part::volume)) entries = legend_of_volume(plan, composed);
+    if (plan.look.shows(Part::volume)) entries = legend_of_volume(plan, seen, composed);
     const gl::GlyphStyle& style = plan.look.picture.glyphs;
     const auto flow = [&](const std::string& what) {
         return annotation::LegendEntry{gradient(style.slow_colour, style.fast_colour),
@@ -199,8 +207,9 @@ class Annotator {
 
   private:
     void add_title_and_legend() {
-        const std::vector<annotation::LegendEntry> legend =
-            plan_.look.shows(Part::legend) ? legend_of(plan_, composed_) : std::vector<annotation::LegendEntry>{};
+        const std::vector<annotation::LegendEntry> legend = plan_.look.shows(Part::legend)
+                                                                ? legend_of(plan_, seen_, composed_)
+                                                                : std::vector<annotation::LegendEntry>{};
         const bool in_one_band = !legend.empty() && sheet_.legend == sheet_.title;
         const int right = sheet_.title.right - (in_one_band ? annotation::brief_width(legend, sheet_) : 0);
         annotation::label_title(plan_.look.title, length_text(), right, sheet_, ink_, pale_, lettering_);
