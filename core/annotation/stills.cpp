@@ -212,8 +212,9 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
             next.reset();
             double most_shown = 0;
             for (std::size_t k = known[g] + 1; k < known[g + 1]; ++k) {
-                const double shown = activity(stills[k]) * std::min(stills[k].seconds - begin, end - stills[k].seconds);
-                if (shown <= most_shown) continue;
+                const double apart = std::min(stills[k].seconds - begin, end - stills[k].seconds);
+                const double shown = activity(stills[k]) * apart;
+                if (shown <= most_shown || 4 * apart < longest) continue;
                 most_shown = shown;
                 next = k;
             }
@@ -230,7 +231,7 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
                 next = k;
             }
         }
-        if (!next || 2 * chosen.size() > most) {
+        if (!next || (most_worth < 1 && 2 * chosen.size() > most)) {
             if (const std::optional<std::size_t> other = in_longest_gap()) {
                 next = other;
                 whole.push_back(*other);
