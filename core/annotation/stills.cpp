@@ -67,6 +67,7 @@ std::vector<ObjectInStill> events_in(const Still& still, std::span<const std::op
         const std::size_t event = *event_of_track[track];
         // A track may begin before its object came.
         if (still.frame < events[event].first.frame || still.frame > events[event].last.frame) continue;
+        if (row_of(events[event].kind).is_of_scene) continue;  // only the bare floor is there
         const auto same = std::ranges::find(found, event, &ObjectInStill::track);
         if (same == found.end()) {
             found.push_back({event, box});
@@ -177,27 +178,32 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
     constexpr double again = 0.15;      // worth of an event that was shown, relative to one that was not
     constexpr double little = 0.2;      // worth of a still that shows nothing new
     constexpr double long_time = 0.25;  // of the clip, without a still
+    constexpr double notable = 0.1;     // of the largest change
     const auto share_of = [&](const ObjectInStill& object) {  // of its best sight
         return visibility(object.box, field) / std::max(1.0, largest[object.track]);
     };
     std::vector<double> best(events.size());
     std::vector<std::size_t> chosen;
-    const auto worth = [&](std::size_t k) {
+    const auto worth = [&](std::size_t k, bool anew) {
         double sum = 0;
         for (const ObjectInStill& object : found[k]) {
             const double seen = share_of(object);
             sum += std::max(seen - best[object.track], again * seen);
         }
-        if (sum < little) return 0.0;
+        if (anew && sum < little) return 0.0;
         // Two moments soon after each other look alike.
         const double span = std::max(1e-9, stills.back().seconds - stills.front().seconds);
         for (const std::size_t other : chosen) {
             const double apart = std::abs(stills[k].seconds - stills[other].seconds) / span;
-            sum *= std::min(1.0, apart * static_cast<double>(most) * 1.5);
+            const double share = apart * static_cast<double>(most) * 1.5;
+            if (!anew && share < 1) return 0.0;
+            sum *= std::min(1.0, share);
         }
         return sum;
     };
-    // The still of the longest time without one that shows most, far from its ends, if that is long.
+    double busiest = 0;
+    for (const Still& still : stills) busiest = std::max(busiest, activity(still));
+    // The still that shows most of the longest time without one, far from its ends, if something notable changed then.
     const auto in_longest_gap = [&]() -> std::optional<std::size_t> {
         std::vector<std::size_t> known{0, stills.size() - 1};
         known.insert(known.end(), chosen.begin(), chosen.end());
@@ -208,35 +214,40 @@ std::vector<ShownStill> choose_stills(std::span<const Still> stills, std::span<c
             const double begin = stills[known[g]].seconds;
             const double end = stills[known[g + 1]].seconds;
             if (end - begin <= longest) continue;
-            longest = end - begin;
-            next.reset();
             double most_shown = 0;
             for (std::size_t k = known[g] + 1; k < known[g + 1]; ++k) {
                 const double apart = std::min(stills[k].seconds - begin, end - stills[k].seconds);
                 const double shown = activity(stills[k]) * apart;
-                if (shown <= most_shown || 4 * apart < longest) continue;
+                if (shown <= most_shown || 4 * apart < end - begin || activity(stills[k]) < notable * busiest) continue;
                 most_shown = shown;
+                longest = end - begin;
                 next = k;
             }
         }
         return next;
     };
     std::vector<std::size_t> whole;  // show what no event is
-    while (chosen.size() < most && !stills.empty()) {
+    double most_worth = 0;
+    const auto most_telling = [&](bool anew) {
         std::optional<std::size_t> next;
-        double most_worth = 0;
+        most_worth = 0;
         for (std::size_t k = 0; k < stills.size(); ++k) {
-            if (const double sum = worth(k); sum > most_worth) {
+            if (const double sum = worth(k, anew); sum > most_worth) {
                 most_worth = sum;
                 next = k;
             }
         }
+        return next;
+    };
+    while (chosen.size() < most && !stills.empty()) {
+        std::optional<std::size_t> next = most_telling(true);
         if (!next || (most_worth < 1 && 2 * chosen.size() > most)) {
             if (const std::optional<std::size_t> other = in_longest_gap()) {
                 next = other;
                 whole.push_back(*other);
             }
         }
+        if (!next) next = most_telling(false);
         if (!next) break;
         chosen.push_back(*next);
         for (const ObjectInStill& object : found[*next]) {
