@@ -50,6 +50,22 @@ TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
     }
 }
 
+TEST(PortraitRow, HasRoomForPairs) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<annotation::WantedPortrait> wanted = random_portraits(12, random);
+        for (std::size_t k = 0; k < 3; ++k) wanted[k].wide = 2;
+        const std::vector<annotation::PlacedPortrait> placed = annotation::place_portraits(wanted, row, gap, {});
+        ASSERT_FALSE(placed.empty());
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            EXPECT_TRUE(row.contains(placed[i].still));
+            EXPECT_EQ(placed[i].still.width(), row.height() * wanted[placed[i].wanted].wide);
+            if (i == 0) continue;
+            EXPECT_GE(placed[i].still.left, placed[i - 1].still.right + gap - 1);
+        }
+    }
+}
+
 TEST(PortraitRow, IsTheSameEachTime) {
     std::mt19937 random(3);
     const std::vector<annotation::WantedPortrait> wanted = random_portraits(30, random);
