@@ -101,7 +101,7 @@ TEST(PageContent, HasEventsWithWhatTheyDid) {
     ASSERT_TRUE(content.events);
     ASSERT_EQ(content.events->size(), 1U);
     ASSERT_EQ(content.activities.size(), 1U);
-    EXPECT_NE(content.activities[0].find("→"), std::string::npos) << content.activities[0];
+    EXPECT_NE(content.activities[0].find("went to the right"), std::string::npos) << content.activities[0];
     EXPECT_EQ(content.number_of(0), 1U);
     EXPECT_EQ(content.colours.size(), 1U);
     EXPECT_EQ(content.not_chosen, 2U);
