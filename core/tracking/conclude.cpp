@@ -29,14 +29,19 @@ struct Candidate {
     bool to_last = false;
 };
 
+/// How little an object is of what it came out of, 0 to 1.
+double part_of(const Tracklet& tracklet) {
+    if (!tracklet.from) return 0;
+    return tracklet.area_of_parent > 0 ? std::max(0.0, 1 - tracklet.area / tracklet.area_of_parent) : 1;
+}
+
 Signs signs_of(const Tracklet& tracklet, Size field) {
     return {std::max(0.0, tracklet.difference.texture),
             std::max(-0.5, straightness_of(tracklet.path)),
             std::log(std::clamp(tracklet.seconds(), 0.1, 20.0)),
             std::log(std::max(1e-4, tracklet.area / field.width / field.height)),
             tracklet.seen,
-            tracklet.begin.at_border || tracklet.end.at_border ? 1.0 : 0.0,
-            tracklet.from ? 1.0 : 0.0,
+            part_of(tracklet),
             tracklet.settled ? 1.0 : 0.0};
 }
 
@@ -134,6 +139,7 @@ class Conclusion {
 
     /// Whether it stood there in all frames of all stretches of this view that are long enough to tell.
     bool was_always_there(const Candidate& candidate) const {
+        if (candidate.whole.stays.size() > 1) return false;
         if (has_moved(candidate.whole) || !candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
             const Stretch& stretch = span_.stretches[k];

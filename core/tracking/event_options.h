@@ -85,10 +85,10 @@ struct Thresholds {
 
     /// What counts as an event.
     struct {
-        double least = 0.8;        ///< seconds; shorter ones are flashes or fragments
-        double probability = 0.4;  ///< from its signs, at least: see signs.h
-        double own_lengths = 0.8;  ///< lengths; a moving object goes at least this far, a flag flutters in place
-        double continuous = 0.75;  ///< share of its detections without a jump, at least; raindrops jump each time
+        double least = 0.8;         ///< seconds; shorter ones are flashes or fragments
+        double probability = 0.35;  ///< from its signs, at least: see signs.h
+        double own_lengths = 0.55;  ///< lengths; a moving object goes at least this far, a flag flutters in place
+        double continuous = 0.75;   ///< share of its detections without a jump, at least; raindrops jump each time
     } event;
 
     /// Evidence for a claim ("left behind", "taken"): the values at which a claim can just be made. At none of it, or

@@ -162,7 +162,7 @@ void begin_with_group(std::size_t k, Trajectories& trajectories) {
         before.push_back(other.path[p]);
         if (other.areas[p] > 0 && other.areas[p] < thresholds.most * tracklet.area_of_parent) before.clear();
     }
-    if (before.empty()) return;
+    if (before.empty() || before.front().at.seconds - other.begin.at.seconds > thresholds.stationary.stay) return;
     tracklet.path.insert(tracklet.path.begin(), before.begin(), before.end());
     tracklet.areas.insert(tracklet.areas.begin(), before.size(), 0);
     tracklet.begin.at = before.front().at;

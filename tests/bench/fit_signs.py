@@ -1,6 +1,7 @@
 """Fits the weights by which the signs of an object decide whether it is an event (core/tracking/signs.h).
 
 Truth is what you have: a list of clips as JSON, [{"clip": "gate.mp4", "visits": [[who, first second, last second], ...]}],
+where drawn scenes may have a "weight" below 1, and those without anybody have no visits,
 and clips with a path per person in the format of the MOT challenge (frame,id,x,y,width,height,...). An event or change of
 the report is a visit's if their times overlap by half of both together, each used once, best first; others that overlap
 as much are left out. Prints the weights, and what is kept in each clip by the weights that the other clips give.
@@ -72,18 +73,20 @@ def main():
     parser.add_argument("vvr")
     parser.add_argument("--people", nargs=2, action="append", default=[], metavar=("CLIP", "GT"))
     parser.add_argument("--visits", action="append", default=[], metavar="TRUTH.json")
-    parser.add_argument("--least", type=float, default=.45, help="probability of an event, as thresholds.event")
+    parser.add_argument("--least", type=float, default=.35, help="probability of an event, as thresholds.event")
     arguments = parser.parse_args()
     clips = []
+    weight_of = {}
     for clip, truth in arguments.people:
         report = report_of(arguments.vvr, clip)
         seconds = report["span"]["last"] / max(1, report["frames"]["used"] - 1)
         clips.append((clip, report, visits_of_people(truth, seconds)))
     for name in arguments.visits:
         for one in json.load(open(name)):
-            if one.get("visits"):
+            if one.get("visits") is not None:
                 clip = os.path.join(os.path.dirname(name), one["clip"])
                 clips.append((clip, report_of(arguments.vvr, clip), one["visits"]))
+                weight_of[len(clips) - 1] = one.get("weight", 1)
     signs, truth, clip_of = [], [], []
     for number, (_, report, visits) in enumerate(clips):
         # What was left or taken is decided by its evidence.
@@ -98,6 +101,7 @@ def main():
     signs, truth, clip_of = np.array(signs, float), np.array(truth), np.array(clip_of)
     # A clip counts as the root of its number of objects: one with much foliage doesn't outvote the others.
     weights = 1 / np.sqrt(np.bincount(clip_of, minlength=len(clips))[clip_of])
+    weights *= np.array([weight_of.get(number, 1) for number in clip_of])
     weights /= weights.mean()
     bias, slopes = fit(signs, truth, weights)
     print("bias %.2f, " % bias + ", ".join("%s %.2f" % pair for pair in zip(names, slopes)))

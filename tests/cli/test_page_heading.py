@@ -66,7 +66,7 @@ def test_page_heading_ends_with_the_picture(t):
     """Times of a clip are rounded in both, and are those of its frames: the last of 27 is at 2.6 s."""
     t.clip(seconds=3)
     t.render("clip.avi", "--end", "27f", output="out.html").expect(0)
-    check(words_of(t, "out.html")[2] == "0:00 to 0:03, 1 event; time of day not known", str(words_of(t, "out.html")))
+    check(words_of(t, "out.html")[2] == "0:00 to 0:03, 0 events; time of day not known", str(words_of(t, "out.html")))
     page = t.path("out.html").read_text()
     listed = re.findall("<li>(.*)</li>", page.split('<ol id="events"')[1].split("</ol>")[0])
     deeds = [event["deed"] for event in page_data(page)["events"]]
