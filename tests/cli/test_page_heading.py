@@ -63,10 +63,11 @@ def test_page_heading_of_a_clip_whose_time_nobody_knows(t):
 
 
 def test_page_heading_ends_with_the_picture(t):
-    """Times of a clip are rounded in both, and are those of its frames: the last of 27 is at 2.6 s."""
-    t.clip(seconds=3)
-    t.render("clip.avi", "--end", "27f", output="out.html").expect(0)
-    check(words_of(t, "out.html")[2] == "0:00 to 0:03, 0 events; time of day not known", str(words_of(t, "out.html")))
+    """Times of a clip are rounded in both, and are those of its frames: the last of 47 is at 4.6 s."""
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=192x144:rate=10:duration=5", "-f", "lavfi", "-i", "testsrc2=size=30x40:rate=10:duration=5",
+             "-filter_complex", "[0][1]overlay=x='if(between(t,1,4),10+40*(t-1),-100)':y=50:eval=frame", "-c:v", "mpeg4", "clip.avi")
+    t.render("clip.avi", "--end", "47f", output="out.html").expect(0)
+    check(words_of(t, "out.html")[2] == "0:00 to 0:05, 1 event; time of day not known", str(words_of(t, "out.html")))
     page = t.path("out.html").read_text()
     listed = re.findall("<li>(.*)</li>", page.split('<ol id="events"')[1].split("</ol>")[0])
     deeds = [event["deed"] for event in page_data(page)["events"]]
