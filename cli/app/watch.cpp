@@ -8,7 +8,6 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
-#include <iterator>
 #include <mutex>
 #include <stop_token>
 #include <system_error>
@@ -18,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/brick_films.h"
 #include "cli/app/render.h"
 #include "cli/compose/page_content.h"
 #include "cli/observe/identify.h"
@@ -28,8 +28,6 @@
 #include "cli/write/write.h"
 #include "core/annotation/lettering.h"
 #include "core/annotation/time_ticks.h"
-#include "core/base/atomic_file.h"
-#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/thresholds.h"
 #include "core/footage/recorder_names.h"
@@ -38,7 +36,6 @@
 #include "core/media/input.h"
 #include "core/page/html.h"
 #include "core/page/page.h"
-#include "core/page/preview.h"
 
 namespace vvr::app {
 
@@ -106,86 +103,6 @@ std::unique_ptr<media::LiveSource> connect(const RenderJob& job, const StreamOpt
     live.report = [&observer](const std::string& text) { observer.warn(text); };
     return std::make_unique<media::LiveSource>(only_input(job.input), std::move(live));
 }
-
-/// A film of what a stream's page shows: a small video of each brick, beside the page. They take turns with as many
-/// files as the window has bricks, and two more for whoever still has an older page. So no other file is touched, and a
-/// later run uses the same ones.
-class BrickFilms {
-  public:
-    /// \throws Error output_replaces_input
-    BrickFilms(const Plan& plan, const media::VideoInfo& info, Observer& observer)
-        : page_(page_of(plan.output.files)), window_(plan.volume.window), info_(info), observer_(observer) {
-        if (page_.empty()) return;
-        std::error_code none;
-        for (std::int64_t place = 0; place < places(); ++place) {
-            const fs::path file = file_at(place, fs::path(info.name).extension().string());
-            if (fs::equivalent(file, info.name, none))
-                throw Error(
-                    ErrorCode::output_replaces_input,
-                    fmt::format("the films of the page would overwrite the input '{}'; use another name", info.name));
-        }
-    }
-
-    void add(const media::SharedFrame& frame) {
-        if (page_.empty()) return;
-        if (!video_) {
-            const std::int64_t frames = window_.brick_frames();
-            video_.emplace(info_.size, page::ExpectedLength{frames, static_cast<double>(frames) / info_.rate},
-                           page::Preview::Use::instead);
-            begin_ = frame->pts;
-        }
-        end_ = frame->pts + 1 / info_.rate;
-        video_->add(frame);
-    }
-
-    /// Writes the film of a brick.
-    void end_brick() {
-        if (!video_) return;
-        const std::optional<page::EncodedVideo> film = video_->finish();
-        const std::string problem = video_->problem();
-        video_.reset();
-        if (!problem.empty() && !std::exchange(has_failed_, true))
-            observer_.warn(fmt::format("the page has no film, because FFmpeg could not encode one: {}", problem));
-        if (!film) return;
-        const fs::path file = file_at(next_++ % places(), "." + film->type.substr(film->type.find('/') + 1));
-        {
-            const auto held = observer_.guard();
-            replace_file(file, film->bytes);
-        }
-        // A browser may have kept what the file was before.
-        films_.push_back(
-            {fmt::format("{}?{}", page::relative_url(page_, file), std::time(nullptr)), begin_, end_ - begin_});
-        if (std::ssize(films_) > window_.bricks) films_.pop_front();
-    }
-
-    /// The films that show something of the stream after a moment.
-    std::vector<page::PageContent::Segment> since(double seconds) const {
-        std::vector<page::PageContent::Segment> shown;
-        std::ranges::copy_if(films_, std::back_inserter(shown),
-                             [&](const auto& film) { return film.begin + film.length > seconds; });
-        return shown;
-    }
-
-  private:
-    std::int64_t places() const { return window_.bricks + 2; }
-
-    fs::path file_at(std::int64_t place, const std::string& extension) const {
-        fs::path name = page_.stem();
-        name += fmt::format(".film-{}{}", place, extension);
-        return page_.parent_path() / name;
-    }
-
-    fs::path page_;  ///< empty = there is none
-    SlidingWindow window_;
-    media::VideoInfo info_;
-    Observer& observer_;
-    std::optional<page::PreviewThread> video_;  ///< of the brick that comes
-    double begin_ = 0;                          ///< of it, seconds
-    double end_ = 0;
-    std::deque<page::PageContent::Segment> films_;
-    std::int64_t next_ = 0;
-    bool has_failed_ = false;
-};
 
 /// Writes pictures and measures their latency.
 class LivePictures {
