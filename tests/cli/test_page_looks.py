@@ -359,9 +359,9 @@ def test_page_first_line_lies_on_nothing(t):
         for width, height in ((2560, 1440), (1920, 1080), (1440, 900), (1280, 720), (844, 390), (640, 360), (390, 844)):
             page.window(width, height)
             page.run("set({tab: 'volume'})")
-            page.wait("it is drawn for this window", "return !document.getElementById('first').hidden && Math.abs(room[0] - document.getElementById('view').clientWidth) < 1")
-            covered = page.run("""const box = e => e.getBoundingClientRect(), first = box(document.getElementById('first')), view = box(document.getElementById('view'));
-                if (first.left < view.left || first.right > view.right || first.bottom > view.bottom) return ['the border'];
+            page.wait("it is drawn for this window", "return !document.getElementById('first').hidden && document.getElementById('what').textContent && Math.abs(room[0] - document.getElementById('view').clientWidth) < 1")
+            covered = page.run("""const box = e => e.getBoundingClientRect(), first = box(document.getElementById('meaning')), view = box(document.getElementById('view'));
+                if ([...document.querySelectorAll('#what, #first')].map(box).some(b => b.left < first.left || b.right > first.right || b.top < first.top || b.bottom > first.bottom)) return ['the border'];
                 return [...document.querySelectorAll('#letters > *, #letters .caption, #map > *, #legend span, .zoom button')].filter(e => e.checkVisibility()).filter(e => {
                     const b = box(e); return b.left < first.right && b.right > first.left && b.top < first.bottom && b.bottom > first.top;
                 }).map(e => e.textContent || e.className || e.id);""")

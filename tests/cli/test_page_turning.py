@@ -314,6 +314,36 @@ def test_zebra_runs_where_an_object_moves(t):
         check(page.complaints() == [], page.complaints())
 
 
+def test_volume_fills_its_view_as_it_turns(t):
+    bag(t)
+    shown = "return [...document.querySelectorAll('#letters .portrait, #lines line')].filter(e => e.checkVisibility({visibilityProperty: true})).length"
+    used = """const corners = overlayNow().sections.flatMap(([, ...xy]) => xy);
+        const sides = [0, 1].map(axis => { const some = corners.filter((_, k) => k % 2 === axis); return Math.max(...some) - Math.min(...some); });
+        return sides.map((side, k) => side * stageWidth / pictureSize[0] / room[k]);"""
+    with turnable(t, width=1280, height=720) as page:
+        check(page.text("what") == "The arc is the film, bent: it starts at the left and ends at the right.", page.text("what"))
+        check(page.run(shown) > 0, "the picture has no portraits")
+        first = page.box("#picture")
+        turn_to(page, (2, 46))
+        check(page.box("#picture") == first, "the first live frames do not lie on the picture")
+        for angle in ((-35, 38), (60, 20), (0, 90), (180, 40)):
+            turn_to(page, angle)
+            check(page.run(shown) == 0, f"{angle}: portraits are left")
+            check(max(page.run(used)) > 0.7, f"{angle}: the volume has {page.run(used)} of the view")
+            outside = page.run("""const view = document.getElementById('view').getBoundingClientRect();
+                return [...document.querySelectorAll('#letters .note, #letters .badge')].filter(e => e.checkVisibility({visibilityProperty: true})).map(e => [e.textContent, e.getBoundingClientRect()])
+                    .filter(([, b]) => b.left < view.left || b.right > view.right || b.top < view.top || b.bottom > view.bottom).map(([text]) => text);""")
+            check(outside == [], f"{angle}: cut off: {outside}")
+        check(page.text("what") == "The arc is the film, bent: it starts at the right and ends at the left.", page.text("what"))
+        page.key("0")
+        page.wait("all is back", "return angle[0] === 0")
+        page.wait("as it was", "return document.querySelectorAll('#letters .portrait').length > 0", 5)
+        page.set("angle", "unbent")
+        page.wait("unbent", "return unbent && angle[1] === 28", 5)
+        check(page.text("what") == "The box is the film: it starts at the left and ends at the right.", page.text("what"))
+        check(page.complaints() == [], page.complaints())
+
+
 def test_frames_that_are_seen_from_behind_say_so(t):
     bag(t)
     says = "return [...document.querySelectorAll('#letters .note')].filter(e => e.textContent === 'seen from behind').map(e => e.getBoundingClientRect().x)"

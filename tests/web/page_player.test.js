@@ -125,7 +125,7 @@ test('cross-sections, and places in them', () => {
 
 test('texts have room, the first ones first', () => {
     const box = (left, top) => ({left, top, right: left + 10, bottom: top + 10});
-    assert.deepEqual(roomFor([box(0, 0), box(5, 5), box(10, 0), box(0, 10)]), [true, false, true, true]);
+    assert.deepEqual(roomFor([[box(0, 0)], [box(5, 5)], [box(5, 5), box(10, 0)], [], [box(0, 10)]]), [0, -1, 1, -1, 0]);
 });
 
 test('why a clip can’t be played', () => {

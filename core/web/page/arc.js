@@ -77,16 +77,25 @@ export function trailOf(sections, event, time) {
 export const overlap = (a, b) => a.right > b.left && b.right > a.left && a.bottom > b.top && b.bottom > a.top;
 
 /**
- * Keeps those boxes that have room: each that overlaps none that was kept before it.
- * @param {Box[]} boxes the most important first
- * @returns {boolean[]}
+ * Which of its boxes each takes: the first that overlaps none that was taken before; -1 = none.
+ * @param {Box[][]} choices of the most important first
+ * @returns {number[]}
  */
-export function roomFor(boxes) {
+export function roomFor(choices) {
     /** @type {Box[]} */
-    const kept = [];
-    return boxes.map(box => {
-        const free = !kept.some(other => overlap(box, other));
-        if (free) kept.push(box);
+    const taken = [];
+    return choices.map(boxes => {
+        const free = boxes.findIndex(box => !taken.some(other => overlap(box, other)));
+        if (free >= 0) taken.push(boxes[free]);
         return free;
     });
+}
+
+/**
+ * The box around all cross-sections: left, top, right, bottom.
+ * @param {Section[]} sections
+ */
+export function boundsOf(sections) {
+    const [xs, ys] = [1, 2].map(first => sections.flatMap(section => section.filter((_, k) => k > 0 && (k - first) % 2 === 0)));
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }

@@ -11,7 +11,7 @@ import {litEvents} from './picture.js';
 import {isPlaying} from './player.js';
 import {pictureSize, state} from './state.js';
 import {ofEvent} from './looks.js';
-import {frameAt, overlayNow, pathOf, pixelAt, showsFrame} from './turned.js';
+import {contentsNow, frameAt, overlayNow, pathOf, pixelAt, showsFrame} from './turned.js';
 import {hiddenOf} from './volume_view.js';
 
 const letters = at('letters');
@@ -70,14 +70,25 @@ function standsAt(element, place) {
     return element;
 }
 
-/** What is nearer hides numbers, times and the lines of portraits. */
+/** What is nearer hides times and the lines of portraits. */
 function hideBehind() {
     const hidden = hiddenOf([...places.values()]);
     [...places.keys()].forEach((element, k) => element.classList.toggle('behind', hidden[k]));
 }
 
-/** @param {Pick<import('./data.js').PageEvent, 'path'>} event */
-const trailNow = event => state.turns ? pathOf(event).map(pixelAt) : trailOf(state.data.overlay.sections, {path: event.path.slice(0, 1)}, state.time);
+/** @typedef {{at: number[], place?: import('./layouts.js').Point}} Stand in the picture, and in C-space */
+
+/**
+ * Where an event's number may stand: where its portrait's line ends, and along its trail.
+ * @param {import('./data.js').PageEvent} event
+ * @param {Stand} [end]
+ * @returns {Stand[]}
+ */
+function standsOf(event, end) {
+    const trail = state.turns ? pathOf(event).map(place => ({at: pixelAt(place), place})) : trailOf(state.data.overlay.sections, event, state.time).map(at => ({at}));
+    const along = trail.length ? [0, 1, 2, 3, 4, 5].map(k => trail[Math.floor(k / 6 * trail.length)]) : [];
+    return end ? [end, ...along] : along;
+}
 
 /**
  * The stretches of an event's path: whether something hides them, and whether the object moves there, as far as that is known.
@@ -112,8 +123,11 @@ function objectIn([left, top, right, bottom]) {
     return made;
 }
 
-/** @param {import('./data.js').Overlay['portraits'][number]} portrait */
-function portraitOf({event: place, box, object, to, place: at}) {
+/**
+ * @param {import('./data.js').Overlay['portraits'][number]} portrait
+ * @param {Stand} end of its line
+ */
+function portraitOf({event: place, box, object}, {at: to, place: at}) {
     const {events, time} = state;
     const event = events[place];
     const [left, , right] = box;
@@ -179,7 +193,7 @@ function noteBox(/** @type {{text: string, at: number[], out: number[]}} */ {tex
     const [wide, high] = [text.length * 6.8 + 4, 15];
     const half = (Math.abs(out[0]) * wide + Math.abs(out[1]) * high) / 2 + 4;
     // Where the picture is small, the text has no room beside it: it stays within.
-    const [left, , right] = state.contents.map(value => value * scale);
+    const [left, , right] = contentsNow().map(value => value * scale);
     const x = clamp(point[0] * scale + out[0] * half, left + wide / 2, Math.max(left, right - wide / 2));
     const y = point[1] * scale + out[1] * half;
     return {left: x - wide / 2, right: x + wide / 2, top: y - high / 2, bottom: y + high / 2, x, y};
@@ -217,38 +231,43 @@ function behindNotes() {
         .flatMap(([, x0, y0, x1, y1, x2, y2, x3, y3]) => {
             const turned = (x1 - x0) * (y3 - y0) - (y1 - y0) * (x3 - x0);
             // From the edge, or small, nobody sees what is in it.
-            if (turned * scale * scale > -2500) return [];
-            return [textAt('note', 'seen from behind', [(x2 + x3) / 2 / width, (Math.max(y2, y3) + 10 / scale) / height])];
+            if (turned > Math.min(-2500 / scale / scale, -0.2 * ((x1 - x0) ** 2 + (y1 - y0) ** 2))) return [];
+            return [textAt('note', 'seen from behind', [(x2 + x3) / 2 / width, (Math.max(y0, y1, y2, y3) + 10 / scale) / height])];
         });
 }
 
-/** The numbers of the events where their trails begin, as many as have room. */
-function numbers() {
+/**
+ * Where the numbers of the events stand, as many as have room and as nothing hides: at the lines of their portraits, or where their
+ * trails begin.
+ * @param {import('./data.js').Overlay['portraits']} portraits
+ * @returns {Map<number, Stand>} by the event's place
+ */
+function numberStands(portraits) {
     const {events} = state;
-    if (!overlayNow().numbers) return [];
     const scale = scaleNow();
-    const starts = events.map(event => trailNow(event)[0]);
-    const order = [...events.keys()].filter(place => starts[place])
-        .sort((a, b) => events[b].last - events[b].first - (events[a].last - events[a].first));
-    const boxes = order.map(place => {
-        const [x, y] = starts[place].map(value => value * scale);
-        return {left: x - 10, right: x + 10, top: y - 10, bottom: y + 10};
-    });
-    const kept = roomFor(boxes);
-    return order.filter((_, k) => kept[k]).map(place => {
-        const [x, y] = starts[place];
-        const badge = ofEvent(textAt('number badge', String(numberOf(events, place)), [x / width, y / height]), place);
-        return standsAt(badge, state.turns ? pathOf(events[place])[0] : undefined);
-    });
+    const ends = new Map(portraits.map(({event, to, place}) => [event, {at: to, place}]));
+    const lasts = (/** @type {number} */ place) => (ends.has(place) ? 1e9 : 0) + events[place].last - events[place].first;
+    const order = [...events.keys()].filter(place => overlayNow().numbers || ends.has(place)).sort((a, b) => lasts(b) - lasts(a));
+    const stands = order.map(place => standsOf(events[place], ends.get(place)));
+    const places = stands.flat().flatMap(({place}) => place ? [place] : []);
+    const hidden = new Set(hiddenOf(places).flatMap((isHidden, k) => isHidden ? [places[k]] : []));
+    const seen = stands.map(some => some.filter(({place}) => !place || !hidden.has(place)));
+    const taken = roomFor(seen.map(some => some.map(({at: [x, y]}) => ({left: x * scale - 12, right: x * scale + 12, top: y * scale - 12, bottom: y * scale + 12}))));
+    return new Map(order.flatMap((place, k) => taken[k] < 0 ? [] : [[place, seen[k][taken[k]]]]));
 }
 
 export function drawLetters() {
     lines.setAttribute('viewBox', `0 0 ${width} ${height}`);
     lines.replaceChildren();
     places.clear();
-    const shown = overlayNow().portraits.filter(({event}) => event < state.events.length);
+    const {numbers} = overlayNow();
+    const portraits = overlayNow().portraits.filter(({event}) => event < state.events.length);
+    const stands = numberStands(portraits);
     drawMap();
-    letters.replaceChildren(...shown.map(portraitOf), ...notes(), ...behindNotes(), ...numbers());
+    letters.replaceChildren(
+        ...portraits.map(portrait => portraitOf(portrait, stands.get(portrait.event) ?? {at: portrait.to, place: portrait.place})),
+        ...notes(), ...behindNotes(),
+        ...numbers ? [...stands].map(([place, {at: [x, y]}]) => ofEvent(textAt('number badge', String(numberOf(state.events, place)), [x / width, y / height]), place)) : []);
     hideBehind();
     drawLit();
 }

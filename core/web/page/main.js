@@ -22,8 +22,8 @@ import {drawRing} from './ring.js';
 import {drawAll, set, state} from './state.js';
 import {drawBars, drawBrush, drawCursor, drawGaps, drawPart, drawRange, drawTicks, followNow, listenToStrip, markChosen, strip} from './strip.js';
 import {inSentence} from './timeline.js';
-import {drawFirst, drawStage, listenToView, playCandidate, roomOf} from './view.js';
-import {overlayNow} from './turned.js';
+import {drawFirst, drawGlance, drawMeaning, drawStage, listenToView, playCandidate, roomOf} from './view.js';
+import {contentsNow, overlayNow} from './turned.js';
 import {becomeTurnable, drawTurning, listenToTurning} from './turning.js';
 import {drawColours, drawDensity, drawLook, drawVolume, listenToVolume, prepareVolume} from './volume_view.js';
 import {drawWhich, listenToWhich} from './which.js';
@@ -97,7 +97,9 @@ const parts = [
     {draw: markChosen, from: () => [state.chosen]},
     {draw: drawCursor, from: () => [state.time, state.stripFrom, state.stripLasts, state.now]},
     {draw: drawGround, from: () => [state.ground]},
-    {draw: drawStage, from: () => [state.scale, ...state.middle, ...state.contents, ...state.room]},
+    {draw: drawStage, from: () => [state.scale, ...state.middle, contentsNow(), ...state.room]},
+    {draw: drawMeaning, from: () => [state.data, state.stageWidth, state.piece, overlayNow()]},
+    {draw: drawGlance, from: () => [state.contents]},
     {draw: drawPlayer, from: () => [state.source, state.film?.segment, showsStill()]},
     {draw: drawSpeed, from: () => [state.speed, state.film]},
     {draw: drawReel, from: () => [state.filmScale, ...state.filmMiddle]},
@@ -111,9 +113,9 @@ const parts = [
     {draw: drawLook, from: () => [state.turnable, state.parts.volume, state.dark, state.ground, state.events, state.chosen, state.lightened, wantedEvents()]},
     {draw: drawDensity, from: () => [state.density]},
     {draw: drawVolume, from: () => [state.turns, state.parts.volume, ...state.angle, state.unbent, state.density, state.piece, state.bends, state.now, state.moved, state.scale,
-                                    ...state.middle, ...state.room, state.contents, state.dark, state.ground, state.chosen, state.lightened, wantedEvents()]},
+                                    ...state.middle, ...state.room, contentsNow(), state.dark, state.ground, state.chosen, state.lightened, wantedEvents()]},
     {draw: drawTurning, from: () => [state.turnable, state.turns, state.brush, state.piece, state.bends, state.stripLasts]},
-    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, state.contents, state.asked, overlayNow()]},
+    {draw: drawLetters, from: () => [state.data, state.events, state.stageWidth, contentsNow(), state.asked, overlayNow()]},
     {draw: drawLit, from: () => [state.turns, state.chosen, state.lightened, wantedEvents(), state.stageWidth]},
     {draw: drawRib, from: () => [state.now, state.moved, state.chosen]},
     {draw: drawZebra, from: () => [isPlaying(), state.lightened]},

@@ -2,6 +2,8 @@
 
 import {derived} from '../shared/state.js';
 import {ticksOf} from '../shared/time_axis.js';
+import {clamp} from '../shared/text.js';
+import {boundsOf} from './arc.js';
 import {pixelOf} from './camera.js';
 import {framingOf, timesOf} from './framing.js';
 import {corners, markAt} from './layouts.js';
@@ -141,6 +143,13 @@ function anchorOf({event, to}) {
 
 const anchors = derived(() => [state.data.overlay, state.parts.volume], () => state.data.overlay.portraits.map(anchorOf));
 
+/** How far it is turned away from the picture's own view: 0 = hardly, 1 = it is another one. */
+function awayNow() {
+    if (!state.turns) return 0;
+    if (state.unbent || state.bends) return 1;
+    return clamp((Math.max(...state.angle.map((value, k) => Math.abs(value - volumeNow().view[k]))) - 3) / 12, 0, 1);
+}
+
 /**
  * What lies over the picture.
  * @returns {import('./data.js').Overlay}
@@ -160,9 +169,20 @@ const turnedOverlay = derived(() => [state.data.overlay, framingNow(), state.pie
         const place = placeOf(frame, x, y);
         return isShown(place[2]) ? [{...portrait, to: pixelAt(place), place}] : [];
     });
-    const isAsDrawn = !state.unbent && !state.bends && state.angle.every((value, k) => Math.abs(value - volumeNow().view[k]) < 3);
-    return {...overlay, sections, notes, portraits, map: isAsDrawn ? overlay.map : null};
+    // Portraits and map have their places around the picture's own view.
+    return {...overlay, sections, notes, ...awayNow() ? {portraits: [], map: null} : {portraits}};
 });
 
 /** What lies over the picture or the volume, whichever is shown. */
 export const overlayNow = () => state.turns ? turnedOverlay() : state.data.overlay;
+
+const roomOfTimes = [56, 32];  // pixels of the screen beside the volume
+
+/** What has to be in sight: the picture's contents; the further it is turned away, the more the volume alone. */
+export const contentsNow = derived(() => [state.contents, ...state.room, overlayNow(), awayNow()], () => {
+    if (!awayNow()) return state.contents;
+    const [left, top, right, bottom] = boundsOf(overlayNow().sections);
+    const scale = Math.min(...[right - left, bottom - top].map((side, k) => Math.max(40, state.room[k] - 2 * roomOfTimes[k]) / Math.max(1, side)));
+    const [x, y] = roomOfTimes.map(side => side / scale);
+    return [left - x, top - y, right + x, bottom + y].map((value, k) => state.contents[k] + awayNow() * (value - state.contents[k]));
+});

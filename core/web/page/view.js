@@ -1,6 +1,7 @@
 // Zoom and pan of the picture; a click plays what it shows.
 
 import {at, sharesWithin} from '../shared/dom.js';
+import {boundsOf} from './arc.js';
 import {choose} from './choice.js';
 import {numberOf} from './events.js';
 import {wantedEvents} from './filters.js';
@@ -11,6 +12,7 @@ import {point} from './pointing.js';
 import {say} from './messages.js';
 import {pictureSize, set, state} from './state.js';
 import {dragNow, heldAt, startTurning, turnBack, turnBy} from './turning.js';
+import {contentsNow, overlayNow} from './turned.js';
 import {pickedAround} from './volume_view.js';
 import {askWhich} from './which.js';
 import {placed, wheelZooms, zoomedAbout} from './zoom.js';
@@ -18,7 +20,7 @@ import {placed, wheelZooms, zoomedAbout} from './zoom.js';
 export const view = at('view');
 const stage = at('stage');
 
-const placement = () => placed({size: pictureSize, room: state.room, contents: state.contents, scale: state.scale, middle: state.middle});
+const placement = () => placed({size: pictureSize, room: state.room, contents: contentsNow(), scale: state.scale, middle: state.middle});
 
 export function drawStage() {
     const {size, middle, corner} = placement();
@@ -198,10 +200,10 @@ function playUnder(event, byFinger) {
     askWhich(/** @type {import('./which.js').Candidate[]} */ (meant), event);
 }
 
-/** Legend and buttons have a row of their own, and what a first visitor needs to know another. */
+/** Legend and buttons have a row of their own, and what it all means another. */
 export function roomOf() {
     const style = getComputedStyle(view);
-    const rows = ['--buttons', '--first'].reduce((sum, name) => sum + (parseFloat(style.getPropertyValue(name)) || 0), 0);
+    const rows = ['--buttons', '--meaning'].reduce((sum, name) => sum + (parseFloat(style.getPropertyValue(name)) || 0), 0);
     return [view.clientWidth, view.clientHeight - rows].map(side => Math.max(1, side));
 }
 
@@ -222,6 +224,30 @@ function showDefault() {
 }
 
 const kept = 'vvr-dragged';  // the name under which the browser keeps that nothing needs to be said any more
+
+/** What the volume is, and which of its ends is which as it is seen now. */
+export function drawMeaning() {
+    const {data: {settings}, piece, stageWidth, turns, unbent} = state;
+    const {sections} = overlayNow();
+    const isArc = settings.layout === 'horseshoe';
+    at('bent').textContent = isArc ? 'Film, bent' : 'Volume';
+    if (!sections.length) return;
+    const [begin, end] = [sections[0], sections[sections.length - 1]].map(([, ...xy]) => (xy[0] + xy[2] + xy[4] + xy[6]) / 4 / pictureSize[0] * stageWidth);
+    const ends = begin < end ? ['left', 'right'] : ['right', 'left'];
+    const told = Math.abs(end - begin) < 60 ? '' : `: it starts at the ${ends[0]} and ends at the ${ends[1]}`;
+    at('what').textContent = (isArc && !unbent ? 'The arc' : 'The box') + ` is ${turns && piece ? 'a piece of ' : ''}the film${isArc && !unbent ? ', bent' : ''}${told}.`;
+}
+
+/** A phone's tab of the volume shows what is there. */
+export function drawGlance() {
+    const {sections} = state.data.overlay;
+    const glance = at('glance', HTMLCanvasElement);
+    glance.hidden = !sections.length || !picture.complete;
+    if (glance.hidden) return;
+    const [left, top, right, bottom] = boundsOf(sections);
+    [glance.width, glance.height] = [Math.round((right - left) / (bottom - top) * 84), 84];
+    glance.getContext('2d')?.drawImage(picture, left, top, right - left, bottom - top, 0, 0, glance.width, glance.height);
+}
 
 /** What to do here is said until it has been done. */
 export function drawFirst() {
@@ -245,7 +271,6 @@ export function listenToView() {
     } catch {
         set({isFirst: true});
     }
-    view.toggleAttribute('data-first', state.isFirst);
     set({room: roomOf()});
     view.addEventListener('pointerdown', event => {
         if (event.button !== 0 || isOnButton(event)) return;

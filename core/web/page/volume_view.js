@@ -9,7 +9,7 @@ import {edgeLines, markAt} from './layouts.js';
 import {litEvents} from './picture.js';
 import {previewUrl, showsStill, video} from './player.js';
 import {pictureSize, set, state} from './state.js';
-import {bentNow, frameAt, framingNow, layoutNow, shownNow, showsFrame, ticksNow, tOf} from './turned.js';
+import {bentNow, contentsNow, frameAt, framingNow, layoutNow, shownNow, showsFrame, ticksNow, tOf} from './turned.js';
 import {mostPicked, Volume} from './volume.js';
 import {unpacked} from './volume_data.js';
 import {placed} from './zoom.js';
@@ -112,7 +112,7 @@ function sizeOfView() {
 
 /** The part of the picture that is in the view: left, top, right, bottom in its pixels. */
 function partOfPicture() {
-    const {size, corner} = placed({size: pictureSize, room: state.room, contents: state.contents, scale: state.scale, middle: state.middle});
+    const {size, corner} = placed({size: pictureSize, room: state.room, contents: contentsNow(), scale: state.scale, middle: state.middle});
     const scale = size[0] / pictureSize[0];
     return [-corner[0], -corner[1], view.clientWidth - corner[0], view.clientHeight - corner[1]].map(value => value / scale);
 }
