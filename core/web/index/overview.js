@@ -133,6 +133,8 @@ function tableOf(days, cameras, most) {
     return table;
 }
 
+let drawings = 0;
+
 export function drawDays() {
     if (state.view !== 'days') return;
     const list = chosenClips();
@@ -147,7 +149,17 @@ export function drawDays() {
     }
     const hint = element('p', 'hint', `Each box is an hour. The stronger its colour, the more events (at most ${most}). `);
     hint.append(element('span', 'how', fingers.matches ? 'Tap a day to see its clips.' : 'Click an hour, or a day, to see its clips.'));
-    at('overview').replaceChildren(...list.length ? [hint, ...[...months.values()].map(days => tableOf(days, cameras, most))] : [noteOfNone()]);
+    const waiting = [...months.values()];
+    const tables = (/** @type {number} */ count) => waiting.splice(0, count).map(days => tableOf(days, cameras, most));
+    at('overview').replaceChildren(...list.length ? [hint, ...tables(3)] : [noteOfNone()]);
+    // Nobody sees more at once.
+    const drawn = ++drawings;
+    const goOn = () => {
+        if (!waiting.length || drawn !== drawings) return;
+        at('overview').append(...tables(1));
+        setTimeout(goOn);
+    };
+    setTimeout(goOn);
 }
 
 export const listenToDays = () => at('overview').addEventListener('pointerover', tellHour);

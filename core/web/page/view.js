@@ -242,8 +242,8 @@ export function drawMeaning() {
 export function drawGlance() {
     const {sections} = state.data.overlay;
     const glance = at('glance', HTMLCanvasElement);
-    glance.hidden = !sections.length || !picture.complete;
-    if (glance.hidden) return;
+    glance.hidden = !sections.length;
+    if (glance.hidden || !picture.complete) return;
     const [left, top, right, bottom] = boundsOf(sections);
     [glance.width, glance.height] = [Math.round((right - left) / (bottom - top) * 84), 84];
     glance.getContext('2d')?.drawImage(picture, left, top, right - left, bottom - top, 0, 0, glance.width, glance.height);
