@@ -2,11 +2,13 @@
 
 #include <array>
 
+#include "core/tracking/signs.h"
+
 namespace vvr::tracking {
 
 /// All thresholds of event detection. Times are in seconds of the clip. Lengths are multiples of the object's own
 /// length (the longer side of its box) and areas multiples of its own area, so that one set of numbers suits near and
-/// far objects. A share is from 0 to 1. A comment names the unit first, and any other unit. tests/bench/sensitivity.py
+/// far objects. A share is from 0 to 1. A comment names the unit first, and any other unit. tests/bench/events.py
 /// prints what a change of each number by a quarter does.
 struct Thresholds {
     double least_length = 4;  ///< field pixels; a shorter length is too uncertain, so this replaces it
@@ -124,11 +126,7 @@ struct Thresholds {
     } detector;
 };
 
-#ifdef VVR_THRESHOLDS_VARY
-inline Thresholds thresholds{};  // tests/bench/sensitivity.cpp walks through them
-#else
-inline constexpr Thresholds thresholds{};
-#endif
+VVR_NUMBERS Thresholds thresholds{};
 
 /// What the thresholds can't know of a clip.
 struct EventOptions {

@@ -1,7 +1,7 @@
 """How often `vvr render` finds a bag that was left or taken: bags are pasted into real footage.
 
 Each bag appears at the feet of a person whom `vvr` follows, behind them, and stays until the end. Whatever is in front of it hides
-it. With --backwards the video runs backwards, and the bag is taken. claim_truth.py says when a claim is true; the bag begins when
+it. With --backwards the video runs backwards, and the bag is taken. events.py says when a claim is true; the bag begins when
 less than a tenth of it is hidden.
 Claims that `vvr` makes about the clip itself don't count. The whole clip is kept in memory, uncompressed.
 
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from claim_truth import box_of, is_true, same_place
+from events import box_of, is_true, same_place
 
 SHADE = 28  # grey levels: what differs by more from the median of the frames is a person, or another object
 

@@ -33,11 +33,23 @@ def make_clips(build, folder):
     return clip
 
 
+def check_events(build, folder, clip):
+    """Of somebody who walks all the time, and puts something down."""
+    (folder / "truth.json").write_text(json.dumps([{"clip": clip.name, "visits": [["person", 0, 1.6]], "left": [[60, 40, 8, 8, .5, 1]]}]))
+    (folder / "gt.txt").write_text("".join(f"{frame},1,10,10,20,40\n" for frame in range(1, 41)))
+    text = subprocess.run([sys.executable, "-B", HERE / "events.py", build, "--visits", folder / "truth.json", "--people", clip,
+                           folder / "gt.txt", "--leave-out", "--fit", "--sensitivity"], check=True, stdout=subprocess.PIPE, text=True).stdout
+    check(text.count("| all | ") == 3 and "bias" in text and "| event.probability | " in text, f"it says:\n{text}")
+
+
 def main():
     build, part = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     with tempfile.TemporaryDirectory(prefix="vvr-bench-") as name:
         folder = pathlib.Path(name)
         clip = make_clips(build, folder)
+        if part == "events":
+            check_events(build, folder, clip)
+            return
         subprocess.run([sys.executable, "-B", HERE / "report.py", "--clip", clip, "--runs", "1", "--scale", "0.2", "--build", build,
                         "--clips", folder, "--out", folder, part], check=True, stdin=subprocess.DEVNULL)
         text = (folder / "report.md").read_text()

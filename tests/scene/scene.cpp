@@ -36,6 +36,7 @@ constexpr std::array table{
     Entry{"train", make_train},
     Entry{"taken_box", make_taken_box},
     Entry{"rain", make_rain},
+    Entry{"balloons", make_balloons},
     Entry{"crowd", make_crowd},
     Entry{"clock", make_clock}};
 
