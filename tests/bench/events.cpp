@@ -53,7 +53,7 @@ Trial read_trial(const json& asked) {
     const auto numbers = numbers_of(trial.thresholds);
     const json factors = asked.value("thresholds", json::object());
     for (const auto& [name, factor] : factors.items())
-        std::visit([&](auto* number) { change(*number, factor); }, numbers.at(name));
+        std::visit([by = factor.get<double>()](auto* number) { change(*number, by); }, numbers.at(name));
     if (const auto weights = asked.find("weights"); weights != asked.end()) {
         trial.bias = weights->at(0);
         for (std::size_t k = 0; k < trial.signs.size(); ++k) trial.signs[k].weight = weights->at(k + 1);
