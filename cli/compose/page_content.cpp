@@ -309,7 +309,6 @@ page::PageContent page_content(const ComposePlan& plan, const Observation& seen,
     content.names = plan.read.input.name_patterns;
     content.shown = seen.info.size;
     content.field = plan.read.clip.field_size;
-    content.time_direction = plan.look.shape->time_direction;
     content.span = plan.read.span;
     content.missing = seen.missing;
     content.clock = plan.read.clock;

@@ -142,7 +142,6 @@ std::string make_page(const PageContent& content) {
                                             content.events ? ", " + counted(content.events->size(), "event") : "",
                                             time_source_text(content))},
                     {"unseen", unseen_text(content)},
-                    {"way", content.time_direction},
                     {"list", event_list(content)},
                     {"first kind", std::string(tracking::ranked_kinds().front().words)},
                     {"style", style},

@@ -91,7 +91,6 @@ struct PageContent {
     Size field;                      ///< field size; events are in field pixels
     image::Picture picture;          ///< includes pixel data
     image::Metadata settings;        ///< of the picture
-    std::string time_direction;      ///< in the picture: "from left to right"
     Moments moments;
     media::FrameSpan span{};                             ///< the requested part of the clip
     std::vector<condition::Interval> missing{};          ///< in it

@@ -4,9 +4,8 @@ namespace vvr::space {
 
 const std::vector<LayoutRow>& layouts() {
     static const std::vector<LayoutRow> table = {
-        {"horseshoe", "the volume bent into a half circle, time from left to right (§5.1)",
-         "along the arc, from left to right", make_horseshoe},
-        {"box", "the volume undistorted, time along x", "from left to right", make_box},
+        {"horseshoe", "the volume bent into a half circle, time from left to right (§5.1)", make_horseshoe},
+        {"box", "the volume undistorted, time along x", make_box},
     };
     return table;
 }

@@ -100,7 +100,6 @@ class Layout {
 struct LayoutRow {
     std::string name;
     std::string help;
-    std::string time_direction;  ///< in the picture, for users: "from left to right"
     std::unique_ptr<Layout> (*make)(const LayoutShape&);
 };
 

@@ -356,7 +356,7 @@ def test_index_of_names_that_turn_the_writing(t):
 def test_page_first_line_lies_on_nothing(t):
     bag(t)
     with Page(t, "out.html") as page:
-        for width, height in ((2560, 1440), (1920, 1080), (1440, 900), (1280, 720), (844, 390), (640, 360), (390, 844)):
+        for width, height in ((2560, 1440), (1920, 1080), (1440, 900), (1280, 720), (960, 700), (844, 390), (640, 360), (390, 844)):
             page.window(width, height)
             page.run("set({tab: 'volume'})")
             page.wait("it is drawn for this window", "return !document.getElementById('first').hidden && document.getElementById('what').textContent && Math.abs(room[0] - document.getElementById('view').clientWidth) < 1")

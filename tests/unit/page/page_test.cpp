@@ -232,12 +232,6 @@ TEST(Page, HasLastingNumbersWithoutScriptsToo) {
     EXPECT_NE(page::make_page(content).find("<li>2. "), std::string::npos);
 }
 
-TEST(Page, SaysWhichWayTimeRuns) {
-    page::PageContent content = small_content();
-    content.time_direction = "from left to right";
-    EXPECT_NE(page::make_page(content).find("time runs from left to right."), std::string::npos);
-}
-
 TEST(Page, HasTheTimesOfAnEventFromBeforeItsFrames) {
     page::PageContent content = small_content();
     content.events.emplace(1);
