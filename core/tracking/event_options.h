@@ -36,10 +36,10 @@ struct Thresholds {
 
     /// How a track follows its blobs.
     struct {
-        double velocity = 0.8;  ///< seconds over which velocity is measured: about one step of a walker
-        double abrupt = 1.5;    ///< ratio of areas between two frames from which two objects merged or split
-        double adapts_in = 3;   ///< seconds in which the usual size adapts
-        double lost_after = 1;  ///< seconds for which an object may be unseen, or its place uncovered
+        double velocity = 0.8;    ///< seconds over which velocity is measured: about one step of a walker
+        double abrupt = 1.5;      ///< ratio of areas between two frames from which two objects merged or split
+        double adapts_in = 3;     ///< seconds in which the usual size adapts
+        double lost_after = 0.7;  ///< seconds for which an object may be unseen, or its place uncovered
     } track;
 
     /// Where each of several objects is within a blob that they share.
