@@ -133,15 +133,19 @@ std::vector<tracking::Stay> stationary_times(const tracking::Event& event) {
     return {whole};
 }
 
-std::vector<std::string> time_texts(const tracking::Event& event, double end, const WallClock& clock) {
+std::vector<std::string> time_texts(const tracking::Event& event, double end, const WallClock& clock,
+                                    std::size_t into) {
     const std::string begin = annotation::format_moment_and_day(event.first.seconds, clock);
     std::string until = annotation::format_moment_and_day(event.last.seconds, clock);
     const std::size_t day = begin.find(' ') + 1;  // the length of the day and the space after it
     if (day > 0 && begin == until) return {begin};
     if (until.starts_with(begin.substr(0, day))) until.erase(0, day);
     // Whether it was fetched is what a reader asks first.
-    if (event.kind != tracking::EventKind::left || !event.open_ended)
-        return {fmt::format("{}–{}", begin, until), begin};
+    if (event.kind != tracking::EventKind::left || !event.open_ended) {
+        const std::string both = fmt::format("{}–{}", begin, until);
+        if (into == 0) return {both, begin};
+        return {fmt::format("{}, then with {}", both, into), both, begin};
+    }
     // At a gap, with the time: after it, nobody looked for the thing.
     const std::string at = event.last.seconds >= end ? "" : " at " + until;
     return {fmt::format("{}, still there{}", begin, at), "from " + begin, begin};

@@ -55,8 +55,11 @@ std::vector<tracking::Stay> stationary_times(const tracking::Event& event);
 
 /// The event's time, as texts of decreasing length: "0:06–0:28", "0:06". Of a thing that was left behind, and was there
 /// until the end of the clip: "0:06, still there", "from 0:06", "0:06"; until a gap: "0:06, still there at 0:28", ...
+/// Of somebody who can't be told from another one from then on: "0:06–0:28, then with 2", ...
 /// \param end time of the clip's last frame, seconds
-std::vector<std::string> time_texts(const tracking::Event& event, double end, const WallClock& clock);
+/// \param into number of the other one; 0 = none
+std::vector<std::string> time_texts(const tracking::Event& event, double end, const WallClock& clock,
+                                    std::size_t into = 0);
 
 /// Positions of a volume's objects in P-space and in a camera's picture. The arguments must outlive it.
 class Trails {

@@ -275,7 +275,9 @@ void label_portrait(const Objects& objects, const EventPortrait& portrait, const
         }
     };
     write(activity_texts(event), text_left, base, ink);
-    write(time_texts(event, objects.end, objects.clock), still.left, base + line, pale);
+    const bool is_with = event.into && !row_of(event.kind).is_thing;
+    write(time_texts(event, objects.end, objects.clock, is_with ? objects.numbers[*event.into] : 0), still.left,
+          base + line, pale);
     lettering.badges.push_back(badge);
 }
 

@@ -219,9 +219,14 @@ class Strip {
             looks.emplace_back("striped where it stayed");
             brief.emplace_back("striped: stayed");
         }
-        if (has([](const tracking::Event& event) { return row_of(event.kind).lies; })) {
-            looks.emplace_back("thick where it was left behind");
-            brief.emplace_back("thick: left behind");
+        std::vector<std::string_view> lying;
+        for (const tracking::EventKindRow& row : tracking::event_kinds) {
+            if (row.lies && has([&](const tracking::Event& event) { return event.kind == row.kind; }))
+                lying.push_back(row.words);
+        }
+        if (!lying.empty()) {
+            looks.push_back(fmt::format("thick while {}", fmt::join(lying, " or ")));
+            brief.push_back(fmt::format("thick: {}", fmt::join(lying, " or ")));
         }
         if (has([](const tracking::Event& event) { return row_of(event.kind).is_of_scene; })) {
             looks.emplace_back("dashed while a thing that was taken is gone");

@@ -334,7 +334,18 @@ class Conclusion {
         evidence.carried = candidate.carried;
         evidence.novelty = candidate.whole.difference.novelty;
         evidence.confidence = confidence_of(evidence);
-        if (evidence.confidence >= 0.5 && !touches_border(candidate.whole.settled->patch.box, span_.field)) return;
+        const bool inside = !touches_border(candidate.whole.settled->patch.box, span_.field);
+        if (evidence.confidence >= 0.5 && inside) return;
+        const bool was_touched = row_of(candidate.kind).is_thing && !candidate.from_first &&
+                                 evidence.alone >= thresholds.bearer &&
+                                 evidence.confidence >= thresholds.claim.uncertain;
+        if (was_touched && inside) {
+            Tracklet& tracklet = candidate.whole;
+            const Patch& patch = tracklet.settled->patch;
+            candidate.kind = EventKind::changed;
+            tracklet.stays = {{tracklet.begin.at, tracklet.end.at, patch.centre, patch.box}};
+            return;
+        }
         if (!candidate.from_first || is_ghost(candidate.whole) || !is_likely(candidate)) {
             demote_to_change(candidate);
             return;

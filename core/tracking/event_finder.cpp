@@ -263,7 +263,8 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         Track& track = tracks_[k];
         if (went_on[k] || !track.follows_blobs()) continue;
         track.coast(now);
-        if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, false, now);
+        // Whose place is lost within a shared blob is still in it.
+        if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, track.is<Merged>(), now);
     }
     std::ranges::move(begun, std::back_inserter(tracks_));
 }

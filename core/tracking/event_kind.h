@@ -11,10 +11,11 @@
 namespace vvr::tracking {
 
 enum class EventKind {
-    moved,  ///< it moved through the scene
-    stood,  ///< it moved, and stayed in its place for a while
-    left,   ///< somebody put it down
-    taken,  ///< it belonged to the empty scene, and was removed
+    moved,    ///< it moved through the scene
+    stood,    ///< it moved, and stayed in its place for a while
+    left,     ///< somebody put it down
+    taken,    ///< it belonged to the empty scene, and was removed
+    changed,  ///< somebody changed the place; whether a thing came or went is not certain
 };
 
 /// How a kind's badge stands out on pages.
@@ -64,7 +65,7 @@ inline constexpr std::array event_kinds{
                  .activity = "",
                  .activity_short = "",
                  .by = "",
-                 .rank = 3},
+                 .rank = 4},
     EventKindRow{.kind = EventKind::stood,
                  .name = "stood",
                  .help = "kept its place for a while",
@@ -72,7 +73,7 @@ inline constexpr std::array event_kinds{
                  .activity = "stayed {}",
                  .activity_short = "stayed",
                  .by = "",
-                 .rank = 2,
+                 .rank = 3,
                  .emphasis = Emphasis::standing,
                  .tally = Tally::still,
                  .choice = &choice_of_standing},
@@ -100,6 +101,19 @@ inline constexpr std::array event_kinds{
                  .is_thing = true,
                  .is_of_scene = true,
                  .emphasis = Emphasis::strong,
+                 .tally = Tally::count,
+                 .choice = &choice_of_things},
+    EventKindRow{.kind = EventKind::changed,
+                 .name = "changed",
+                 .help = "a place that somebody changed; whether a thing came or went is not certain",
+                 .words = "changed",
+                 .activity = "changed here",
+                 .activity_short = "changed",
+                 .by = "changed by",
+                 .rank = 2,
+                 .is_thing = true,
+                 .lies = true,
+                 .emphasis = Emphasis::standing,
                  .tally = Tally::count,
                  .choice = &choice_of_things},
 };

@@ -103,6 +103,7 @@ struct Thresholds {
         double thickness = 0.15;  ///< share of its length, at least: a thing that was only shifted is a sliver
         double moved = 0.8;       ///< lengths that it moved by itself, at most; from twice as many on, it is no thing
         double novelty = 0.18;    ///< Hellinger distance to the scene's looks, at least; a door or a flag has less
+        double uncertain = 0.25;  ///< confidence; from here to 0.5, it only says that the place was changed
         double changed = 0.4;     ///< share of the picture that differed when it appeared, at most: a train, a lamp
         std::array<int, 9> levels{6, 8, 11, 16, 22, 32, 45, 64, 90};  ///< grey levels that compete for the outline
     } claim;

@@ -243,8 +243,14 @@ void Track::settle(const Steadiness& steadiness, const Flicker& flicker, const F
 bool Track::belongs_to(const Track& other) const {
     const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
     const int reach = 3 + static_cast<int>(stationary.apart * std::max(larger.width(), larger.height()));
+    // Who walks on from what is already still there is another.
+    const auto came_from_afar = [&](const Track& one, const Track& still) {
+        return still.first().frame > one.first().frame &&
+               glm::distance(place_at(one.path_.points(), still.first().frame), one.patch_.centre) > reach;
+    };
     return patch_.box.inflated(reach, reach).intersects(other.patch_.box) &&
-           std::abs(still_since().seconds - other.still_since().seconds) <= stationary.stay;
+           std::abs(still_since().seconds - other.still_since().seconds) <= stationary.stay &&
+           !came_from_afar(*this, other) && !came_from_afar(other, *this);
 }
 
 void Track::add_part(const Track& part) {

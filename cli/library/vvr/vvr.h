@@ -157,7 +157,7 @@ struct PathPoint {
 /// An object of the clip, from its first to its last frame.
 struct Event {
     int number = 0;            ///< from 1; the picture shows it
-    std::string kind;          ///< "moved", "stood", "left" or "taken"; later versions may add some
+    std::string kind;          ///< "moved", "stood", "left", "taken" or "changed"; later versions may add some
     std::string object_class;  ///< such as "person"; empty without a detector
     double score = 0;          ///< of the class, 0..1
     std::int64_t first_frame = 0;

@@ -65,6 +65,7 @@ TEST(Words, SayWhatItDidAndWhen) {
     event.stays.push_back({at(10), at(24), {}, {}});
     EXPECT_EQ(annotation::activity_texts(event).front(), "stayed 15 s in all");
     EXPECT_EQ(annotation::time_texts(event, 60, {}).front(), "0:06–0:28");
+    EXPECT_EQ(annotation::time_texts(event, 60, {}, 2).front(), "0:06–0:28, then with 2");
     EXPECT_EQ(annotation::time_texts(event, 60, 1'795'248'017).front(), "08:00:23–08:00:45");
     Clock days(1'795'248'017);
     days.lasts = 3 * 86'400;

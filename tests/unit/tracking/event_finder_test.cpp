@@ -1,6 +1,7 @@
 // What the finder makes of fields that are painted by hand.
 #include "core/tracking/event_finder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -89,12 +90,17 @@ TEST(EventFinder, WhoStoodThereFromTheFirstFrameMayLeaveAThing) {
 }
 
 /// A large person comes from the left, stands at the lower border, puts down a bag in frame 140, and leaves to the
-/// right in a few frames: from frame 179 on, they are out of the picture. \param more what else each field shows
+/// right in a few frames: from frame 179 on, they are out of the picture.
+void paint_bag_and_bearer(int frame, const PixelBox& bag, Plane<std::uint8_t>& field) {
+    const int x = frame < 104 ? frame - 40 : frame < 160 ? 64 : 64 + 3 * (frame - 160);
+    if (x < 120) fill(field, {x, 8, x + 40, 90}, 120);
+    if (frame >= 140) fill(field, bag, 220);
+}
+
+/// \param more what else each field shows
 std::vector<tracking::Event> events_of_bag(const PixelBox& bag, const Paint& more) {
     return events_of(430, [&](int f, auto& field) {
-        const int x = f < 104 ? f - 40 : f < 160 ? 64 : 64 + 3 * (f - 160);
-        if (x < 120) fill(field, {x, 8, x + 40, 90}, 120);
-        if (f >= 140) fill(field, bag, 220);
+        paint_bag_and_bearer(f, bag, field);
         more(f, field);
     });
 }
@@ -108,6 +114,41 @@ TEST(EventFinder, WhoLeavesThePictureIsNotTheThingThatStays) {
     EXPECT_EQ(events[1].kind, tracking::EventKind::left);
     EXPECT_NEAR(static_cast<double>(events[1].first.frame), 140, 4);
     EXPECT_EQ(events[1].by, 0U) << "it goes elsewhere, though its last place is beside the thing";
+}
+
+// Where the empty scene has an outline too, half as strong, nobody knows whether the bag came or something else went.
+TEST(EventFinder, APlaceWithAnOutlineBeforeAndAfterWasChanged) {
+    Plane<std::uint8_t> scene({120, 90});
+    fill(scene, {88, 66, 108, 80}, 150);
+    tracking::EventFinder finder({120, 90}, {.scene_is_learnt = false});
+    finder.set_scenes({{scene, {}}});
+    for (int f = 0; f < 430; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        paint_bag_and_bearer(f, {88, 66, 108, 80}, field);
+        finder.add({field, {}, {}}, at(f));
+    }
+    const auto events = finder.finish().events;
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[1].kind, tracking::EventKind::changed);
+    EXPECT_EQ(events[1].by, 0U);
+    ASSERT_EQ(events[1].stays.size(), 1U);
+    EXPECT_NEAR(events[1].stays[0].place.x, 97.5, 2);
+    ASSERT_TRUE(events[1].evidence);
+    EXPECT_LT(events[1].evidence->confidence, 0.5);
+}
+
+// Both are still within two seconds of each other, and near: but he came from there.
+TEST(EventFinder, WhoWalksAwayFromAPlaceAndLiesDownIsNotAPartOfIt) {
+    const PixelBox place{98, 40, 112, 70};
+    const auto events = events_of(500, [&](int f, auto& field) {
+        const int x = f < 45 ? 2 * f : f < 70 ? 90 : f < 105 ? 90 - 2 * (f - 70) : 5;
+        if (f >= 50) fill(field, place, 200);
+        fill(field, f < 105 ? PixelBox{x, 32, x + 14, 74} : PixelBox{x, 60, x + 60, 74}, 120);
+    });
+    const auto man = std::ranges::find_if(events, [](const auto& event) { return !row_of(event.kind).is_thing; });
+    ASSERT_NE(man, events.end());
+    ASSERT_FALSE(man->stays.empty());
+    EXPECT_FALSE(man->stays.back().box.intersects(place));
 }
 
 // The first blob of the bag's track has a part of the person, which takes its centre far away.
