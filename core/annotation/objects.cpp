@@ -144,7 +144,7 @@ std::vector<std::string> time_texts(const tracking::Event& event, double end, co
     if (event.kind != tracking::EventKind::left || !event.open_ended) {
         const std::string both = fmt::format("{}–{}", begin, until);
         if (into == 0) return {both, begin};
-        return {fmt::format("{}, then with {}", both, into), both, begin};
+        return {fmt::format("{}, then with {}", both, into), fmt::format("{} joins {}", both, into), both, begin};
     }
     // At a gap, with the time: after it, nobody looked for the thing.
     const std::string at = event.last.seconds >= end ? "" : " at " + until;
