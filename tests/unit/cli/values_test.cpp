@@ -188,7 +188,7 @@ TEST(Values, EventsHaveKindsAndALeastLength) {
     const Setting setting{"events", "LIST", ""};
     tracking::EventChoice choice;
     const options::Value value = options::value_of(setting, choice);
-    EXPECT_EQ(value.text(), "moved,stood,left,taken");
+    EXPECT_EQ(value.text(), "moved,stood,left,taken,changed");
     const std::pair<const char*, const char*> texts[] = {
         {"left", "left"}, {"taken,left", "left,taken"}, {"left,5s", "left,5s"}, {"1m,moved", "moved,60s"}};
     for (const auto& [given, shown] : texts) {
@@ -196,7 +196,7 @@ TEST(Values, EventsHaveKindsAndALeastLength) {
         EXPECT_EQ(value.text(), shown);
     }
     value.set("3s");
-    EXPECT_EQ(value.text(), "moved,stood,left,taken,3s") << "a length alone is of all kinds";
+    EXPECT_EQ(value.text(), "moved,stood,left,taken,changed,3s") << "a length alone is of all kinds";
 }
 
 TEST(Values, ABackendMayHaveADevice) {
