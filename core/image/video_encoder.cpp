@@ -226,7 +226,7 @@ std::span<const VideoRow> video_rows() {
     static constexpr auto as_webm = "crf=20,b=12000000,cpu-used=4,deadline=good";
     static constexpr std::array rows{
         VideoRow{"gif", "gif", "loop=0", "", {}, true},
-        VideoRow{"mp4", "libx264", as_mp4, "preset=veryfast,bf=0", {29, 32}},
+        VideoRow{"mp4", "libx264", as_mp4, "preset=veryfast,subq=1,motion-est=dia,bf=0", {29, 32}},
         VideoRow{"mp4", "mpeg4", as_mp4},
         VideoRow{"webm", "libvpx-vp9", as_webm, "cpu-used=6,deadline=realtime", {36, 40}},
         VideoRow{"webm", "libvpx", as_webm, "cpu-used=8,deadline=realtime", {22, 28}},

@@ -16,7 +16,7 @@ SOFTWARE = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swifts
 VIEWS = {"desktop": (1440, 900, False, 1, 0), "desktop, 1.5 Mbit/s": (1440, 900, False, 1, 1.5), "phone, 1.5 Mbit/s": (390, 844, True, 4, 1.5)}
 # The view of the volume alone, in the size in which frames are timed.
 SMALL = """const style = new CSSStyleSheet();
-    style.replaceSync('#view { width: 320px !important; height: 190px !important; border: 0 !important }');
+    style.replaceSync('#view { --buttons: 0px !important; --meaning: 0px !important; width: 320px !important; height: 190px !important; border: 0 !important }');
     document.adoptedStyleSheets = [style]; set({tab: 'volume'})"""
 # Notes what moves before one's eyes, and makes the volume as soon as it has come, however slow the software rasteriser is.
 WATCH = """window.shifts = [];
