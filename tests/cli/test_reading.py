@@ -40,7 +40,7 @@ def test_reading_a_train_is_masked(t):
 def test_reading_a_shaking_camera(t):
     clip = scene(t, "walks_by_shaken")
     check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
-    check(kinds(t, clip, "--stabilize", "off") == [], "it makes no difference")
+    check(len(kinds(t, clip, "--stabilize", "off")) > 1, "it makes no difference")
 
 
 @pytest.mark.nightly
