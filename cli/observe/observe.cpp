@@ -111,7 +111,8 @@ const annotation::Still* clearest(std::span<const annotation::Still> stills, con
     return clearest;
 }
 
-/// Reads frames again that show the places of things that were left or taken: before, and after.
+/// Reads frames again that show the places of things that were left or taken, and those that were changed: before, and
+/// after.
 void take_pairs(Observation& seen, fields::FieldSource& source) {
     constexpr std::size_t most = 8;     // reading a frame again takes as long as several
     constexpr double beside = 0.5;      // seconds: while it is put down or taken, somebody covers it

@@ -60,8 +60,8 @@ struct EventPortrait {
     glm::dvec2 to{};  ///< on the object's trail
 };
 
-/// Places stills of the most important objects in the sheet's portrait band, below the captions. What was left or taken
-/// has two side by side, before and after, if `crops` has them.
+/// Places stills of the most important objects in the sheet's portrait band, below the captions. What was left, taken
+/// or changed has two side by side, before and after, if `crops` has them.
 /// \param numbered indices of the events that may get one
 /// \param obstacles boxes that lines avoid if they can
 /// \param most_pairs at most this many

@@ -320,8 +320,8 @@ class Conclusion {
         return alone;
     }
 
-    /// Says of a claim how sure it is. With too little evidence it is a change only. What moved by itself before it
-    /// became still is no thing: it stood.
+    /// Says of a claim how sure it is. With less evidence the place was changed, and with too little it is a change
+    /// only. What moved by itself before it became still is no thing: it stood.
     void weigh(std::size_t k) {
         Candidate& candidate = candidates_[k];
         if (!candidate.wanted || !candidate.is_claim) return;
